@@ -63,17 +63,24 @@ def unbiased_row(number: str) -> Claim:
     )
 
 
-def estimate_row(number: str, marks: tuple[str, ...] = ()) -> Claim:
+def estimate_row(
+    number: str,
+    marks: tuple[str, ...] = (),
+    cites: tuple[str, ...] = (),
+    latex: str = r"E\,\frac{s^2(q_k)}n=\mathrm{Var}\,\bar q",
+) -> Claim:
     """State that the estimate of the variance of the mean, `number`, has no bias."""
     return Claim(
         f"{number}, estimate of the variance of the mean",
-        r"E\,\frac{s^2(q_k)}n=\mathrm{Var}\,\bar q",
+        latex,
         Equality(
             expected_squares(),
             n * (n - 1) * Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
         ),
-        note="Written without the divisor n (n - 1), for independent observations of one variance.",
+        note="Its expected value is the variance of the mean of independent observations of one "
+        "variance; written without the divisor n (n - 1).",
         marks=marks,
+        cites=cites,
     )
 
 

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from sympy import Abs, Expr, Interval, Le, Rational, oo, sqrt, symbols
+from sympy import Abs, Expr, Interval, Rational, erf, oo, pi, sqrt, symbols
 
 from mechproof.record import (
     LENGTH,
+    Check,
     Claim,
-    Completion,
-    Completions,
     Conjunction,
+    Correction,
+    Cost,
     Datum,
     Definition,
-    Holds,
+    NotCheckable,
     PrintedNumber,
+    Reading,
     Variable,
 )
 
@@ -24,18 +27,19 @@ from ._metrology import student_coverage
 from ._relations import less
 
 POSITIVE = Interval.open(0, oo)
+# The rows that are findings of both papers.
+INTERVAL, ADEQUACY = "95 % interval", "measured functions adequate"
 
 # The encoders -----------------------------------------------------------------------------------
 
 RESOLUTION = Rational(360, 4096)
-LINEARITY = Rational("0.003")
-READING_LINEARITY = LINEARITY * 90
-FULL_SCALE_LINEARITY = LINEARITY * 360
-linearity, read_time, output, diameter, millimetre = symbols(
-    "linearity t_read V_out d_encoder mm", positive=True
+FULL_SCALE_LINEARITY = Rational("0.003") * 360
+resolution, linearity, read_time, output, diameter, millimetre = symbols(
+    "resolution linearity t_read V_out d_encoder mm", positive=True
 )
 
 ENCODER_VARIABLES = (
+    Variable(resolution, "resolution of the encoder, degrees", within=POSITIVE),
     Variable(linearity, "linearity of the encoder", within=POSITIVE),
     Variable(read_time, "read time of the encoder, s", within=POSITIVE),
     Variable(output, "output range of the encoder, V", within=POSITIVE),
@@ -53,30 +57,24 @@ def two_encoders(gain: Expr) -> Expr:
     return FULL_SCALE_LINEARITY * (1 + gain)
 
 
-def resolution_row(table: str, note: str = "", marks: tuple[str, ...] = ()) -> Datum:
-    """State the step of a 12-bit encoder."""
+def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
+    """List what is printed of the encoder besides how its resolution comes about."""
     return Datum(
-        f"{table}, resolution",
-        r"360^\circ/4096\approx0.088^\circ",
-        PrintedNumber("0.088", RESOLUTION),
-        note=note,
-        marks=marks,
+        f"{table}, encoder",
+        r"0.088^\circ,\ 0.3\,\%,\ 0.6\text{ ms},\ 0\dots5\text{ V},\ 22\text{ mm}",
+        Conjunction(
+            (
+                Definition(resolution, Rational("0.088")),
+                Definition(linearity, Rational("0.003")),
+                Definition(read_time, Rational("0.0006")),
+                Definition(output, Rational(5)),
+                Definition(diameter, 22 * millimetre),
+            )
+        ),
+        note="Resolution, linearity, reading speed, output signal, diameter; no formula uses them. "
+        "The text at hand does not say of what the 0.3 % is taken: 1.08 deg of 360 deg.",
+        cites=cites,
     )
-
-
-def encoder_rows(table: str) -> tuple[Datum, ...]:
-    """List what else is printed of the encoder; no formula uses it."""
-    unused = "A datum; no formula of the paper uses it."
-    open_base = (
-        "A datum; not said of what the percentage is taken: 1.08 deg of a full scale of 360 deg."
-    )
-    data = (
-        ("linearity", r"\text{linearity }0.3\,\%", Definition(linearity, LINEARITY), open_base),
-        ("read time", r"0.6\text{ ms}", Definition(read_time, Rational("0.0006")), unused),
-        ("output", r"0\dots5\text{ V}", Definition(output, Rational(5)), unused),
-        ("diameter", r"22\text{ mm}", Definition(diameter, 22 * millimetre), unused),
-    )
-    return tuple(Datum(f"{table}, {what}", latex, says, note) for what, latex, says, note in data)
 
 
 # The readings -----------------------------------------------------------------------------------
@@ -111,31 +109,9 @@ class Readings:
         return sqrt((limit**2 - mean**2) * Rational(self.count, self.count - 1))
 
 
-def means_within(readings: Mapping[int, Readings], limits: Mapping[int, Expr]) -> Conjunction:
-    """State |mean error| <= limit for the variants of `limits`."""
-    return Conjunction(
-        tuple(
-            Holds(Le(Abs(readings[variant].mean), limit, evaluate=False))
-            for variant, limit in limits.items()
-        )
-    )
-
-
-COVERAGE_OF_MEAN = (
-    "Of the mean error: a confidence level is that of an estimate. Coverage of the factor 2 by "
-    "Student's t, normal observations assumed."
-)
-
-
-def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = ()) -> Datum:
-    """Recompute the level of the factor 2 for the mean of `count` readings of one variant."""
-    return Datum(
-        f"95 %, variant {variant}",
-        rf"\text{{the 95 \% interval is }}\bar q\pm 2u,\ n={count}",
-        PrintedNumber("95", student_coverage(count, Rational(2))),
-        note=note,
-        marks=marks,
-    )
+def of_the_mean(count: int) -> Expr:
+    """Return how many per cent of intervals of 2 u hold the expected value of `count` readings."""
+    return student_coverage(count, Rational(2))
 
 
 def coverage_of_errors(count: int) -> Expr:
@@ -143,27 +119,88 @@ def coverage_of_errors(count: int) -> Expr:
     return student_coverage(count, 2 / sqrt(count + 1))
 
 
-def adequacy_row(
-    readings: Mapping[int, Readings], gains: Mapping[int, Expr], failing: str
+def of_single_errors(count: int) -> Expr:
+    """Return how many per cent of single errors lie within 2 s of the mean of `count`."""
+    return student_coverage(count, 2 * sqrt(Rational(count, count + 1)))
+
+
+def interval_of_errors(
+    readings: Mapping[int, Readings], cites: tuple[str, ...], marks: tuple[str, ...] = ()
 ) -> Claim:
-    """Judge the measured functions by two criteria, the same in both papers."""
+    """Judge of what the interval is: of the errors, as it is called, or of their mean."""
+    counts = [line.count for line in readings.values()]
+    of_mean = Conjunction(tuple(PrintedNumber("95", of_the_mean(count)) for count in counts))
     return Claim(
-        "measured functions adequate",
-        r"\text{the measured functions of all variants are adequate to the model}",
-        Completions(
-            "the criterion of adequacy",
-            Completion(
-                "criterion of adequacy: the 95 % interval of the mean error contains 0",
-                means_within(readings, {v: 2 * r.uncertainty for v, r in readings.items()}),
-            ),
-            Completion(
-                "criterion of adequacy: the mean error stays within what two encoders of 0.3 % of "
-                "360 deg allow, 1.08 deg (1 + max |phi3'|)",
-                means_within(readings, {v: two_encoders(gain) for v, gain in gains.items()}),
-            ),
+        INTERVAL,
+        r"\text{the confidence interval of the measurement errors at a confidence level of 95 \% "
+        r"is determined as }\bar q\pm2u",
+        Conjunction(tuple(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
+        readings=(Reading("the interval of the mean of the errors, whose u it is", of_mean),),
+        corrected=Correction(
+            r"\text{the confidence interval of the mean of the measurement errors at a "
+            r"confidence level of 95 \% is determined as }\bar q\pm2u",
+            of_mean,
         ),
-        note=f"No criterion and no readings are printed; {failing} the first criterion.",
-        marks=("inferred",),
+        note="Coverage by Student's t, normal observations assumed. If u is the standard deviation "
+        "of single errors, the words are right, and u is not what the formulas before make of it.",
+        marks=(*marks, "inferred"),
+        cites=cites,
+    )
+
+
+def if_u_is_s(
+    table: str,
+    readings: Mapping[int, Readings],
+    halves: Sequence[str],
+    distances: Sequence[str],
+) -> Claim:
+    """State the intervals of the means if u is s, and how many uncertainties the means are off."""
+    printed = tuple(zip(readings.values(), halves, distances, strict=True))
+    intervals = ",\\ ".join(rf"{float(line.mean):g}\pm{half}^\circ" for line, half, _ in printed)
+    away = ",\\ ".join(distances)
+    return Claim(
+        f"{table}, if u is s",
+        rf"\bar q\pm\tfrac{{2u}}{{\sqrt n}}:\ {intervals};\ |\bar q|\tfrac{{\sqrt n}}u={away}",
+        Conjunction(
+            tuple(
+                statement
+                for line, half, distance in printed
+                for statement in (
+                    PrintedNumber(half, 2 * line.uncertainty / sqrt(line.count)),
+                    PrintedNumber(distance, Abs(line.mean) * sqrt(line.count) / line.uncertainty),
+                    PrintedNumber("95", of_single_errors(line.count)),
+                )
+            )
+        ),
+        note="If the printed u is the standard deviation s of single errors, mean +- 2u does hold "
+        "95 % of the errors, and these are the intervals of the means: all four differ from zero, "
+        f"by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
+        "uncertainties.",
+        marks=("ours", "consequence", "inferred"),
+    )
+
+
+def table_row(table: str, equations: str, cites: tuple[str, ...], **marks: Any) -> Claim:
+    """Say that a table of results cannot be recomputed."""
+    return Claim(
+        f"{table} by {equations}",
+        rf"\text{{applying equations {equations} to the results, we get the values of {table}}}",
+        NotCheckable("the readings q_k are not printed in the text at hand"),
+        cites=cites,
+        **marks,
+    )
+
+
+def adequacy_row(cites: tuple[str, ...]) -> Claim:
+    """Say that no calculation decides whether the model is adequate."""
+    return Claim(
+        ADEQUACY,
+        r"\text{the measured position functions of all variants are adequate to the kinematic "
+        r"model built}",
+        NotCheckable(
+            "neither a criterion of adequacy nor the readings are printed in the text at hand"
+        ),
+        cites=cites,
     )
 
 
@@ -174,4 +211,43 @@ def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]
             less(readings[v].scatter_within(limit), readings[v].least_scatter)
             for v, limit in limits.items()
         )
+    )
+
+
+def costs_of_interval(
+    readings: Mapping[int, Readings], variants: Sequence[int]
+) -> tuple[Cost, ...]:
+    """Return what the interval holds of single errors, and how wide theirs is."""
+    return tuple(
+        cost
+        for variant, line in readings.items()
+        if variant in variants
+        for cost in (
+            Cost(
+                f"variant {variant}, share of single errors within mean ± 2u",
+                {},
+                "%",
+                printed=Rational(95, 100),
+                right=coverage_of_errors(line.count) / 100,
+                names=("as called", "by u = s/√n"),
+            ),
+            Cost(
+                f"variant {variant}, half-width for 95 % of single errors",
+                {},
+                "°",
+                decimals=2,
+                printed=2 * line.uncertainty * pi / 180,
+                right=2 * line.implied_scatter * pi / 180,
+                names=("2u", "2s = 2u√n"),
+            ),
+        )
+    )
+
+
+def check_of_interval(line: Readings) -> Check:
+    """Return how many per cent of a normal law are so near its mean."""
+    return Check(
+        f"2u = 2s/√n, with n = {line.count} {{0}} s; a table of the normal law has the share {{1}} "
+        "within so many standard deviations, not 0.95.",
+        (2 / sqrt(line.count), erf(sqrt(2) / sqrt(line.count))),
     )

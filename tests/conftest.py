@@ -34,12 +34,16 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Iterator[None]:
-    """Look for no garbage while tests are collected, nor later among what that leaves behind."""
+    """Look for no garbage while tests are collected, nor later among what that leaves behind.
+
+    Afterwards it is looked for less often: SymPy makes many objects that live.
+    """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(50_000)
         gc.enable()
 
 

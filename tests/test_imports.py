@@ -76,7 +76,10 @@ LOADED = {
     "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
         *("sympy", "flint", "mechproof.cache", "mechproof.notebook", "mechproof.arithmetic"),
-        *("mechproof.proof", "mechproof.record"),
+        *("mechproof.latex", "mechproof.proof", "mechproof.record"),
+    },
+    "proof.newton": {
+        *("numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.proof", "mechproof.record"),
     },
     "codegen": {
         *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),

@@ -19,7 +19,10 @@ FOLDERS = {
     "generated": "mechproof/kernels",
     "derivations": "mechproof/derivations",
 }
-DATA = ("*.tex", "*.txt", "templates/*", "measured/*.json", "certificates/*.json", "py.typed")
+DATA = (
+    *("*.tex", "*.txt", "templates/*", "measured/*.json", "certificates/*.json", "py.typed"),
+    *("*.schema.json", "font/*"),
+)
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
 
 

@@ -14,6 +14,8 @@ from codegen.c_libraries import COMPILER, STRICT, compile_files
 from command import run
 from test_own_paper import load, run_in
 
+from mechproof import choose, tailor
+
 OTHERS = Path(__file__).parent / "own_paper" / "others"
 SIZES = (40.0, 120.0, 80.0, 100.0)
 EPS = 2.0**-52
@@ -84,12 +86,86 @@ def test_the_same_in_c(workshop: Path) -> None:
         assert function(*given) == pytest.approx(getattr(kernels, name)(*given), rel=4 * EPS)
 
 
-def test_what_has_no_operation_is_told_by_verify(tmp_path: Path) -> None:
-    text = (OTHERS / "cam.py").read_text()
-    wrong = text.replace("LIFT = join(", "LIFT = zeta(2 + theta) * join(")
-    (tmp_path / "cam.py").write_text(wrong.replace("pi, sin\n", "pi, sin, zeta\n", 1))
-    done = run("verify", str(tmp_path / "cam.py"))
+@pytest.mark.xdist_group("pieces")
+def test_branches_and_pieces_are_measured_charted_chosen_and_tailored(workshop: Path) -> None:
+    run_in(workshop, "measure", "--quick", "rocker", "lift")
+    measured = workshop / "generated" / "measured" / "quick"
+    run_in(workshop, "chart", "--measured", str(measured), "--out", "charts")
+    for name in ("four_bar.rocker", "cam.lift"):
+        assert list((workshop / "charts").glob(f"{name}*.svg"))
+    crank = dict(zip("abcd", SIZES, strict=True))
+    choice = choose("four_bar.rocker", error=1e-9, theta=(0.1, 6), **crank, measured=measured)
+    assert choice.error <= 1e-12
+    assert choose("cam.lift", error=1e-9, h=20, measured=measured).error <= 1e-12
+    sizes = [f"--let={name}={value}" for name, value in {**crank, "sigma": -1}.items()]
+    asked = ("emit", "c", "four_bar.rocker", "--error", "1e-6", "--let=theta=0:6", *sizes)
+    run_in(workshop, *asked, "--out", "tailored")
+    assert (workshop / "tailored" / "four_bar_tailored.c").is_file()
+    place = workshop / "derivations"
+    assert tailor("cam.lift", error=1e-6, derivations=place, theta=(0.1, 2), h=20).bound <= 1e-6
+    with pytest.raises(ValueError, match=r"jumps or is undefined about 2\.0943951"):
+        tailor("cam.lift", error=1e-6, derivations=place, theta=(0.1, 3), h=20)
+
+
+def test_what_has_no_operation_is_a_row_of_verify(tmp_path: Path) -> None:
+    text = (OTHERS / "four_bar.py").read_text()
+    wrong = text.replace('"equation (3)", SHORT)', '"equation (3)", SHORT + zeta(theta))')
+    (tmp_path / "four_bar.py").write_text(wrong.replace("sin, sqrt\n", "sin, sqrt, zeta\n", 1))
+    done = run("verify", str(tmp_path / "four_bar.py"), "--json", str(tmp_path / "rows.json"))
     assert done.exit_code == 1
-    told = " ".join(done.output.split())
-    assert "quantity lift: no operation for zeta" in told
+    rows = json.loads((tmp_path / "rows.json").read_text())["rows"]
+    found = {row["number"]: row["verdict"] for row in rows}
+    assert found == {
+        "(1)": "PROVED",
+        "(2)": "REFUTED",
+        "(3)": "PROVED",
+        "kernel rocker": "PROVED",
+        "kernel velocity_ratio": "UNDECIDED",
+    }
+    told = " ".join(rows[-1]["reason"].split())
+    assert "quantity velocity_ratio: no operation for zeta" in told
     assert "or leave them out for no kernel of it" in told
+    assert "kernel velocity_ratio is UNDECIDED, only what is proved is shipped" in done.output
+    refused = run("emit", "c", "--derivations", str(tmp_path), "--out", str(tmp_path / "c"))
+    assert refused.exit_code == 1
+    assert not (tmp_path / "c").exists()
+
+
+STEPS = """
+from sympy import *
+from mechproof.record import *
+x = Symbol("x", real=True)
+def q(name, definition, form=None):
+    forms = (Form("as printed", definition if form is None else form),)
+    argument = Argument("x", (x,), "a number", usual=(0.1, 1, 10))
+    return Quantity(name, "Compute it.", (argument,), definition, forms, "my notes")
+PAPER = Paper("steps", "my notes", (Variable(x, "a number"),), (), quantities=(%s))
+"""
+
+
+def test_ceilings_and_steps_have_kernels(tmp_path: Path) -> None:
+    (tmp_path / "derivations").mkdir()
+    derived = (
+        'q("teeth", ceiling(x/3 + 1)), q("push", (x - 1)**2*Heaviside(x - 1)),'
+        'q("half", Heaviside(x)), q("closed", x + Heaviside(x - 1, 1))'
+    )
+    (tmp_path / "derivations" / "steps.py").write_text(STEPS % derived)
+    run_in(tmp_path, "regenerate")
+    x = np.array([-4.0, -0.5, 0.0, 1.0, 2.5, 6.0, np.nan])
+    teeth = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0, np.nan]
+    for folder in ("", "compiled"):
+        kernels = load(tmp_path / "generated" / folder / "steps.py")
+        np.testing.assert_array_equal(kernels.teeth(x), teeth)
+        np.testing.assert_array_equal(kernels.push(x), [0, 0, 0, 0, 2.25, 25, np.nan])
+        np.testing.assert_array_equal(kernels.half(x), [0, 0, 0.5, 1, 1, 1, np.nan])
+        np.testing.assert_array_equal(kernels.closed(x), [-4, -0.5, 0, 2, 3.5, 7, np.nan])
+
+
+def test_another_step_is_refuted(tmp_path: Path) -> None:
+    wrong = 'q("teeth", ceiling(x), floor(x) + 1), q("open", Heaviside(x, 1), Heaviside(x, 0))'
+    (tmp_path / "steps.py").write_text(STEPS % wrong)
+    done = run("verify", str(tmp_path / "steps.py"))
+    assert done.exit_code == 1
+    assert "REFUTED  2" in done.output
+    for name in ("teeth", "open"):
+        assert f"kernel {name} is REFUTED" in " ".join(done.stderr.split())

@@ -55,7 +55,7 @@ def test_the_excerpt_of_the_findings_is_the_ledger() -> None:
         f"**{f['system']}, {f['number']}**: {' '.join((f['verdict'], *marks(f)))}. {f['wrong']}"
         f"{cost} Right: $`{f['corrected_latex']}`$"
         for f in ledger["findings"]
-        for cost in ("", *(f" *{cost}.*" for cost in f["costs"]))
+        for cost in ("", *(f" *{cost['text']}.*" for cost in f["costs"]))
     }
     excerpt = README.split("from the ledger:\n\n- ")[1].split("\n\n")[0]
     shown = [item.replace("\n  ", " ") for item in excerpt.split("\n- ")]

@@ -16,8 +16,10 @@ from mechproof.derivation import DerivationError, stop_after
 from mechproof.verification import judge_derivations
 
 FIELDS = {
+    "id",
+    "cites",
     "system", "number", "kind", "verdict", "rung", "marks",
-    "printed_latex", "read_as", "compared_with", "on", "singular", "reason", "evidence",
+    "print", "paraphrase", "read_as", "compared_with", "on", "singular", "reason", "evidence",
     "corrected_latex",
 }  # fmt: skip
 
@@ -30,13 +32,14 @@ def test_rows_have_the_stated_fields(tmp_path: Path) -> None:
     assert row.keys() == FIELDS
     assert (row["system"], row["number"], row["kind"]) == ("mine", "(1)", "equation")
     assert (row["verdict"], row["read_as"], row["marks"]) == ("PROVED", "", ["as typed"])
-    assert "\nprinted equations: 1 PROVED\n" in result.output
+    assert "\nverdict  printed equations\nPROVED   1\n" in result.output
 
 
 def test_an_open_row_is_status_1(tmp_path: Path) -> None:
     result = run("verify", str(write(tmp_path, PROVED, OPEN)))
     assert result.exit_code == 1, result.output
-    assert "1 UNDECIDED" in result.output
+    assert re.search(r"^\(2\) \(as typed\) +UNDECIDED  \w", result.output, re.MULTILINE)
+    assert re.search(r"^UNDECIDED +1$", result.output, re.MULTILINE)
 
 
 @pytest.mark.parametrize(("outcome", "status"), [("refuted", 0), ("undecided,proved", 1)])
@@ -192,28 +195,51 @@ def test_json_is_written_before_anything_is_printed(
 def test_brackets_in_names_are_shown_as_they_are(tmp_path: Path) -> None:
     file = write(tmp_path, PROVED)
     file.write_text(file.read_text(encoding="utf-8").replace('"my notes"', '"notes [/x] [red]"'))
-    result = run("verify", str(file))
+    result = run("verify", "--all", str(file))
     assert result.exit_code == 0, result.output
     assert "notes [/x] [red]" in result.output
 
 
-def test_findings_come_first_and_what_is_plain_is_counted(tmp_path: Path) -> None:
-    wrong = 'Equation("(3)", "3", Equality(sin(x), cos(x)))'
-    file = write(tmp_path, PROVED, wrong)
+WRONG = 'Equation("(3)", "\\\\sin x=3", Equality(sin(x), cos(x)))'
+
+
+def test_a_run_ends_in_a_line_for_each_finding_and_the_totals(tmp_path: Path) -> None:
+    file = write(tmp_path, PROVED, WRONG)
     lines = run("verify", str(file)).output.splitlines()
-    starts = ["Finding in mine: (3): REFUTED", "mine: my notes", "(3) (as typed)  REFUTED"]
-    places = [next(n for n, line in enumerate(lines) if line.startswith(s)) for s in starts]
-    assert places == sorted(places)
-    assert not any(line.startswith("(1)") for line in lines)
-    assert lines[-3:] == [
+    finding = next(n for n, line in enumerate(lines) if line.startswith("mine (3)"))
+    assert re.fullmatch(r"mine \(3\)  REFUTED  at x = .*: printed .*, rebuilt .*", lines[finding])
+    assert lines[finding + 1 :] == [
+        "",
+        "verdict  printed equations",
+        "PROVED   1",
+        "REFUTED  1",
+        "",
         "1 paper, 2 rows, 1 finding",
-        "1 row proved or defining not shown: --all shows every row",
+        "--findings shows what is right, and why; --all shows every row, with its evidence",
         "What verdicts and marks mean: docs/verdicts.md of the sources, or the start page of "
         "`mechproof report`",
     ]
+
+
+def test_cards_and_rows_are_shown_when_asked_for(tmp_path: Path) -> None:
+    file = write(tmp_path, PROVED, WRONG)
+    cards = run("verify", "--findings", str(file)).output
+    labels = ("mine (3): REFUTED (as typed): changes a", "  printed   ", "  wrong ", "  costs ")
+    places = [cards.index(label) for label in labels]
+    assert places == sorted(places)
+    assert not re.search(r"^\(1\)", cards, re.MULTILINE)
     shown = run("verify", "--all", str(file)).output
     assert re.search(r"^\(1\) \(as typed\) +PROVED", shown, re.MULTILINE)
-    assert "not shown" not in shown
+    assert "  wrong " not in shown
+
+
+def test_what_a_mend_changes_is_marked(tmp_path: Path) -> None:
+    says = "Equality(1 - sin(x)**2/2, cos(x)**2)"
+    right = r'Correction(r"1-\sin^2x", Equality(1 - sin(x)**2, cos(x)**2))'
+    row = rf'Equation("(4)", r"1-\frac{{\sin^2x}}2", {says}, corrected={right})'
+    output = run("verify", "--findings", str(write(tmp_path, row))).output
+    assert r"printed   1-[-\frac{-]\sin^{2}x[-}{2}-]" in output
+    assert r"right     1-\sin^{2}x   (proved: " in output
 
 
 def test_progress_counts_the_rows_of_each_paper(tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from mechproof.record import Paper, PublishedSizes, Together
 
+from .aside import ASIDE
+from .consequences import CONSEQUENCES
 from .findings import FINDINGS
 from .kernels import QUANTITIES
 from .position_rows import POSITION_CLAIMS, POSITION_ROWS
@@ -11,15 +13,13 @@ from .symbols import PRINT, R1, R2, VARIABLES, VARIANTS, e
 
 PAPER = Paper(
     system="elliptic_planetary",
-    citation=(
-        "Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pair, "
-        "doi 10.37313/1990-5378-2024-26-3-164-171"
-    ),
+    citation="Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pair",
+    doi="10.37313/1990-5378-2024-26-3-164-171",
     variables=VARIABLES,
     notation=PRINT.notation,
     where=PRINT.where,
     print=PRINT.file,
-    rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
+    rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS + CONSEQUENCES,
     quantities=QUANTITIES,
     together=(Together("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
@@ -27,6 +27,8 @@ PAPER = Paper(
         for number, sizes in VARIANTS.items()
     ),
     findings=FINDINGS,
+    sentences=60,
+    aside=ASIDE,
     conventions=(
         "Angles are positive in the direction of the carrier's rotation; distances on the line "
         "A-C are positive from A towards C and B. Lengths in mm, angles in rad."

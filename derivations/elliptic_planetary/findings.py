@@ -1,12 +1,14 @@
 """What is wrong in paper 1: the causes, what they cost at its own sizes, what follows from them."""
 
-from sympy import Expr, Rational, Symbol, pi
+from sympy import Expr, Rational, S, Symbol, diff, pi
 
-from mechproof.record import Cost, Finding
+from mechproof.record import Check, Cost, Finding, Weight
 
-from .position_rows import DX_SUPPLIED
-from .readings import HALF_WIDTHS, LIMITS, READINGS, implied_scatter
-from .symbols import R1, R2, READER, VARIANTS, e, phi1
+from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval
+from .position_rows import DX_SUPPLIED, print_12
+from .ratio_rows import print_8
+from .readings import HALF_WIDTHS, LIMITS, READINGS
+from .symbols import R1, R2, READER, VARIANTS, a1, b1, e, phi1, phi5
 
 DEGREE = pi / 180
 
@@ -17,34 +19,82 @@ def place(variant: int, degrees: Expr | int) -> dict[Symbol, Expr]:
     return {**sizes, phi1: degrees * DEGREE}
 
 
+def start_of_8(variant: int) -> Expr:
+    """Return the ratio by (8) at the start, where phi5 = 0."""
+    return print_8.subs(phi5, S.Zero).subs(place(variant, 0))
+
+
+def at_quarter(member: Expr) -> Expr:
+    """Return what a member of (10) integrates at x = 90 degrees, for the smaller e."""
+    integrand = member.function.subs(member.variables[0], pi / 2)
+    return integrand.subs({a1: 1 + e**2, b1: 2 * e}).subs(e, VARIANTS[1][2])
+
+
 RIGHT_INTEGRAL, PRINTED_INTEGRAL = READER.members(DX_SUPPLIED)
 FINDINGS = (
     Finding(
-        "(10), third equals sign",
-        "The fourth expression of (10) has the factor cos^2(x/2) in its numerator, where it "
-        "belongs in the denominator, and no differential dx.",
-        costs=tuple(
-            Cost(
-                f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",
-                place(variant, 90 * Rational(small, large)),
-                decimals=3,
-                printed=PRINTED_INTEGRAL,
-                right=RIGHT_INTEGRAL,
-            )
-            for variant, (large, small, eccentricity) in list(VARIANTS.items())[:2]
-        ),
-        follows=("(10), fourth equals sign",),
-    ),
-    Finding(
         "(12)",
-        "(12) takes the root of (1 + e)/(1 - e) in two places where (11) gives (1 + e)/(1 - e) "
-        "itself; besides, its arctangent falls back once in each turn of x = R_1 φ_1/R_2, where "
-        "the position goes on.",
+        "With a_1 ± b_1 = (1 ± e)² the root in (11) is (1 + e)/(1 - e) itself: (12) has taken the "
+        "root once more, in both places. Besides, its arctangent falls back once in each turn of x "
+        "= R_1 φ_1/R_2, where the position goes on, so that the output makes one turn for one of "
+        "the carrier in the mean, not 1 + R_1/R_2.",
         costs=tuple(
             Cost(f"variant {variant}, {degrees}° of the carrier", place(variant, degrees), "°")
-            for variant, degrees in ((1, 30), (2, 30), (2, 90))
+            for variant, degrees in ((1, 30), (2, 30), (2, 90), (1, 360))
         ),
         follows=("(12) gives the position function",),
+        weight=Weight.CONCLUSION,
+        mend="(12) without its roots",
+        check=Check(
+            "At φ_1 = 0 the slope of (12) is 1 + R_1/R_2 = {0} in variants 1 and 2, whatever e; "
+            "(8) has {1} and {2} there.",
+            (diff(print_12, phi1).subs(phi1, 0).subs(place(1, 0)), start_of_8(1), start_of_8(2)),
+        ),
+        figure="fig-3",
+    ),
+    Finding(
+        INTERVAL,
+        "u by (15) and (16) is the uncertainty of the mean, so mean ± 2u is an interval of the "
+        "mean error; of the errors, whose interval it is called, it holds 11 to 12 %. Or the "
+        "printed u is the standard deviation s, to which (15) was not applied.",
+        costs=costs_of_interval(READINGS, (1, 3)),
+        weight=Weight.CONCLUSION,
+        check=check_of_interval(READINGS[1]),
+    ),
+    Finding(
+        ADEQUACY,
+        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's own "
+        "numbers the interval of variant 3 excludes an error of zero, and single errors of "
+        "variants 1, 2 and 4 scatter by more than two encoders of 0.3 % of 360° allow, or u is no "
+        "uncertainty of the mean; then all four means are far from zero.",
+        costs=(
+            Cost(
+                "variant 3",
+                {},
+                "°",
+                decimals=2,
+                printed=READINGS[3].mean * DEGREE,
+                right=2 * READINGS[3].uncertainty * DEGREE,
+                names=("mean error", "2u"),
+            ),
+            *(
+                Cost(
+                    f"variant {variant}",
+                    {},
+                    "°",
+                    printed=READINGS[variant].implied_scatter * DEGREE,
+                    right=LIMITS[variant] * DEGREE,
+                    names=("scatter u√n", "largest error of two encoders"),
+                )
+                for variant in (1, 2, 4)
+            ),
+        ),
+        weight=Weight.CONCLUSION,
+        check=Check(
+            "Mean error by u of variant 3: 0.68/0.28 = {0}, more than 2.",
+            (READINGS[3].mean / READINGS[3].uncertainty,),
+            1,
+        ),
     ),
     Finding(
         "table 3, interval 3",
@@ -71,34 +121,38 @@ FINDINGS = (
                 names=("printed", "by the printed interval"),
             ),
         ),
+        weight=Weight.NUMBER,
+        check=Check(
+            "Half-width by u: variants 1, 2 and 4 have 1.64/0.82 = {0}, 2.72/1.36 = {1}, 2.02/1.01 "
+            "= {2}, variant 3 has 0.28/0.28 = {3}.",
+            tuple(
+                Rational(HALF_WIDTHS[variant]) / READINGS[variant].uncertainty
+                for variant in (1, 2, 4, 3)
+            ),
+            0,
+        ),
+        figure="table-3",
     ),
     Finding(
-        "measured functions adequate",
-        "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
-        "the interval of variant 3 excludes an error of zero, and single errors of variants 1, 2 "
-        "and 4 scatter by more than two encoders of 0.3 % of 360° allow, or u is no uncertainty of "
-        "the mean.",
-        costs=(
+        "(10), third equals sign",
+        "The fourth expression of (10) has cos²(x/2) in its numerator, where it belongs in the "
+        "denominator, and no differential dx; the fifth expression and (11) are right again.",
+        costs=tuple(
             Cost(
-                "variant 3",
-                {},
-                "°",
-                decimals=2,
-                printed=READINGS[3].mean * DEGREE,
-                right=2 * READINGS[3].uncertainty * DEGREE,
-                names=("mean error", "2u"),
-            ),
-            *(
-                Cost(
-                    f"variant {variant}",
-                    {},
-                    "°",
-                    printed=implied_scatter(variant)[0] * DEGREE,
-                    right=LIMITS[variant] * DEGREE,
-                    names=("scatter u√n", "largest error of two encoders"),
-                )
-                for variant in (1, 2, 4)
-            ),
+                f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",
+                place(variant, 90 * Rational(small, large)),
+                decimals=3,
+                printed=PRINTED_INTEGRAL,
+                right=RIGHT_INTEGRAL,
+            )
+            for variant, (large, small, eccentricity) in list(VARIANTS.items())[:2]
+        ),
+        follows=("(10), fourth equals sign",),
+        weight=Weight.FORMULA,
+        check=Check(
+            "At x = 90° and e = 0.28 the first expression integrates 1/a_1 = {0}, the fourth "
+            "(1/2)/(2 a_1) = {1}.",
+            (at_quarter(RIGHT_INTEGRAL), at_quarter(PRINTED_INTEGRAL)),
         ),
     ),
 )

@@ -54,14 +54,22 @@ def radius_of_mate(angle: Expr) -> Expr:
 
 # Position: the ratio integrated from phi10 = 0, phi30 = 0, over any number of turns.
 position = Integral(ratio_by_inversion.subs(rho, focal_radius.subs(theta, k * tau)), (tau, 0, phi1))
-position_closed = (1 + k) * phi1 + 2 * atan2(e * sin(x), 1 - e * cos(x))
+lead = atan2(e * sin(x), 1 - e * cos(x))
+position_closed = (1 + k) * phi1 + 2 * lead
 position_principal = phi1 + 2 * atan((1 + e) / (1 - e) * tan(x / 2))
 
 # Planar vectors for the sentences of the velocity plan.
-axis_c = Matrix([cos(phi1), sin(phi1)]) * centre_c
-axis_b = Matrix([cos(phi1), sin(phi1)]) * R1
+along_carrier = Matrix([cos(phi1), sin(phi1)])
+axis_c, axis_b = along_carrier * centre_c, along_carrier * R1
 quarter_turn = Matrix([[0, -1], [1, 0]])
-velocity_c = diff(axis_c, phi1)
+
+
+def velocity_at(distance: Expr) -> Matrix:
+    """Velocity of the carrier's point at a distance from the fixed axis, in units of omega1."""
+    return diff(along_carrier * distance, phi1)
+
+
+velocity_c = velocity_at(centre_c)
 velocity_b = velocity_c + (rolling / omega1) * quarter_turn * (axis_b - axis_c)
 
 # Non-uniformity of the ratio, (largest - smallest)/mean.

@@ -1,23 +1,21 @@
 """What paper 1 prints and says of its position function: the integral (9) and its steps to (12)."""
 
-from sympy import Expr, Ge, Gt, Integral, S, atan, diff, oo, pi, sqrt, tan
+from sympy import Expr, Ge, Integral, S, atan, diff, oo, pi, sqrt, tan
 
 from mechproof.record import (
     ChainLink,
     Claim,
-    Conjunction,
     Correction,
     Definition,
     Equality,
     Holds,
     PrintedNumber,
-    Reading,
 )
 
+from .._relations import all_of
 from .mechanics import position, position_closed, position_principal
 from .ratio_rows import print_8
 from .symbols import (
-    BELOW_ONE,
     BRANCH,
     PRINT,
     R1,
@@ -26,8 +24,6 @@ from .symbols import (
     UP_TO_ONE,
     VARIANTS,
     U,
-    a1,
-    b1,
     e,
     k,
     phi1,
@@ -38,9 +34,7 @@ from .symbols import (
     x,
 )
 
-CORRECT_FOURTH = (
-    r"\int\frac{dx}{\cos^2\frac x2\cdot\left[(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
-)
+CORRECT_FOURTH = r"\int\frac{\frac{dx}{\cos^2\frac x2}}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
 LAST_OF_10 = (
     r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
     r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}"
@@ -59,6 +53,7 @@ EQUATION_12 = PRINT.equation(
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: position},
+    cites=("S32",),
 )
 DX_SUPPLIED = Claim(
     "(10), third equals sign, dx supplied",
@@ -76,12 +71,14 @@ POSITION_ROWS = (
         "(9)",
         derived={phi3: position},
         note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
+        cites=("S29",),
     ),
-    PRINT.equation("before (10), a_1"),
-    PRINT.equation("before (10), b_1"),
-    PRINT.equation("before (10), x", says=Definition(x, R1 / R2 * phi1)),
+    PRINT.equation("before (10), a_1", cites=("S30",)),
+    PRINT.equation("before (10), b_1", cites=("S30",)),
+    PRINT.equation("before (10), x", says=Definition(x, R1 / R2 * phi1), cites=("S30",)),
     PRINT.equation(
         "(10)",
+        cites=("S30",),
         links={
             3: ChainLink(
                 note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
@@ -103,26 +100,16 @@ POSITION_ROWS = (
             "Read as integrals from 0. The chain's end is right although its fourth "
             "expression is not."
         ),
-        holds_on=BRANCH,
-        marks=("inferred",),
-    ),
-    PRINT.claim(
-        "since e <= 1",
-        on=UP_TO_ONE,
-    ),
-    Claim(
-        "since e <= 1, used for (11)",
-        r"e\le1\text{ lets (11) divide by }\sqrt{\tfrac{a_1-b_1}{a_1+b_1}}",
-        Holds(Gt((a1 - b1) / (a1 + b1), 0)),
-        note="(11) divides by the root: e = 1 must be excluded.",
-        on=UP_TO_ONE,
-        holds_on=BELOW_ONE,
+        on=BRANCH,
         marks=("ours",),
     ),
+    PRINT.claim("since e <= 1", on=UP_TO_ONE, cites=("S31",)),
     PRINT.equation(
         "(11)",
         substituted={tan(x / 2): U},
-        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0.",
+        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0. At e = 1, no ellipse, "
+        "it would divide by zero.",
+        cites=("S31",),
     ),
     Claim(
         "(11) over all turns",
@@ -138,21 +125,20 @@ POSITION_ROWS = (
     ),
     EQUATION_12,
     Claim(
-        "(12), first branch",
-        r"\text{(12) for }|x|<\pi",
-        Equality(print_12, position),
-        note="The error is not only one of branches.",
-        corrected=Correction(
-            r"\varphi_3=\varphi_1+2\,\mathrm{arctg}\left(\frac{1+e}{1-e}\,"
-            r"\mathrm{tg}\left(\frac{R_1}{2R_2}\varphi_1\right)\right)",
-            Equality(position_principal, position),
-        ),
+        "(12) without its roots",
+        r"\varphi_3=\varphi_1+2\;\mathrm{arctg}\left(\mathrm{tg}\left(\frac{R_1}{2R_2}"
+        r"\varphi_1\right)\cdot\frac{1+e}{1-e}\right)",
+        Equality(position_principal, position),
+        note="The factor before the arctangent goes, and so does the sign of the root within. This "
+        "is right up to half a turn of x; the general form goes on.",
         on=BRANCH,
         marks=("ours",),
     ),
     PRINT.claim(
         "(12), initial conditions",
         says=Equality(print_12.subs(phi1, 0), S.Zero),
+        note="(12), as printed, starts at 0.",
+        cites=("S32",),
     ),
     Claim(
         "half-angle arctangent without branches",
@@ -183,53 +169,39 @@ def lack_at_branch_end(number: int) -> Expr:
 
 POSITION_CLAIMS = (
     Claim(
-        "(12), first branch in degrees",
-        r"|\varphi_1|<\pi\frac{R_2}{R_1}:\ 43.6^\circ,\ 67.5^\circ",
-        Conjunction(
-            (
-                PrintedNumber("43.6", of_variant(BRANCH_END, 1)),
-                PrintedNumber("67.5", of_variant(BRANCH_END, 3)),
-            )
-        ),
-        note="Variants 1 and 2, variants 3 and 4: beyond it the arctangent of (12) falls back.",
-        marks=("ours",),
-    ),
-    Claim(
         "(12), size of its error",
         r"0\le\varphi_3-(12)<\pi\left(1-\sqrt{\tfrac{1-e}{1+e}}\right),\ 0\le x<\pi:\ "
-        r"45.0^\circ,\ 72.6^\circ",
-        Conjunction(
-            (
-                Equality(LACK.subs(U, tan(x / 2)), position_principal - print_12),
-                Holds(Ge(diff(LACK, U), 0)),
-                PrintedNumber("45.0", lack_at_branch_end(1)),
-                PrintedNumber("72.6", lack_at_branch_end(2)),
-            )
+        r"45.0^\circ,\ 72.6^\circ\text{ at }\varphi_1=\pi\tfrac{R_2}{R_1}=43.6^\circ,\ 67.5^\circ",
+        all_of(
+            Equality(LACK.subs(U, tan(x / 2)), position_principal - print_12),
+            Holds(Ge(diff(LACK, U), 0)),
+            PrintedNumber("45.0", lack_at_branch_end(1)),
+            PrintedNumber("72.6", lack_at_branch_end(2)),
+            PrintedNumber("43.6", of_variant(BRANCH_END, 1)),
+            PrintedNumber("67.5", of_variant(BRANCH_END, 3)),
         ),
         note="What (12) lacks grows with x over the first branch, up to 45.0 deg for e = 0.28 and "
-        "72.6 deg for e = 0.475, whatever the radii.",
+        "72.6 deg for e = 0.475, whatever the radii. The branch ends at 43.6 deg of the carrier in "
+        "variants 1 and 2, at 67.5 deg in variants 3 and 4; beyond it the arctangent falls back.",
         on=BRANCH,
-        marks=("ours",),
+        marks=("ours", "consequence"),
     ),
     Claim(
         "(12) gives the position function",
-        r"\text{equation (12) gives the calculated position function}",
+        r"\text{equation (12) allows to obtain the calculated position function}",
         Equality(print_12, position),
         note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
+        cites=("S5", "S33"),
     ),
     Claim(
         "Fig. 3, formula used",
-        r"\text{using formula (8) we build the position functions}",
-        Equality(print_8, position),
-        readings=(
-            Reading(
-                "(8) is integrated from phi1 = 0, as in (9)",
-                Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
-            ),
-        ),
-        note="(8) itself is the ratio. Read as a cross-reference to (12), which the text calls the "
-        "position function, the figure shares the error of (12).",
+        r"\text{using formula (8), we build the position functions of the output shaft}",
+        Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
+        note="By (8), which is a ratio, integrated from phi1 = 0, as in (9). The curves of Fig. 3 "
+        "are not at hand.",
+        marks=("inferred",),
+        cites=("S35",),
     ),
     Claim(
         "extremes of the ratio",

@@ -2,8 +2,9 @@
 
 from sympy import Matrix, S
 
-from mechproof.record import ChainLink, Claim, Equality, Reading
+from mechproof.record import ChainLink, Claim, Equality
 
+from .._relations import all_of
 from .mechanics import (
     PLACES,
     axis_c,
@@ -13,6 +14,7 @@ from .mechanics import (
     ratio_by_inversion,
     ratio_by_plan,
     rolling,
+    velocity_at,
     velocity_b,
     velocity_c,
 )
@@ -42,6 +44,7 @@ EQUATION_8 = PRINT.equation(
     "(8)",
     derived={slope: ratio_by_plan},
     marks=("inferred",),
+    cites=("S28",),
 )
 _, print_8 = READER.members(EQUATION_8)
 
@@ -49,16 +52,22 @@ RATIO_ROWS = (
     PRINT.claim(
         "velocity plan, V_C",
         says=Equality(S.Zero, velocity_c.dot(axis_c)),
+        cites=("S17",),
     ),
     PRINT.claim(
         "velocity plan, B",
-        says=Equality(Matrix([0, 0]), velocity_b),
-        note="V_A and V_E are zero because A and E lie on the fixed axis.",
+        says=all_of(
+            Equality(Matrix([0, 0]), velocity_b),
+            Equality(Matrix([0, 0]), velocity_at(S.Zero)),
+        ),
+        note="A and E lie on the fixed axis.",
         marks=("inferred",),
+        cites=("S18", "S20"),
     ),
     PRINT.equation(
         "(1)",
         defines=(ratio_symbol, slope),
+        cites=("S19", "S21", "S22"),
         links={
             1: ChainLink(note="Introduces the analogue of the velocity."),
             2: ChainLink(note="Introduces the derivative of the position, by the chain rule."),
@@ -79,6 +88,7 @@ RATIO_ROWS = (
     ),
     PRINT.equation(
         "(2)",
+        cites=("S23",),
         links={
             1: ChainLink(
                 derived={AC: centre_c},
@@ -94,10 +104,11 @@ RATIO_ROWS = (
             ),
         },
     ),
-    PRINT.equation("(3)", derived=PLACES, marks=("inferred",)),
+    PRINT.equation("(3)", derived=PLACES, marks=("inferred",), cites=("S23",)),
     PRINT.equation(
         "(4)",
         defines=(rho,),
+        cites=("S24",),
         links={
             1: ChainLink(note="Introduces the radius of wheel 6 in the direction of D."),
             2: ChainLink(
@@ -109,16 +120,18 @@ RATIO_ROWS = (
     ),
     PRINT.claim(
         "(4), phi5",
-        says=Equality(-R1 / R2 * phi1, rolling / omega1 * phi1),
-        readings=(
-            Reading(
-                "the rotation against the carrier, not against the frame",
-                Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
-            ),
-        ),
+        says=Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
+        note="Against the carrier, as (4) needs it, whose radius lies on the line A-C; against the "
+        "frame the satellite turns by (1 - R1/R2) phi1.",
+        marks=("inferred",),
+        cites=("S25",),
     ),
-    PRINT.equation("(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
-    PRINT.equation("(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
+    PRINT.equation(
+        "(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}, cites=("S26",)
+    ),
+    PRINT.equation(
+        "(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}, cites=("S26",)
+    ),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
@@ -129,6 +142,7 @@ RATIO_ROWS = (
         "(7)",
         derived={ratio_symbol: ratio_by_plan},
         marks=("inferred",),
+        cites=("S27",),
     ),
     EQUATION_8,
 )

@@ -21,7 +21,7 @@ phi1, phi3, phi5, R1, R2, e, a, rho, x = PRINT.symbols("phi1 phi3 phi5 R1 R2 e a
 a1, b1, C, omega1, omega3 = PRINT.symbols("a1 b1 C omega1 omega3")
 AC, BC, CD, BD, DE, VC, VD = PRINT.symbols("AC BC CD BD DE V_C V_D")
 ratio_symbol, slope = PRINT.symbols("phi3' dphi3/dphi1")
-k, nearest, U, tau, T = symbols("k nearest U tau T", real=True)
+k, nearest, U, tau, T, misfit = symbols("k nearest U tau T delta", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
 turns = Symbol("m_turns", integer=True)
 nu, E = symbols("nu E", positive=True)
@@ -58,6 +58,7 @@ VARIABLES = (
     Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),
     Variable(at_d, "coordinate of D", LENGTH),
     Variable(U, "tg(x/2) as a variable of integration's limit"),
+    Variable(misfit, "turn of wheel 6 on its shaft, from its place", ANGLE),
     Variable(turns, "whole turns of x", within=S.Naturals0),
     Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
     Variable(E, "e**nu", within=Interval.open(0, oo)),
@@ -67,7 +68,6 @@ READER = Reader(VARIABLES, PRINT.notation)
 
 BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
 UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
-BELOW_ONE = Part("0 <= e < 1", {e: Interval.Ropen(0, 1)})
 
 # Table 1: R1, R2, e.
 VARIANTS = {

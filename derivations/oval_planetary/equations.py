@@ -10,6 +10,7 @@ from mechproof.record import ChainLink, Claim, Correction, Equality, Holds, Part
 
 from .._relations import all_of
 from .mechanics import (
+    BD,
     E_SERIES,
     EC,
     PLACES,
@@ -25,6 +26,7 @@ from .mechanics import (
     e2,
     focal_radius,
     integrate,
+    mount,
     omega_satellite,
     oval_radius,
     phi,
@@ -43,12 +45,16 @@ from .mechanics import (
     rho6,
     roll,
     roll_reduced,
+    rolling,
+    s,
+    satellite_velocity,
     sB,
     sC,
     sD,
     start,
     sun_radius,
     theta,
+    wheel_3_rate,
 )
 
 
@@ -74,6 +80,8 @@ def print_3_by_6(cosine: sp.Expr) -> sp.Expr:
 # (10) with the radii of two oval pairs.
 RATIO_OF_10 = print_10.subs({rho5: print_3_by_6(cos_6), rho6: oval_radius(e2, cos_6)})
 
+# The satellite turns about B: its velocity at D by its angular velocity.
+FROM_B_TO_D = satellite_velocity.subs({s: point_d, omega_satellite: rolling}) / rolling
 oval = print_radius(e, phi)
 slope = sp.diff(oval, phi)
 
@@ -87,6 +95,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(1)",
         defines=(ratio_symbol,),
         marks=("rebuilt",),
+        cites=("S18", "S19"),
         links={
             2: ChainLink(
                 note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
@@ -108,12 +117,20 @@ EQUATION_ROWS: tuple[Row, ...] = (
         derived={rho: focal_radius.subs(theta, 2 * phi)},
         note="The oval has at half the polar angle the focal radius of its ellipse.",
         marks=("rebuilt", "uncertain", "inferred"),
+        cites=("S20",),
     ),
     Claim(
-        "(2), semi-axes",
-        r"a(1-e)\le\rho\le a(1+e)",
-        derived={rho: print_radius(e, phi)},
-        marks=("ours",),
+        "(2), angle from the major semi-axis",
+        r"\varphi\text{ is the angle of rotation from the major semi-axis; }a\text{ is the major "
+        r"semi-axis and }e\text{ the eccentricity of the initial ellipse}",
+        all_of(
+            Equality(print_radius(e, sp.S.Zero), a + a * e),
+            Holds(print_radius(e, phi) <= a + a * e),
+        ),
+        note="The radius is largest at angle 0, a (1 + e), the largest focal distance of the "
+        "ellipse; the major semi-axis of the oval itself is longer than a.",
+        marks=("rebuilt",),
+        cites=("S21",),
     ),
     Claim(
         "(2), convex",
@@ -124,24 +141,19 @@ EQUATION_ROWS: tuple[Row, ...] = (
         holds_on=Part("e <= 1/3", {e: sp.Interval(0, sp.Rational(1, 3))}),
         marks=("ours",),
     ),
-    Claim(
-        "(2), convex up to 1/3",
-        r"\rho^2+2\rho'^2-\rho\rho''<0\text{ at }\varphi=\tfrac\pi2,\ e>\tfrac13",
-        Holds(bend.subs(phi, sp.pi / 2) < 0),
-        on=Part("e > 1/3", {e: sp.Interval.open(sp.Rational(1, 3), 1)}),
-        marks=("ours",),
-    ),
     PRINT.equation(
         "(3)",
         defines=(rho5,),
         links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
+        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(4)",
         defines=(rho6,),
         links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
+        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(5)",
@@ -149,6 +161,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
         "of centres at the lower limit 0.",
         marks=("rebuilt", "uncertain", "inferred"),
+        cites=("S23", "S24"),
     ),
     Claim(
         "(5), constant",
@@ -186,6 +199,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         defines=(phi5,),
         note="How wheels 5 and 6 are mounted on their shaft.",
         marks=("rebuilt", "uncertain"),
+        cites=("S23",),
     ),
     Claim(
         "(6), mesh with the sun",
@@ -205,10 +219,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     PRINT.equation(
         "(7)",
-        derived=PLACES,
-        note="From D to B, in the order that is legible in (10): the output's side counts against "
-        "the carrier.",
+        derived={BD: point_d - point_b},
+        readings=(Reading("the distance from D to B", Equality(print_7, -FROM_B_TO_D)),),
+        note="In the order that is legible, here and in (10). A length it is not: which of the two "
+        "radii is larger changes.",
         marks=("rebuilt", "inferred"),
+        cites=("S25",),
     ),
     PRINT.equation(
         "(8)",
@@ -224,6 +240,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
             ),
         },
         marks=("rebuilt", "inferred"),
+        cites=("S25",),
     ),
     Claim(
         "(8), rolling",
@@ -232,7 +249,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The arcs are equal: congruent ovals roll without slip.",
         marks=("ours",),
     ),
-    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred")),
+    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred"), cites=("S25",)),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
@@ -241,47 +258,35 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     PRINT.equation(
         "(10)",
-        derived={ratio_symbol: -ratio_by_plan},
-        note="The output counted against the carrier.",
-        marks=("rebuilt", "inferred"),
-    ),
-    PRINT.equation(
-        "(11)",
-        derived={phi3: -position_of_one(E_SERIES), ratio_symbol: RATIO_OF_10},
-        note="From phi3(0) = 0, with (10) and (3)-(6), the output counted against the carrier; in "
-        "closed form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), "
-        "E = (e1 + e2)/(1 + e1 e2).",
-        marks=("rebuilt", "inferred"),
-    ),
-    Claim(
-        "(1)-(11), sense of the output",
-        rf"{PRINT.prints['(7)']},\ {PRINT.prints['(10)']}",
-        all_of(
-            Equality(print_7, point_d - point_b),
-            Equality(print_10, ratio_by_plan),
-            Equality(integrate(RATIO_OF_10), position_of_one(E_SERIES)),
-        ),
+        derived={ratio_symbol: ratio_by_plan},
         readings=(
             Reading(
-                "the output counted against the carrier's direction of rotation throughout: "
-                "omega3, v_D, BD from D to B, phi3",
+                "the output counted against the carrier's direction of rotation",
                 all_of(
-                    Equality(print_7, point_b - point_d),
                     Equality(print_10, -ratio_by_plan),
                     Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
                 ),
             ),
         ),
         corrected=Correction(
-            r"BD=\rho_5-\rho_6,\ \varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
-            all_of(
-                Equality(-print_7, point_d - point_b),
-                Equality(-print_10, ratio_by_plan),
-                Equality(-integrate(RATIO_OF_10), position_of_one(E_SERIES)),
-            ),
+            r"\varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
+            Equality(-print_10, ratio_by_plan),
         ),
-        note="No direction of phi3 survives in the text. One choice makes the whole chain true; "
-        "the other equations are judged with it.",
+        note="The text at hand does not say in which direction the output is counted. By (3) to "
+        "(6) the integral of (10) has the sign of (10).",
         marks=("rebuilt", "inferred"),
+        cites=("S26",),
+    ),
+    PRINT.equation(
+        "(11)",
+        derived={
+            phi3: position_of_one(E_SERIES),
+            ratio_symbol: 1 - wheel_3_rate.subs(mount, sp.S.Zero),
+        },
+        note="From phi3(0) = 0, two oval pairs, whichever the direction in which the output is "
+        "counted; in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) with the "
+        "carrier, E = (e1 + e2)/(1 + e1 e2). Fig. 2, built by it, is not at hand.",
+        marks=("rebuilt", "inferred"),
+        cites=("S4", "S27", "S28", "S31"),
     ),
 )

@@ -30,9 +30,8 @@ AC, EC, BC, BD, CD, DE = PRINT.symbols("AC EC BC BD CD DE")
 
 # What the mechanics, the forms and the proofs need besides.
 mount, k, x, theta, r, tau, start = sp.symbols("mount k x theta r tau c", real=True)
-R3, R4, R5, R6, rho3, span = sp.symbols("R3 R4 R5 R6 rho3 L", positive=True)
+R4, R5, rho3, span = sp.symbols("R4 R5 rho3 L", positive=True)
 s, sB, sC, sD, omega_satellite, omega_out = sp.symbols("s s_B s_C s_D omega_5 omega_3", real=True)
-acceleration_symbol = sp.Symbol("varphi3''", real=True)
 alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
 alpha_double, beta_double, gamma_double = sp.symbols(
     "alpha_double beta_double gamma_double", real=True
@@ -42,8 +41,8 @@ both, less, swing, lever, shift, rise, y, nearest = sp.symbols(
 )
 phi6_closed, phi6_counted, mount_counted = sp.symbols("phi6 phi6_counted mount_counted", real=True)
 lam, mu, width, eta = sp.symbols("lambda mu T eta", positive=True)
-nu, xi, tangent, lowest, highest = sp.symbols("nu xi U q_min q_max", real=True)
-m, index, turns = sp.symbols("m k m_turns", integer=True)
+nu, xi, tangent = sp.symbols("nu xi U", real=True)
+m, turns = sp.symbols("m m_turns", integer=True)
 POSITIVE = sp.Interval.open(0, sp.oo)
 # A proper oval or ellipse, not a circle.
 OVAL = sp.Interval.open(0, 1)
@@ -156,8 +155,6 @@ VARIABLES = (
     Variable(
         mount, "turn of wheel 6 on its shaft, from its place in the paper", ANGLE, sign="as phi1"
     ),
-    Variable(R3, "radius of a cylindrical wheel 3", LENGTH, POSITIVE),
-    Variable(R6, "radius of a cylindrical wheel 6", LENGTH, POSITIVE),
     Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
     Variable(x, "twice the turn of the satellite against the carrier", ANGLE, given=2 * k * phi1),
     Variable(
@@ -216,16 +213,9 @@ VARIABLES = (
     Variable(sB, "coordinate of B on the line A-C", LENGTH),
     Variable(sC, "coordinate of C", LENGTH, POSITIVE),
     Variable(sD, "coordinate of D", LENGTH),
-    Variable(
-        acceleration_symbol,
-        "analogue of the angular acceleration",
-        sign="positive against the carrier's direction of rotation",
-    ),
     Variable(theta, "x as a variable of its own", ANGLE),
     Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
     Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),
-    Variable(lowest, "smallest possible measurement error"),
-    Variable(highest, "largest possible measurement error"),
     *TYPE_A_VARIABLES,
     *ENCODER_VARIABLES,
 )
@@ -289,8 +279,3 @@ ratio_with_cylinders_45 = ratio_by_plan.subs(AXES_45).subs(
 )
 explicit = {x: 2 * R4 / R5 * phi1, k: R4 / R5}
 ratio_45, position_45 = (f.subs(explicit) for f in (RATIO_CYLINDRICAL, POSITION_CYLINDRICAL))
-
-# Pair 3-6 cylindrical.
-AXES_36 = {a: (R3 + R6) / 2, rho6: R6}
-ratio_with_cylinders_36 = ratio_by_plan.subs(AXES_36).subs(rho5, (2 * a - sun_radius).subs(AXES_36))
-position_36 = phi1 - R6 / R3 * driven_angle(e1, phi1)

@@ -111,7 +111,7 @@ FIGURES = (
         "line is variant 1 by (10) with the output counted in the carrier's sense: the wrong way "
         f"round. Grey: |ratio| ≤ {ETA}, a limit of ours; the ratio itself is zero at one point, "
         "and touches zero without changing its sign.",
-        "position functions of Fig. 2",
+        "(11)",
         draw_positions,
         height=150.0,
     ),

@@ -1,10 +1,10 @@
 """Paper 3: thickness of gear teeth, measured with a gear-tooth gauge, and the sorting by it."""
 
-from sympy import Expr, Rational, S, sqrt
+from sympy import Rational, S, sqrt
 
-from mechproof.record import Cost, Finding, Follower, Paper, PublishedSizes
+from mechproof.record import Check, Cost, Finding, Paper, PublishedSizes, Weight
 
-from .algorithm import ALGORITHM_ROWS
+from .algorithm import ALGORITHM_ROWS, wheels_rejected
 from .claims import CLAIM_ROWS
 from .design import DESIGN_ROWS, PARAMETER_ROWS
 from .example import EXAMPLE_ROWS
@@ -15,11 +15,14 @@ from .mechanics import (
     GAUGE_UM,
     GRADES,
     K_PRINTED,
+    NORMAL_SHARE,
     NOTATION,
     PRINT,
     PRINTED_SIZES,
     RECOMMENDED_UM,
     TEETH,
+    TIP_DIAMETER,
+    TOLERANCE_UM,
     VARIABLES,
     WHEEL,
     E_true,
@@ -41,12 +44,97 @@ SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
 TIP_6 = {**WHEEL, e_tip: GRADES[6][1] * MICROMETRE, dh_gauge: S.Zero}
 
 
-def rejected_at_8(geometry: str) -> Expr:
-    """Share of good teeth rejected by a perfect gauge on a tip circle of IT8."""
-    return rejected_by(8, 0, geometry=geometry)
-
+# Of the thickness, by the recommended gauge (3 sigma) and by a tip of IT6.
+RECOMMENDED_SPREADS = (
+    gauge_spread(Rational(RECOMMENDED_UM, 3), "involute") * MICROMETRE,
+    tip_spread(6, "involute") * MICROMETRE,
+)
 
 FINDINGS = (
+    Finding(
+        "step 5",
+        "The whole deviation of the tip diameter is added to the height, where only half of it, "
+        "that of the tip circle's radius on which the gauge stands, can enter. In which sense it "
+        "counts is not printed.",
+        costs=(
+            Cost(
+                f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
+                {},
+                "%",
+                2,
+                rejected_by(8, 0),
+                rejected_by(8, 0, geometry="involute"),
+            ),
+            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
+            Cost(
+                "measured thickness for it",
+                TIP_6,
+                "µm",
+                printed=(e_tip + dh_gauge) * K_m,
+                right=(e_tip / 2 + dh_gauge) * K_m,
+            ),
+        ),
+        follows=("Table 1, columns 4 to 6",),
+        weight=Weight.CONCLUSION,
+        mend="step 5, half the deviation",
+        check=Check(
+            f"A tip circle of {TIP_DIAMETER}.025 mm instead of {TIP_DIAMETER} mm has a radius that "
+            "is {0} larger.",
+            (Rational(GRADES[6][1], 2) * MICROMETRE,),
+            1,
+            "µm",
+        ),
+        figure="fig-4",
+    ),
+    Finding(
+        "(d)",
+        "IT8 is rejected and IT7 recommended because step 5 counts the whole deviation. With half "
+        "of it IT8 disturbs less than IT7 does as printed, and IT7 less than IT6: of the "
+        "recommended grades 6 and 7 each is one too fine.",
+        costs=(
+            Cost(
+                f"good teeth rejected, perfect gauge, {LAWS}",
+                {},
+                "%",
+                2,
+                printed=rejected_by(7, 0),
+                right=rejected_by(8, 0, geometry="involute"),
+                names=("IT7 as printed", "IT8 by the geometry"),
+            ),
+        ),
+        weight=Weight.CONCLUSION,
+        check=Check(
+            "As printed IT7 makes 0.7284·40 µm = {0} of the thickness, by the geometry IT8 makes "
+            "tg 20°·63 µm = {1}.",
+            tuple(K_PRINTED * s * MICROMETRE for s in (tip_spread(7), tip_spread(8, "involute"))),
+            1,
+            "µm",
+        ),
+        figure="fig-4",
+    ),
+    Finding(
+        "(b)",
+        "The gauge matters more than a tip diameter of IT6 from a limit error of 2.5 to 3.7 µm on; "
+        "for the gauge that (c) recommends it is the other way round.",
+        costs=(
+            Cost(
+                f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
+                {},
+                "µm",
+                2,
+                *RECOMMENDED_SPREADS,
+                names=("gauge", "tip diameter"),
+            ),
+        ),
+        weight=Weight.CONCLUSION,
+        check=Check(
+            "tip tg 20°·25 µm/6 = {0}, gauge √(1 + 0.7279²)·2 µm/3 = {1}",
+            RECOMMENDED_SPREADS[::-1],
+            2,
+            "µm",
+        ),
+        figure="fig-4",
+    ),
     Finding(
         "smallest deviation, smallest prescribed decrease",
         "E_cs = 12 µm is called the smallest prescribed decrease, but with its plus sign step 2 "
@@ -61,12 +149,18 @@ FINDINGS = (
                 -DECREASE_UM * MICROMETRE,
             ),
         ),
+        check=Check(
+            "Good by step 2 are deviations from {0} to {1}: the nominal tooth is, with no decrease "
+            "at all.",
+            ((DECREASE_UM - TOLERANCE_UM) * MICROMETRE, DECREASE_UM * MICROMETRE),
+            0,
+            "µm",
+        ),
     ),
     Finding(
         "step 3, a new tip deviation for each tooth",
-        "A new deviation of the tip diameter is simulated for each tooth. If the teeth are those "
-        "of one wheel, which is not said, they have one tip circle, whose error does not average "
-        "out over them.",
+        "The rows are the teeth of one wheel, and each has a new deviation of the tip diameter; "
+        "but a wheel has one tip circle, whose error does not average out over its teeth.",
         costs=(
             Cost(
                 "spread of the tip circle's mean over the wheel, IT6",
@@ -77,20 +171,41 @@ FINDINGS = (
                 names=("a deviation per tooth", "one per wheel"),
             ),
         ),
+        check=Check(
+            "25 µm/6 = {0} for every tooth; /√50 = {1} for their mean",
+            (SPREAD_6, SPREAD_6 / sqrt(TEETH)),
+            1,
+            "µm",
+        ),
+    ),
+    Finding(
+        "step 10, per cent of parts",
+        "The indices are called per cent of parts, but the points are counted over teeth; a wheel "
+        f"is rejected with the first of its {TEETH} teeth, far more often.",
+        costs=(
+            Cost(
+                "wrongly rejected, tip of IT6, perfect gauge, steps as printed",
+                {},
+                "%",
+                1,
+                printed=rejected_by(6, 0),
+                right=wheels_rejected(6),
+                names=("of teeth", "of wheels"),
+            ),
+        ),
+        check=Check(
+            "With {0} of good and {1} of wrongly rejected teeth 0.9973^50 - (0.9973 - 0.0035)^50 "
+            "of the wheels are good and rejected.",
+            (NORMAL_SHARE, rejected_by(6, 0)),
+            2,
+            "%",
+        ),
     ),
     Finding(
         "steps 4 and 7, spread of the gauge",
         "Which interval the 50 µm of the gauge are is not printed, nor how many standard "
-        "deviations it spans; the shares depend on it.",
+        "deviations it spans; steps 4 and 7 cannot be repeated without it.",
         costs=(
-            Cost(
-                "standard deviation of the gauge",
-                {},
-                "µm",
-                printed=Rational(GAUGE_UM, 6) * MICROMETRE,
-                right=Rational(GAUGE_UM, 2) * MICROMETRE,
-                names=READINGS_OF_50,
-            ),
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
                 {},
@@ -100,51 +215,33 @@ FINDINGS = (
                 names=READINGS_OF_50,
             ),
         ),
-    ),
-    Finding(
-        "step 5",
-        "The whole deviation of the tip diameter is added to the height, where only half of it, "
-        "that of the tip circle's radius on which the gauge stands, can enter. In which sense it "
-        "counts is not printed.",
-        costs=(
-            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
-            Cost(
-                "measured thickness for it",
-                TIP_6,
-                "µm",
-                printed=(e_tip + dh_gauge) * K_m,
-                right=(e_tip / 2 + dh_gauge) * K_m,
-            ),
-            Cost(
-                f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
-                {},
-                "%",
-                2,
-                rejected_at_8("printed"),
-                rejected_at_8("involute"),
-            ),
-        ),
-        follows=(
-            "controlled parameters, expectation of the error",
-            Follower("steps 5 and 6, tip diameter alone", parts={e_tip: -e_tip / 2}),
-        ),
-    ),
-    Finding(
-        "(b)",
-        "That the gauge matters more than a tip diameter of IT6 holds from a limit error of 5 to "
-        "7 µm on; for the gauge that (c) recommends it is the other way round.",
-        costs=(
-            Cost(
-                f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
-                {},
-                "µm",
-                printed=gauge_spread(Rational(RECOMMENDED_UM, 3)) * MICROMETRE,
-                right=tip_spread(6) * MICROMETRE,
-                names=("gauge", "tip diameter"),
-            ),
+        weight=Weight.FORMULA,
+        check=Check(
+            "standard deviation 50 µm/6 = {0} or 50 µm/2 = {1}",
+            (Rational(GAUGE_UM, 6) * MICROMETRE, Rational(GAUGE_UM, 2) * MICROMETRE),
+            1,
+            "µm",
         ),
     ),
 )
+
+BEFORE = "describes what earlier work or the standard has, with no number"
+MODEL = "describes the structure of the model, with no formula"
+ASIDE = {
+    "S1": "title and authors",
+    **dict.fromkeys(("S2", "S3", "S4"), "abstract: names steps and results of the flow chart"),
+    "S5": "keywords",
+    "S6": BEFORE,
+    "S7": "says what the tolerances of thickness depend on in GOST 1643-81, with no number of it",
+    "S10": "caption, explains letters",
+    **dict.fromkeys(("S11", "S12"), BEFORE),
+    "S13": "aim",
+    **dict.fromkeys(("S14", "S15", "S16", "S17", "S18", "S19"), MODEL),
+    "S21": "refers to the flow chart",
+    "S22": "names the software",
+    "S40": "says where the indices stand in the table, whose body is lost",
+    **dict.fromkeys(("S43", "S44"), "says what the model serves for"),
+}
 
 PAPER = Paper(
     system="tooth_thickness",
@@ -174,6 +271,8 @@ PAPER = Paper(
         dh: Rational(20, 1000),
     },
     findings=FINDINGS,
+    sentences=49,
+    aside=ASIDE,
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "
     "deviations of thickness are positive for a thicker tooth.",
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
+from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
 from mechproof.record import (
     Claim,
@@ -16,7 +16,6 @@ from mechproof.record import (
     Reading,
 )
 
-from .._metrology import normal_between
 from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
@@ -24,7 +23,7 @@ from .mechanics import (
     NORMAL_SHARE,
     PRINT,
     RANGE,
-    THREE_SIGMA,
+    TEETH,
     TIP_DIAMETER,
     TOLERANCE_UNIT,
     E_measured,
@@ -43,8 +42,8 @@ from .mechanics import (
     height_deviation,
     height_towards_tip,
     influence,
-    measured_change,
     reading,
+    rejected_by,
     rightly_accepted,
     rightly_rejected,
     sigma_tip,
@@ -67,123 +66,92 @@ def variance_of_wheel_mean(covariance: Expr) -> Expr:
     return Sum(covariance / z**2, (i, 1, z), (j, 1, z))
 
 
-# Counted towards the centre, and towards the tip.
+# Counted towards the tip, and towards the centre.
 HALF_OF_THE_DEVIATION = all_of(
-    Equality(dh_gauge - e_tip / 2, height_deviation),
     Equality(dh_gauge + e_tip / 2, height_towards_tip),
+    Equality(dh_gauge - e_tip / 2, height_deviation),
 )
+
+# Per cent of good teeth rejected, tip of IT6, steps as printed, for the two intervals.
+REJECTED = {(Rational(GAUGE_UM, 2), 3): "8.4", (Rational(GAUGE_UM), 2): "48.0"}
+
+
+def reject(number: str, limit_error: Rational, multiple: int) -> PrintedNumber:
+    """State the per cent of good teeth rejected for a limit error and what it is a multiple of."""
+    return PrintedNumber(number, 100 * rejected_by(6, limit_error, multiple))
+
+
+FULL, HALF = REJECTED
+
+
+def wheels_rejected(grade: int) -> Expr:
+    """Share of good wheels, all of whose teeth are good, with a tooth rejected by steps 1 to 10."""
+    return NORMAL_SHARE**TEETH - (NORMAL_SHARE - rejected_by(grade, 0)) ** TEETH
+
 
 ALGORITHM_ROWS = (
     PRINT.claim(
         "step 1",
         defines=(K,),
-        note="The ratio of the tolerance field to the standard deviation, in words.",
-    ),
-    Claim(
-        "step 1, normal accuracy",
-        r"K=6",
-        PrintedNumber("99.73", 100 * NORMAL_SHARE),
-        note="Per cent of good teeth for a normal law centred on the field.",
-        marks=("ours",),
-    ),
-    Claim(
-        "step 1, law and expectation",
-        r"\text{the law and the expectation of the deviation}",
-        Completions(
-            "law and expectation of the thickness",
-            Completion(
-                "normal, centred, K = 6: more than 99 % good",
-                less(Rational("0.99"), NORMAL_SHARE),
-            ),
-            Completion(
-                "normal, expectation a sixth of the field above its middle, K = 6: the same",
-                less(
-                    Rational("0.99"),
-                    normal_between(S.One, S.One, -THREE_SIGMA, THREE_SIGMA),
-                ),
-            ),
-        ),
-        note="No law is legible, and no value of the expectation is printed.",
+        note="The ratio of the value of the tolerance field to the standard deviation, in words.",
+        cites=("S28",),
     ),
     PRINT.equation(
         "step 2",
         defines=(f_true,),
         note="For the sign of E_cs see 'smallest deviation'.",
         marks=("rebuilt",),
-    ),
-    Claim(
-        "step 3, spread of the tip diameter",
-        r"e_{dau}\text{ for an IT grade}",
-        Completions(
-            "how many standard deviations a tolerance spans",
-            Completion(
-                "IT6 is six standard deviations: below 5 um",
-                less(Rational(GRADES[6][1], 6), S(5)),
-            ),
-            Completion(
-                "uniform over IT6: below 5 um",
-                less(GRADES[6][1] / sqrt(12), S(5)),
-            ),
-        ),
-        note="How a standard deviation follows from an IT grade is not printed.",
+        cites=("S29", "S30"),
     ),
     Claim(
         "step 3, a new tip deviation for each tooth",
-        r"\text{per tooth: simulate }e_{dau}",
+        r"\text{rows tied to the numbers of the teeth of the wheel; column 4: random deviations of "
+        r"the diameter of the tooth tips}",
         Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
-        readings=(
-            Reading(
-                "each row is a tooth of another wheel",
-                Equality(
-                    variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2 / z
-                ),
-            ),
-        ),
         corrected=Correction(
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
             Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
         ),
-        note="Judged for teeth of one wheel, which is not said: Table 1 has as many rows as the "
-        "wheel has teeth. The variance of the tip's mean deviation over z teeth; a wheel has one "
+        note="The variance of the tip's mean deviation over the z teeth of a wheel, which has one "
         "tip circle, so that its deviation is common to all of its teeth and does not average out. "
         "Shares over many wheels are the same in both.",
-        marks=("inferred",),
+        cites=("S26", "S32"),
     ),
     Claim(
-        "step 3, range of ISO 286-1",
-        r"120<d_a=m(z+2)=156\le180~\mathrm{mm}",
+        "step 3, IT grades",
+        r"120<d_a=156\le180~\mathrm{mm}\colon\ \mathrm{IT}6=25,\ \mathrm{IT}7=40,\ "
+        r"\mathrm{IT}8=63~\mu\mathrm{m}",
         all_of(
             less(S(RANGE[0]), S(TIP_DIAMETER)),
             not_above(S(TIP_DIAMETER), S(RANGE[1])),
+            *(
+                PrintedNumber(str(value), factor * TOLERANCE_UNIT)
+                for factor, value in GRADES.values()
+            ),
         ),
-        note="Addendum of one module, as the height to the constant chord shows.",
+        note="ISO 286-1: 10, 16 and 25 i, i = 0.45 D^(1/3) + 0.001 D, D = sqrt(120*180) mm; "
+        "d_a = m (z + 2), addendum of one module, as the height to the constant chord shows.",
         marks=("ours", "calibrated"),
-    ),
-    *(
-        Claim(
-            f"step 3, IT{grade}",
-            rf"\mathrm{{IT}}{grade}={value}~\mu\mathrm{{m}}",
-            PrintedNumber(str(value), factor * TOLERANCE_UNIT),
-            note=f"{factor} i, i = 0.45 D^(1/3) + 0.001 D, D = sqrt(120*180) mm.",
-            marks=("ours",),
-        )
-        for grade, (factor, value) in GRADES.items()
     ),
     Claim(
         "steps 4 and 7, spread of the gauge",
-        r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
+        r"\text{the errors of the gauge, interval measure of uncertainty }50~\mu\mathrm{m}",
         Completions(
-            "what the limit error of the gauge is",
+            "which interval it is and how many standard deviations it spans",
             Completion(
-                "full width of a 3 sigma interval: the standard deviation is below 10 um",
-                less(Rational(GAUGE_UM, 6), S(10)),
+                "its full width, of 3 sigma to either side: 8.4 % of good teeth are rejected",
+                reject(REJECTED[FULL], *FULL),
             ),
             Completion(
-                "half the width of a 2 sigma interval: the same",
-                less(Rational(GAUGE_UM, 2), S(10)),
+                "half of its width, of 2 sigma: 8.4 % of good teeth are rejected",
+                reject(REJECTED[FULL], *HALF),
             ),
         ),
-        note="Neither the multiple nor the kind of interval is printed.",
+        note="The interval recommended in the conclusions is written with a sign, U = +-2 um, this "
+        "one without. Tip of IT6, steps as printed, normal laws, centred. Nor is it printed how a "
+        "standard deviation follows from an IT grade.",
+        marks=("calibrated",),
+        cites=("S33", "S38"),
     ),
     PRINT.equation(
         "step 5",
@@ -195,45 +163,23 @@ ALGORITHM_ROWS = (
             ),
         ),
         corrected=Correction(
-            r"\Delta h=\Delta h_c\mp\tfrac12e_{dau}",
+            r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}",
             HALF_OF_THE_DEVIATION,
         ),
         note=(
             "The gauge stands on the tip circle, so half the deviation of the diameter "
             "counts, whichever way heights are counted, which is not printed: it fails with the "
             "plus that is shown, towards the tip, and with the minus, towards the centre. The "
-            "correction is proved with both. The charge rests on the words 'tip diameter' of step "
-            "3, not on a subscript."
+            "correction is proved with both. The charge rests on the words 'diameter of the tooth "
+            "tips', of step 3 and of column 4, not on a subscript."
         ),
         marks=("rebuilt",),
     ),
     Claim(
         "step 5, half the deviation",
-        r"\Delta h=\Delta h_c-\tfrac12e_{dau}\text{ towards the centre, }"
-        r"\Delta h_c+\tfrac12e_{dau}\text{ towards the tip}",
-        HALF_OF_THE_DEVIATION,
-        marks=("ours",),
-    ),
-    Claim(
-        "steps 5 and 6, tip diameter alone",
-        r"\Delta S_{ca}=K_me_{dau}",
-        derived={ds_height: measured_change.subs(dh_gauge, 0)},
-        corrected=Correction(r"\Delta S_{ca}=-e_{dau}\,\mathrm{tg}\,\alpha"),
-        note=(
-            "Twice too much; the sign is wrong as well if deviations are positive for a "
-            "thicker tooth (see the next row)."
-        ),
-        marks=("rebuilt", "ours"),
-    ),
-    Claim(
-        "steps 5 and 6, tip diameter, counted as a decrease",
-        r"\text{decrease of the measured thickness}=K_m\,e_{dau}",
-        Equality(K_m * e_tip, -measured_change.subs(dh_gauge, 0)),
-        corrected=Correction(
-            r"e_{dau}\,\mathrm{tg}\,\alpha",
-            Equality(e_tip * tan(alpha), -measured_change.subs(dh_gauge, 0)),
-        ),
-        note="Counting decreases as positive mends the sign; the factor 2 remains.",
+        r"\Delta h=\tfrac12e_{dau}+\Delta h_c",
+        HALF_OF_THE_DEVIATION.parts[0],
+        note="Counted towards the tip.",
         marks=("ours",),
     ),
     Claim(
@@ -247,21 +193,19 @@ ALGORITHM_ROWS = (
             "The tip's part of the variance is printed four times too large. The sign does not "
             "matter to the variance; it moves the mean when the tip or the gauge has a bias."
         ),
+        marks=("ours", "consequence"),
+    ),
+    Claim(
+        "letters of two meanings",
+        r"\Delta h_c,\ \Delta S_c\text{: from the tip circle and the height (text), errors of the "
+        r"gauge (chart)}",
+        all_of(
+            Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
+            Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
+        ),
+        note="With the text's meaning in step 5 the tip diameter would be counted again, in step 8 "
+        "the height.",
         marks=("ours",),
-    ),
-    Claim(
-        "letter Delta h_c",
-        r"\Delta h_c\text{ (from the tip circle, text)}\ne\Delta h_c\text{ (gauge, chart)}",
-        Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
-        note="With the text's meaning in step 5 the tip diameter would be counted again.",
-        marks=("ours", "rebuilt"),
-    ),
-    Claim(
-        "letter Delta S_c",
-        r"\Delta S_c\text{ (from the height, text)}\ne\Delta S_c\text{ (gauge, chart)}",
-        Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
-        note="With the text's meaning in step 8 the height would be counted twice.",
-        marks=("ours", "rebuilt"),
     ),
     PRINT.equation(
         "step 8",
@@ -286,13 +230,19 @@ ALGORITHM_ROWS = (
         "producer's.",
     ),
     Claim(
-        "step 10, sum",
-        r"f_uf_0+(1-f_u)f_0+(1-f_u)(1-f_0)+f_u(1-f_0)=1",
-        Equality(
-            Add(*SHARES_OF_TOOTH.values()),
-            S.One,
+        "step 10, per cent of parts",
+        r"\text{the per cent of parts: wrongly rejected}",
+        Equality(rejected_by(6, 0), wheels_rejected(6)),
+        readings=(
+            Reading(
+                "every tooth is a part, and the four shares are all teeth",
+                Equality(Add(*SHARES_OF_TOOTH.values()), S.One),
+            ),
         ),
-        note="The four shares add up to all parts.",
-        marks=("ours",),
+        note="The blocks count teeth; the part that is sorted is a wheel. A good wheel is rejected "
+        "with the first tooth. Perfect gauge, tip of IT6, steps as printed, K = 6, normal laws, "
+        "centred; each tooth by itself, as in step 3.",
+        marks=("calibrated",),
+        cites=("S20",),
     ),
 )

@@ -1,29 +1,33 @@
-"""Rows of paper 3 on what it concludes, (a) to (e)."""
+"""Rows of paper 3 on what it concludes, (a) to (e), and what follows for its numbers."""
 
 from __future__ import annotations
 
-from sympy import Interval, Rational, S, diff, oo, pi, sqrt
+from sympy import Interval, Rational, S, diff, pi, sqrt
 
-from mechproof.record import Claim, Completion, Completions, Equality, Part, PrintedNumber, Reading
+from mechproof.record import (
+    Claim,
+    Correction,
+    Equality,
+    NotCheckable,
+    Part,
+    PrintedNumber,
+    Statement,
+)
 
 from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
     POSITIVE,
+    PRINTED_INFLUENCE,
     RECOMMENDED_UM,
-    TOLERANCE_UM,
     VARIANCE_BY_SLOPE,
-    K_m,
     above,
     below,
     chance_to_accept,
     crossover,
     error_variance,
-    gauge_spread,
     gauge_um,
-    good_but_rejected,
-    influence,
     rejected_by,
     sigma,
     sigma_height,
@@ -33,41 +37,76 @@ from .mechanics import (
     width,
 )
 
-# Grade, multiple of sigma, limit error (um) at the crossover: as printed, by the geometry.
-CROSSOVERS = (
-    (6, 2, "4.9", "2.5"),
-    (6, 3, "7.4", "3.7"),
-    (7, 2, "7.9", "3.9"),
-    (7, 3, "11.8", "5.9"),
-    (8, 2, "12.4", "6.2"),
-    (8, 3, "18.5", "9.3"),
+AS_PRINTED, BY_GEOMETRY = "printed", "involute"
+# Per cent of good teeth rejected by grade, as printed and by the geometry: with a perfect gauge,
+# and with the recommended one, whose limit error is 2 sigma.
+PERFECT = {6: ("0.35", "0.11"), 7: ("1.00", "0.23"), 8: ("3.41", "0.57")}
+RECOMMENDED = {6: ("0.41", "0.16"), 7: ("1.09", "0.28"), 8: ("3.53", "0.63")}
+# Limit error (um) of 2 and of 3 sigma at which tip and gauge disturb alike, by the geometry.
+CROSSOVERS = {6: ("2.5", "3.7"), 7: ("3.9", "5.9"), 8: ("6.2", "9.3")}
+LAWS = "K = 6 for tooth and tip, normal laws, centred."
+GRADE_COARSER = all_of(
+    less(tip_spread(8, BY_GEOMETRY), tip_spread(7)),
+    less(tip_spread(7, BY_GEOMETRY), tip_spread(6)),
 )
+
+
+def table(shares: dict[int, tuple[str, str]], limit_error: int) -> Statement:
+    """State the per cent of good teeth rejected, as printed and by the geometry."""
+    return all_of(
+        *(
+            PrintedNumber(number, 100 * rejected_by(grade, limit_error, 2, geometry))
+            for grade, numbers in shares.items()
+            for number, geometry in zip(numbers, (AS_PRINTED, BY_GEOMETRY), strict=True)
+        )
+    )
+
+
+def write(shares: dict[int, tuple[str, str]]) -> str:
+    """Write such a table as a print."""
+    return r",\ ".join(
+        rf"\mathrm{{IT}}{grade}\colon {printed}\to {right}~\%"
+        for grade, (printed, right) in shares.items()
+    )
+
 
 CLAIM_ROWS = (
     Claim(
-        "(a), curves of Figs. 4 and 5",
-        r"\text{percentage of wrongly rejected at a limit error of }10~\mu\mathrm{m}",
-        Completions(
-            "multiple of the limit error and law of the gauge",
-            Completion(
-                "IT6, normal laws, limit error 3 sigma: below 2 %",
-                less(rejected_by(6, 10), Rational("0.02")),
+        "(e)",
+        r"\text{with zero limit error of the instrument the indices are estimated only from the IT "
+        r"grade of the tip circle}",
+        all_of(
+            Equality(
+                error_variance(PRINTED_INFLUENCE, PRINTED_INFLUENCE).subs(
+                    {sigma_height: 0, sigma_thickness: 0}
+                ),
+                (PRINTED_INFLUENCE * sigma_tip) ** 2,
             ),
-            Completion(
-                "IT6, normal laws, limit error 2 sigma: below 2 %",
-                less(rejected_by(6, 10, 2), Rational("0.02")),
-            ),
+            less(rejected_by(6, 0), rejected_by(7, 0)),
+            less(rejected_by(7, 0), rejected_by(8, 0)),
         ),
-        note="The curves are lost, and the multiple of the limit error is not printed.",
-        marks=("inferred",),
+        note="Of the errors of measurement only that of the tip is left, by steps 5 and 6 as "
+        "printed, and with the grade the share of wrongly rejected rises. The law of the teeth "
+        f"themselves stays what it is. {LAWS}",
+        marks=("calibrated",),
+        cites=("S34",),
+    ),
+    Claim(
+        "(a), curves of Figs. 4 and 5",
+        r"\text{wrongly rejected, rightly accepted against the limit error of the gauge: 1 IT6, "
+        r"2 IT7}",
+        NotCheckable(
+            "the curves are lost in the scan, and neither laws nor the multiple of the limit error "
+            "are printed"
+        ),
+        cites=("S41", "S42"),
     ),
     Claim(
         "(a), rise with the limit error",
         r"\frac{\partial}{\partial w}\tfrac12\left[\mathrm{erf}\frac{q_1}w"
         r"+\mathrm{erf}\frac{q_2}w\right]<0",
         less((sqrt(pi) * diff(chance_to_accept, width)).expand(), S.Zero),
-        on=Part("the limits are apart", where=(above + below > 0,)),
-        holds_on=Part(
+        on=Part(
             "teeth whose expected reading lies inside the limits",
             {above: POSITIVE, below: POSITIVE},
         ),
@@ -90,33 +129,68 @@ CLAIM_ROWS = (
         marks=("ours",),
     ),
     Claim(
-        "(b)",
-        r"\text{the gauge influences the shares more strongly than the tip diameter}",
-        less(tip_spread(6), gauge_spread(gauge_um)),
-        holds_on=Part(
-            "a gauge of IT6's crossover on, a standard deviation over 2.454 um: a limit error over "
-            "4.91 um (2 sigma) or 7.36 um (3 sigma)",
-            {gauge_um: Interval.open(Rational("2.454"), oo)},
+        "(d)",
+        r"\text{for gear wheels of degrees 6 and 7 the IT grades 6 and 7 of the tip diameter can "
+        r"be recommended, and not 8}",
+        less(tip_spread(7), tip_spread(8, BY_GEOMETRY)),
+        corrected=Correction(
+            r"\text{for gear wheels of degrees 6 and 7 the IT grades 7 and 8 of the tip diameter "
+            r"can be recommended}",
+            GRADE_COARSER,
         ),
-        note="Steps 5 and 6 as printed, IT6 for the tip, tip of IT/sigma = K; by standard "
-        "deviations, with which the shares rise. Over which gauges the two are compared is not "
-        "said. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
-        "2 um, below it.",
-        marks=("rebuilt", "inferred", "calibrated"),
+        note="Stated: what IT8 makes of the thickness is more than what was recommended with IT7, "
+        "which the printed steps give. No limit is printed; whichever admits IT7 by the printed "
+        "steps admits IT8 by the geometry, for degree 7 and every tolerance.",
+        marks=("calibrated",),
+        cites=("S45", "S46"),
     ),
-    *(
-        Claim(
-            f"(b), crossover, IT{grade}, {multiple} sigma",
-            rf"\text{{tip of IT{grade} and gauge disturb alike at a limit error of }}"
-            rf"{printed}~\mu\mathrm{{m}},\text{{ by the geometry }}{involute}~\mu\mathrm{{m}}",
-            all_of(
-                PrintedNumber(printed, multiple * crossover(grade)),
-                PrintedNumber(involute, multiple * crossover(grade, "involute")),
-            ),
-            note=f"Limit error {multiple} sigma. Printed: steps 5 and 6.",
-            marks=("ours", "calibrated"),
-        )
-        for grade, multiple, printed, involute in CROSSOVERS
+    Claim(
+        "(d), a grade coarser",
+        r"K_m\mathrm{IT}7>\tfrac12K_m\mathrm{IT}8,\quad K_m\mathrm{IT}6>\tfrac12K_m\mathrm{IT}7",
+        GRADE_COARSER,
+        note="In place of the recommended grades 6 and 7 the grades 7 and 8 do, by the measure at "
+        "which those were recommended.",
+        marks=("ours", "consequence", "calibrated"),
+    ),
+    Claim(
+        "(d), good teeth rejected, perfect gauge",
+        write(PERFECT),
+        table(PERFECT, 0),
+        note=f"As printed, and by the geometry with half the deviation of the diameter. {LAWS}",
+        marks=("ours", "consequence", "calibrated"),
+    ),
+    Claim(
+        "(b)",
+        r"\text{the limit error of the instrument has a stronger influence on the defectiveness "
+        r"than the accuracy of the tip diameter}",
+        less(crossover(6, BY_GEOMETRY), gauge_um),
+        on=Part("gauges up to that of Table 1", {gauge_um: Interval.Lopen(0, GAUGE_UM)}),
+        holds_on=Part(
+            "a limit error over 2.5 um (2 sigma) or 3.7 um (3 sigma), tip of IT6",
+            {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
+        ),
+        note="By the geometry, tip of IT/sigma = K, by standard deviations, with which the shares "
+        "rise. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
+        "2 um, below it.",
+        marks=("calibrated",),
+        cites=("S47",),
+    ),
+    Claim(
+        "(b), crossovers",
+        r",\ ".join(
+            rf"\mathrm{{IT}}{grade}\colon {two}\text{{ to }}{three}~\mu\mathrm{{m}}"
+            for grade, (two, three) in CROSSOVERS.items()
+        ),
+        all_of(
+            *(
+                PrintedNumber(number, multiple * crossover(grade, BY_GEOMETRY))
+                for grade, numbers in CROSSOVERS.items()
+                for multiple, number in zip((2, 3), numbers, strict=True)
+            )
+        ),
+        note="Limit error, 2 or 3 sigma, of the gauge that disturbs as much as the tip, by the "
+        "geometry; the printed steps give about twice as much.",
+        marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
         "(b), at equal standard deviations",
@@ -125,107 +199,27 @@ CLAIM_ROWS = (
             VARIANCE_BY_SLOPE.subs({sigma_height: 0, sigma_thickness: 0, sigma_tip: sigma}),
             VARIANCE_BY_SLOPE.subs({sigma_tip: 0, sigma_height: sigma, sigma_thickness: sigma}),
         ),
-        note="The gauge enters twice, in height and in thickness; by the geometry K_m/2 for the "
-        "tip makes the difference larger still.",
+        note="Of equal spread the gauge always disturbs more: it enters twice, in height and in "
+        "thickness; K_m/2 for the tip, by the geometry, makes the difference larger still.",
         marks=("ours",),
     ),
     Claim(
         "(c)",
-        r"\text{for degrees 6, 7, 8 gauges with }U\le\pm2~\mu\mathrm{m}"
-        r"\text{ can be recommended}",
-        Completions(
-            "criterion of the recommendation",
-            Completion(
-                "degree 6, IT6, U = 2 sigma, criterion: at most 1 % wrongly rejected",
-                less(rejected_by(6, RECOMMENDED_UM, 2), Rational("0.01")),
-            ),
-            Completion(
-                "the same, criterion: at most 0.1 % wrongly rejected",
-                less(rejected_by(6, RECOMMENDED_UM, 2), Rational("0.001")),
-            ),
+        r"\text{instruments with an interval measure of uncertainty of at most }"
+        r"U=\pm2~\mu\mathrm{m}\text{ can be recommended}",
+        NotCheckable(
+            "neither the share that is still allowed nor the tolerances of degrees 7 and 8 are "
+            "printed"
         ),
-        note="No criterion is printed, nor the tolerances of degrees 7 and 8.",
+        note="What that gauge makes of the wheel of degree 6, see the next row.",
+        cites=("S48", "S49"),
     ),
     Claim(
-        "(c), part of the tolerance",
-        r"2U/T_c=4/45<\tfrac1{10}",
-        less(Rational(2 * RECOMMENDED_UM, TOLERANCE_UM), Rational(1, 10)),
-        note="The interval of the recommended gauge is below a tenth of the tolerance of degree 6.",
-        marks=("ours",),
-    ),
-    Claim(
-        "(c), what 2 um buy",
-        r"\text{from }\pm25\text{ to }\pm2~\mu\mathrm{m}\text{: wrongly rejected more than 20 "
-        r"times rarer}",
-        less(20 * rejected_by(6, RECOMMENDED_UM), rejected_by(6, Rational(GAUGE_UM, 2))),
-        note="IT6, normal laws, centred, limit errors of 3 sigma, steps 5 and 6 as printed.",
-        marks=("ours",),
-    ),
-    Claim(
-        "(d)",
-        r"\text{the grade of the tip diameter should be 6 and 7, not 8}",
-        Completions(
-            "criterion of the recommendation",
-            Completion(
-                "at most 2 % wrongly rejected with a perfect gauge",
-                all_of(
-                    less(Rational("0.02"), rejected_by(8, 0)),
-                    less(rejected_by(7, 0), Rational("0.02")),
-                ),
-            ),
-            Completion(
-                "at most 4 %",
-                all_of(
-                    less(Rational("0.04"), rejected_by(8, 0)),
-                    less(rejected_by(7, 0), Rational("0.04")),
-                ),
-            ),
-        ),
-        note="Stated: IT8 fails where IT7 passes. No criterion is printed; steps 5 and 6 as "
-        "printed, K = 6 for tooth and tip, normal laws, centred. From which gauge on the tip "
-        "matters more than the gauge say the crossovers at (b).",
-    ),
-    Claim(
-        "(d), IT8 by the geometry against IT7 as printed",
-        r"\text{IT8 with }\tfrac12K_m\text{ disturbs less than IT7 with }K_m",
-        less(
-            tip_spread(8, "involute"),
-            tip_spread(7),
-        ),
-        note="So that every limit of the wrongly rejected that admits IT7 by the printed steps "
-        "admits IT8 by the geometry. What the recommendation itself rests on is not printed.",
-        marks=("ours", "calibrated"),
-    ),
-    Claim(
-        "(e)",
-        r"\text{with a zero limit error of the gauge the shares depend only on the tip's grade}",
-        Equality(
-            good_but_rejected(tip_spread(6), 6),
-            good_but_rejected(tip_spread(6), 4),
-        ),
-        readings=(
-            Reading(
-                "of the measurement errors only that of the tip diameter remains",
-                Equality(
-                    error_variance(K_m, K_m).subs({sigma_height: 0, sigma_thickness: 0}),
-                    (influence * sigma_tip) ** 2,
-                ),
-            ),
-        ),
-        note="The shares depend on the spread and the expectation of the tooth thickness, too: "
-        "K = 6 and K = 4 differ.",
-    ),
-    Claim(
-        "(e), what remains",
-        r"\text{perfect gauge, IT6: }0.3\text{ to }0.4~\%\text{ wrongly rejected as printed, "
-        r"}0.1\text{ to }0.2~\%\text{ by the geometry}",
-        all_of(
-            less(Rational("0.003"), rejected_by(6, 0)),
-            less(rejected_by(6, 0), Rational("0.004")),
-            less(Rational("0.001"), rejected_by(6, 0, geometry="involute")),
-            less(rejected_by(6, 0, geometry="involute"), Rational("0.002")),
-        ),
-        note="K = 6 for tooth and tip, normal laws, centred.",
-        marks=("ours", "calibrated"),
+        "(c), good teeth rejected with the recommended gauge",
+        write(RECOMMENDED),
+        table(RECOMMENDED, RECOMMENDED_UM),
+        note="As printed, and by the geometry with half the deviation of the diameter. U = 2 sigma "
+        f"= 2 um. {LAWS}",
+        marks=("ours", "consequence", "calibrated"),
     ),
 )

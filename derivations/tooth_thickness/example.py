@@ -4,15 +4,7 @@ from __future__ import annotations
 
 from sympy import Rational, S
 
-from mechproof.record import (
-    Claim,
-    Completion,
-    Completions,
-    Datum,
-    Definition,
-    Equality,
-    PrintedNumber,
-)
+from mechproof.record import Claim, Correction, Datum, Definition, Equality, PrintedNumber
 
 from .._relations import all_of, less
 from .mechanics import (
@@ -20,8 +12,6 @@ from .mechanics import (
     GRADES,
     NORMAL_SHARE,
     PRINT,
-    TEETH,
-    TOLERANCE_UM,
     E_true,
     K,
     K_m,
@@ -31,115 +21,98 @@ from .mechanics import (
     dh_gauge,
     ds_gauge,
     e_tip,
-    height_deviation,
+    height_towards_tip,
     interval,
     millimetre,
     reading,
     tip_tolerance,
 )
 
+CAPTION = ("S27",)
+
 EXAMPLE_ROWS = (
     Datum(
         "Table 1, accuracy degree",
-        r"6\text{ of }6\mathrm H",
+        r"\text{accuracy degree }6",
         Definition(degree, S(6)),
-        note="A datum; no formula of the paper uses it.",
+        note="A datum; no formula of the paper uses it. Its digit is damaged, Figs. 4 and 5 have "
+        "6H.",
+        marks=("uncertain",),
+        cites=CAPTION,
     ),
     Datum(
         "Table 1, kind of mating",
-        r"\mathrm H\text{ of }6\mathrm H",
+        r"\text{kind of mating }\mathrm H",
         Definition(clearance, S.Zero),
         note="A datum; no formula of the paper uses it. That H asks for no guaranteed clearance is "
-        "from GOST 1643; the paper names no standard.",
+        "from GOST 1643-81, by which the paper sets the requirements.",
         marks=("inferred",),
+        cites=CAPTION,
     ),
     PRINT.datum(
         "Table 1, ratio of tolerance and standard deviation",
         defines=(K,),
-        note="A datum, called the normal accuracy of the technology in step 1.",
+        note="A datum, the normal level of accuracy of the technology.",
+        cites=(*CAPTION, "S28"),
     ),
     Datum(
         "Table 1, grade of the tip diameter",
-        r"\text{tip diameter of IT6}",
+        r"\text{IT grade of the diameter of the tooth tips }6",
         Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
-        note="A datum; 25 um of ISO 286-1 is no print of the paper (see 'step 3, IT6').",
+        note="A datum; 25 um of ISO 286-1 is no print of the paper (see 'step 3, IT grades').",
+        marks=("calibrated",),
+        cites=CAPTION,
     ),
     Datum(
         "Table 1, interval of the gauge",
-        r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
+        r"\text{interval measure of uncertainty of the measuring instrument }50~\mu\mathrm{m}",
         Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
         note="A datum; which interval is meant, 'steps 4 and 7, spread of the gauge' asks.",
+        cites=CAPTION,
     ),
     Claim(
-        "Table 1, uncertainty of the gauge",
-        r"50~\mu\mathrm{m}\text{ against the tolerance of }45~\mu\mathrm{m}",
-        Completions(
-            "what the limit error of the gauge is",
-            Completion(
-                "full width: the largest error is below the tolerance",
-                less(Rational(GAUGE_UM, 2), S(TOLERANCE_UM)),
-            ),
-            Completion(
-                "half the width: the same",
-                less(S(GAUGE_UM), S(TOLERANCE_UM)),
-            ),
+        "Table 1, 50 of 50",
+        r"50\text{ of }50\text{ teeth: the share of good teeth at the accuracy of the technology "
+        r"chosen, }100~\%",
+        all_of(
+            PrintedNumber("100", 100 * Rational(50, 50)),
+            PrintedNumber("100", 100 * NORMAL_SHARE),
         ),
-        note="In both readings far above the usual tenth of the tolerance.",
-        marks=("ours",),
+        note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which for "
+        "a normal law in the middle of the field is 99.73 %. What 50 teeth can show of it, see the "
+        "next row.",
+        marks=("calibrated",),
+        cites=("S31",),
+    ),
+    Claim(
+        "Table 1, 50 of 50, what it shows",
+        r"50\text{ of }50\text{ are to be expected in 87 \% of wheels at }K=6\text{, and not rare "
+        r"(5 \%) with }94.2~\%\text{ of good teeth}",
+        all_of(
+            PrintedNumber("87", 100 * NORMAL_SHARE**50),
+            less(Rational(1, 20), Rational("0.942") ** 50),
+            less(Rational("0.941") ** 50, Rational(1, 20)),
+        ),
+        note="The one-sided 95 % bound of Clopper and Pearson lies between 94.1 and 94.2 % good. "
+        "Normal law, centred.",
+        marks=("ours", "consequence"),
+    ),
+    Claim(
+        "Table 1, columns 4 to 6",
+        r"\text{(6): the total shift of the base of the height from (4), the deviation of the tip "
+        r"diameter, and (5), the error of the instrument}",
+        Equality(e_tip + dh_gauge, height_towards_tip),
+        corrected=Correction(
+            r"(6)=\tfrac12\,(4)+(5)", Equality(e_tip / 2 + dh_gauge, height_towards_tip)
+        ),
+        note="The sum (6) = (4) + (5) of step 5, column 4 being that of the diameter.",
+        cites=("S32", "S35"),
     ),
     Claim(
         "Table 1, column 9",
         r"(9)=(2)+(7)+(8)",
         Equality(E_true + K_m * dh + ds_gauge, reading),
         note="True deviation, thickness error from the shift, gauge; as in step 8.",
-    ),
-    Claim(
-        "Table 1, columns 4 to 6",
-        r"(6)=(4)+(5)",
-        Completions(
-            "what column 4 lists",
-            Completion(
-                "column 4 lists the deviation of the diameter",
-                Equality(e_tip + dh_gauge, height_deviation),
-            ),
-            Completion(
-                "column 4 lists half of it, counted towards the centre",
-                Equality(e_tip + dh_gauge, height_deviation.subs(e_tip, -2 * e_tip)),
-            ),
-        ),
-        note="Total shift from tip diameter and gauge, as in step 5; the rule is read from there.",
-        marks=("inferred",),
-    ),
-    Claim(
-        "Table 1, number of teeth",
-        r"50\text{ deviations: as many as the wheel has teeth}",
-        PrintedNumber("50", S(TEETH)),
-        marks=("ours",),
-    ),
-    Claim(
-        "Table 1, 50 of 50",
-        r"50\text{ of }50\text{, i.e. }100~\%",
-        PrintedNumber("100", 100 * Rational(50, 50)),
-        note="Right as the share in the sample; of all teeth see 'step 1, normal accuracy'.",
-    ),
-    Claim(
-        "Table 1, 50 of 50, what it is compatible with",
-        r"p^{50}\ge0.05\text{ down to }p=94.2~\%",
-        all_of(
-            less(Rational(1, 20), Rational("0.942") ** 50),
-            less(Rational("0.941") ** 50, Rational(1, 20)),
-        ),
-        note="Clopper and Pearson: the one-sided 95 % bound lies between 94.1 and 94.2 % good.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Table 1, 50 of 50, how often",
-        r"0.87<\mathrm{erf}(3/\sqrt2)^{50}<0.88",
-        all_of(
-            less(Rational("0.87"), NORMAL_SHARE**50),
-            less(NORMAL_SHARE**50, Rational("0.88")),
-        ),
-        note="The chance of 50 good teeth in 50 at K = 6, centred.",
-        marks=("ours",),
+        cites=("S39",),
     ),
 )

@@ -235,10 +235,14 @@ PRINTED_SIZES = {
     millimetre: S.One,
 }
 
-# Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height.
-WIDE, NARROW = Rational(1, 20), Rational(1, 260)
-HEIGHTS_TO_1_MM = Part("heights off by up to 1 mm, tilts of both signs", {tilt: Interval(0, WIDE)})
-HEIGHTS_TO_0_1_MM = Part("heights off by up to 0.1 mm", {tilt: Interval(0, NARROW)})
+# A tilt (rad) that turns the tangent over more than 0.1 mm of height: the 50 um of the gauge and
+# the 25 um of IT6 together are less.
+NARROW = Rational(1, 260)
+HEIGHTS_TO_0_1_MM = Part(
+    "heights off by up to 0.1 mm, tilts of both signs", {tilt: Interval(0, NARROW)}
+)
+# The paper gives deviations in whole micrometres: one of them, as a share of 0.1 mm.
+LAST_SHARE = Rational(1, 100)
 
 # ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
 RANGE = (120, 180)
@@ -256,9 +260,6 @@ def of_wheel(expression: Expr) -> Expr:
 def at_angle(expression: Expr, degrees: int | str) -> Expr:
     """Put the printed module and a profile angle in degrees into an expression."""
     return expression.subs({m: MODULE, alpha: Rational(degrees) * pi / 180})
-
-
-excess_of_wheel = of_wheel(m * z * across)
 
 
 # Shares of parts, accepted and rejected, good and bad, by normal laws -----------------------------
@@ -309,10 +310,11 @@ def rejected_by(
     return good_but_rejected(measurement_spread(grade, Rational(limit_error) / multiple, geometry))
 
 
-def accepted_by(grade: int, limit_error: Rational, expected: Expr = S.Zero) -> Expr:
-    """Share of all teeth accepted; limit error 3 sigma, the indication off by `expected` (um)."""
+def accepted_by(grade: int, limit_error: Rational, bias: Expr = S.Zero) -> Expr:
+    """Share of all teeth accepted; limit error 3 sigma, a bias (um) in height and thickness."""
     half, spread_true = Rational(TOLERANCE_UM, 2), Rational(TOLERANCE_UM, K_PRINTED)
     spread = measurement_spread(grade, limit_error / 3)
+    expected = (1 + PRINTED_INFLUENCE) * bias
     return normal_between(expected, spread_true**2 + spread**2, -half, half)
 
 

@@ -9,6 +9,8 @@ from sympy import Abs, Le, Rational
 
 from mechproof.record import Paper
 
+from .aside import ASIDE
+from .consequences import CONSEQUENCES
 from .curve_rows import CURVE_ROWS
 from .error_rows import ERROR_ROWS
 from .figures import FIGURE_ROWS
@@ -20,12 +22,14 @@ from .table import TABLE_ROWS
 
 PAPER = Paper(
     system="track_wheel",
-    citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, "
-    "doi 10.24412/2079-7958-2022-1-43-52",
+    citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track",
+    doi="10.24412/2079-7958-2022-1-43-52",
     variables=VARIABLES,
     notation=NOTATION,
     print=PRINT.file,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS + CONSEQUENCES,
+    sentences=68,
+    aside=ASIDE,
     quantities=QUANTITIES,
     published=(TABLE_1,),
     # About the share of the total in Table 1, all K = 1.

@@ -6,22 +6,21 @@ import sympy as sp
 
 from mechproof.record import (
     Claim,
-    Completion,
-    Completions,
     Conjunction,
     Correction,
     Definition,
     Equality,
     Holds,
+    NotCheckable,
     Reading,
     Row,
     sum_distinct,
 )
 
 from .mechanics import (
+    CORRECTED_5,
     DEVIATIONS,
     DEVIATIONS_T,
-    FULLY_CORRELATED,
     SINGLES,
     SINGLES_T,
     UNCORRELATED,
@@ -59,8 +58,7 @@ LATEX_CORRECTED_GROUPS = (
     r"+\sum_{i=1}^{n_\delta}(K_{\delta,i}\Delta_{\delta,i}%(t)s)^2"
     r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
 )
-LATEX_GROUPS_AND_THERMAL = PRINT.prints["(6)"].replace(r"+\Delta_T}", r"}+\Delta_T")
-LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
+LATEX_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
     r"+(K_T\Delta_T)^2}", r"}+\Delta_T"
 )
 
@@ -70,20 +68,23 @@ ERROR_ROWS: tuple[Row, ...] = (
         "(1)",
         defines=(output,),
         note="Names the output and its parameters; everything after it uses f to first order.",
+        cites=("S16",),
     ),
     PRINT.equation(
         "(2)",
         defines=(error,),
-        note="The nominal value X_0 should carry the index i, since each parameter has its own.",
+        note="X_0 is the nominal value of the same parameter.",
+        cites=("S17", "S18"),
     ),
     Claim(
         "after (3), K",
-        r"K\text{: relative-scatter coefficient of the output; }K_i\text{: ratio of the scatter "
-        r"field under the normal law to the actual field}",
+        r"K\text{: coefficient of relative scatter of the output parameter; }K_i\text{: ratio of "
+        r"the scatter field of the error under the normal law to the actual scatter field}",
         Definition(scatter, 6 * sigma / total),
         note="The ratio is printed for the inputs and read for the output likewise; the field "
         "under the normal law is taken as six standard deviations.",
         marks=("inferred",),
+        cites=("S20", "S21"),
     ),
     Claim(
         "after (3), K of a uniform law",
@@ -103,10 +104,11 @@ ERROR_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "after (3), K for a reliability",
-        r"K\text{ corrects for a given guaranteed reliability}",
+        r"K\text{ corrects the total error for a given guaranteed reliability}",
         Definition(scatter, 6 * sigma / (2 * half_width)),
         note="Chosen by who uses (3): h is half the field that the reliability asks for. By the "
         "normal law K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
+        cites=("S20",),
     ),
     PRINT.equation(
         "(3)",
@@ -114,6 +116,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         corrected=Correction(PRINT.prints["(3)"].replace("k", "j")),
         note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so j is meant.",
+        cites=("S19",),
     ),
     Claim(
         "(3), coefficients that fit together",
@@ -133,12 +136,13 @@ ERROR_ROWS: tuple[Row, ...] = (
         "(4)",
         derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
         note="Holds at each instant t; the left side is then a function of t too.",
+        cites=("S22",),
     ),
     Claim(
         "after (4), S_i = 1",
         r"\text{If the independence of the elementary errors is accepted and their change in time"
-        r" is not considered (the end value is estimated), then }S_i=1\text{ may be taken in"
-        r" calculations}",
+        r" is not considered (the end value of the errors is estimated), then }S_i=1\text{ may be"
+        r" taken in calculations}",
         Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         readings=(
             Reading(
@@ -146,30 +150,27 @@ ERROR_ROWS: tuple[Row, ...] = (
                 Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
             ),
         ),
-        note="A licence for calculations. It is not implied by independence, which removes the "
-        "correlation terms but says nothing about the sensitivities.",
+        corrected=Correction(
+            r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2}",
+            Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        ),
+        note="Independence removes the terms with R_ij from (3) and leaves every S_i as it is.",
+        cites=("S23",),
     ),
     PRINT.equation(
         "(5)",
         derived={total: propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)},
         note="True under both stated premises together: independent errors and S_i = 1.",
+        cites=("S23",),
     ),
     Claim(
         "after (5), usual conditions",
-        r"\text{(5) may be used for machining blanks on machine tools in usual production"
-        r" conditions}",
-        Completions(
-            "the correlations under usual conditions",
-            Completion(
-                "usual conditions: uncorrelated errors, each with S_i = 1",
-                Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
-            ),
-            Completion(
-                "usual conditions: errors with one common cause, R_ij = 1, each with S_i = 1",
-                Equality(PRINTED_5, propagate(DEVIATIONS, FULLY_CORRELATED, UNIT_INFLUENCE)),
-            ),
-        ),
-        note="The paper gives neither the correlations nor the sensitivities of usual conditions.",
+        r"\text{By the recommendation of [5], formula (5) may be used for machining blanks on"
+        r" metal-cutting machine tools in usual production conditions}",
+        NotCheckable("the recommendation of [5], its correlations and sensitivities"),
+        note="(5) needs independent errors, each with S_i = 1. Whether those of usual production "
+        "are such is a matter of [5].",
+        cites=("S3", "S25"),
     ),
     PRINT.equation(
         "(6)",
@@ -178,21 +179,30 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
         "lengths. In the corrected form each group has its own index and each term is a square; "
         "as in (5) every sensitivity is one. That is for a random Delta_T; a systematic one stands "
-        "outside the root, as in the next row. The kind of Delta_T is not printed.",
+        "outside the root, as in the next row. The transcription does not say of which kind it is.",
+        cites=("S26", "S27"),
     ),
     Claim(
-        "(6), Delta_T outside the root",
+        "(6), systematic temperature error",
         LATEX_GROUPS_AND_THERMAL,
         derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
-        corrected=Correction(LATEX_CORRECTED_GROUPS_AND_THERMAL),
-        note="For a systematic Delta_T, in (6) and in (7): the root ends before the error, which "
-        "adds as it is. The lengths then agree; the index i stays free.",
-        marks=("ours", "uncertain"),
+        note="For a systematic Delta_T: the root of (6) ends before the error, which adds as it "
+        "is. In (7) likewise.",
+        marks=("ours",),
+    ),
+    Claim(
+        "after (6), shift along the axes",
+        r"\text{formulas of the total error of machining, which characterise the shift of the blank"
+        r" along the coordinate axes of the machine}",
+        NotCheckable("how the one total of (6) becomes a shift a, b, c along three axes"),
+        note="(6) and (7) give one length without a direction; (15) takes a, b, c as given.",
+        cites=("S5", "S26", "S62"),
     ),
     PRINT.equation(
         "(7)",
         derived={AT_TIME[total]: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
         note="As (6), at each instant t; the K_i are printed without t and kept so.",
+        cites=("S28",),
     ),
 )

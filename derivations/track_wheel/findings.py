@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Cost, Finding, Follower
+from mechproof.record import Check, Cost, Finding, Follower, Weight
 
+from .consequences import FARTHEST, HALF, LARGEST_HEIGHT_ERROR, UNIFORM, gain
 from .mechanics import product_of
 from .symbols import (
     ANGLES,
@@ -15,35 +16,21 @@ from .symbols import (
     PRINTED_VALUES,
     THERMAL_SHARE,
     amplitude,
+    beta,
     elastic,
     elastics,
     elastics_t,
-    form,
-    gamma,
-    i,
-    k_elastic,
-    k_form,
-    k_mounting,
-    k_setting,
-    k_wear,
     mounting,
     mountings,
     mountings_t,
-    n,
-    n_delta,
-    n_y,
-    periods,
     radius,
-    scatters,
-    setting,
-    wear,
 )
 from .table import SUM_OF_PRINTED_SQUARES, total_by_corrected_sum, total_by_printed_sum
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
 SYSTEMATIC_TOTAL = sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)
+TURN, FARTHEST_APART = PRINTED_VALUES[beta], 2 * FARTHEST
 LIKE_TABLE_1 = {symbol: PRINTED_VALUES[symbol] for symbol in (radius, amplitude, *ANGLES)}
-TEN_DEGREES = {**LIKE_TABLE_1, **dict.fromkeys(ANGLES, sp.pi / 18)}
 
 # What (7) calls the errors of (6).
 RENAMED = {
@@ -53,41 +40,67 @@ RENAMED = {
 }
 
 
-def own_coefficients() -> dict[sp.Expr, sp.Expr]:
-    """Pair the terms of (6) that have the one index i with those of its correction."""
-    singles = {form: k_form, setting: k_setting, wear: k_wear}
-    groups = ((mounting, mountings, k_mounting, n_y), (elastic, elastics, k_elastic, n_delta))
-    return {
-        **{(scatters[i] * error) ** 2: (own * error) ** 2 for error, own in singles.items()},
-        **{
-            sp.Sum((scatters[i] * error) ** 2, (i, 1, n)): sp.Sum(
-                (own[i] * errors[i]) ** 2, (i, 1, count)
-            )
-            for error, errors, own, count in groups
-        },
-    }
-
-
 def along_y(matrix: sp.Matrix) -> sp.Expr:
     """Place along Y_0 of the track's farthest point (R + A, 0, 0) once the part is turned."""
     return (radius + amplitude) * matrix[0, 1]
 
 
-def cost_of_turns(matrix: sp.Matrix) -> tuple[Cost, ...]:
-    """Compare a matrix with (14) by where the farthest point goes, turns of Table 1 and of 10°."""
-    right, printed = along_y(PRINTED_K), along_y(matrix)
-    where = "farthest point of the track, along Y_0"
-    return (
-        Cost(f"{where}, turns of Table 1", LIKE_TABLE_1, "µm", 3, printed, right),
-        Cost(f"{where}, three turns of 10°", TEN_DEGREES, "mm", 2, printed, right),
-    )
+def total_of_five(factor_of_mounting: sp.Expr) -> sp.Expr:
+    """Root of the five squares, the mounting error by a sensitivity of its own."""
+    more = (factor_of_mounting**2 - 1) * PRINTED_VALUES[mounting] ** 2
+    return sp.sqrt(SUM_OF_PRINTED_SQUARES + more)
+
+
+WITHOUT_ELASTIC = sp.sqrt(SUM_OF_PRINTED_SQUARES - PRINTED_VALUES[elastic] ** 2)
+FIVE = total_of_five(sp.S.One)
+ABC = product_of("ABC")
 
 
 FINDINGS = (
     Finding(
-        "(3)",
-        "The inner sum runs over k while its terms carry j, which nothing binds; (4) and the list "
-        "of symbols have j.",
+        "conclusions, total error",
+        "By Table 1 and the corrected (6), errors of one law, even a vanishing elastic error "
+        "lowers the total by no more than a fifth: about half of the squared total is that of the "
+        "mounting error, which no choice of depth and feed changes. By how much it fell is lost "
+        "with Fig. 5.",
+        costs=(
+            Cost(
+                "total of Table 1, all K = 1, Δ_T random",
+                {},
+                "mm",
+                3,
+                RIGHT_TOTAL,
+                RIGHT_TOTAL * WITHOUT_ELASTIC / FIVE,
+                ("with the elastic error of 0.042 mm", "with none"),
+            ),
+            Cost(
+                "without any elastic error the total falls by",
+                {},
+                "%",
+                1,
+                gain(elastic) / 100,
+                gain(elastic, own=UNIFORM) / 100,
+                ("errors of one law", "the elastic error alone uniform"),
+            ),
+            Cost(
+                "with half the error the total falls by",
+                {},
+                "%",
+                1,
+                gain(elastic, left=HALF) / 100,
+                gain(mounting, left=HALF) / 100,
+                ("elastic", "mounting"),
+            ),
+        ),
+        weight=Weight.CONCLUSION,
+        mend="Fig. 5, largest possible gain",
+        check=Check(
+            "√(16² + 50² + 42² + 10² + 21²) = {0}; without the 42²: {1}",
+            (FIVE, WITHOUT_ELASTIC),
+            1,
+            "µm",
+        ),
+        figure="fig-5",
     ),
     Finding(
         "(6)",
@@ -106,40 +119,53 @@ FINDINGS = (
             for kind, right in (("random", RIGHT_TOTAL), ("systematic", SYSTEMATIC_TOTAL))
             for unit, length in (("mm", sp.Integer(1)), ("µm", sp.Rational(1, 1000)))
         ),
-        follows=(
-            Follower("(6), Delta_T outside the root", parts=own_coefficients()),
-            Follower("(7)", renamed=RENAMED),
+        follows=(Follower("(7)", renamed=RENAMED),),
+        weight=Weight.NUMBER,
+        check=Check(
+            "all K = 1, in mm: Δ² = 0.005061 + 0.15Δ gives {0}; in µm: Δ² = 5061 + 0.15Δ gives "
+            "{1}; with the temperature error squared, (1 - 0.15²)Δ² = 0.005061, {2}",
+            (
+                total_by_printed_sum(sp.Integer(1)),
+                total_by_printed_sum(sp.Rational(1, 1000)),
+                RIGHT_TOTAL,
+            ),
+            4,
+            "mm",
         ),
+        figure="fig-4",
     ),
     Finding(
-        "before (14), product",
-        "Multiplied in the order A B C the matrices do not give the printed K; only C B A does. "
-        "A B C is turns about the fixed axes, C B A those about axes that turn with the part.",
-        costs=cost_of_turns(product_of("ABC")),
-        follows=(
-            "before (14), axes",
-            Follower("Table 1, turns about X_0 and Y_0", renamed={gamma: sp.S.Zero}),
-        ),
-    ),
-    Finding(
-        "(16) and Table 1, R",
-        "R is called the radius of the circle in (16) and the mean radius of the track in Table 1. "
-        "It is the middle of the extreme radii; the average over the angle is smaller.",
+        "Fig. 3, form and location",
+        "(15) turns and shifts the whole track as a rigid body: every distance between two of its "
+        "points stays, so the errors on the diagram are deviations of location. What changes along "
+        "the profile, as the elastic error of an uneven allowance, is a deviation of form, and in "
+        "none of (15), (17), (18).",
         costs=(
             Cost(
-                "mean radius",
-                {**LIKE_TABLE_1, periods: sp.S.One},
+                "turns of Table 1, points at R + A and z_13 = 0",
+                {},
                 "mm",
-                3,
-                names=("average over the angle", "Table 1"),
+                4,
+                LARGEST_HEIGHT_ERROR,
+                sp.S.Zero,
+                ("largest error of position along Z_0", "deviation of form"),
             ),
         ),
+        weight=Weight.NUMBER,
+        check=Check(
+            "two points of the part, 2(R + A) apart along X_0, turned by 0.00103 about Y_0: {0} "
+            "apart along X_0 and {1} along Z_0, the root of the squares is {2} as before",
+            (FARTHEST_APART * sp.cos(TURN), FARTHEST_APART * sp.sin(TURN), FARTHEST_APART),
+            6,
+            "mm",
+        ),
+        figure="fig-3",
     ),
     Finding(
         "Table 1, missing data",
-        "The number of periods z, the thickness H_s, the shift a, b, c and the coefficients K, "
-        "K_i, S_i are not printed, so that neither the total of Table 1 nor Figs. 3 to 5 can be "
-        "recomputed.",
+        "The transcription has no value of the coefficients K and K_i, so that the total of Table "
+        "1 cannot be recomputed, nor of z, H_s, a, b, c, S_i and n, which Figs. 3 to 5 need "
+        "besides.",
         costs=(
             Cost(
                 "total of Table 1",
@@ -150,6 +176,72 @@ FINDINGS = (
                 total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES),
                 ("all K_i = 1 (normal laws)", "all K_i = √3 (uniform laws)"),
             ),
+        ),
+        weight=Weight.NUMBER,
+        check=Check(
+            "√(5061/(1 - 0.15²)) = {0}; √(3·5061/(1 - 3·0.15²)) = {1}",
+            (RIGHT_TOTAL, total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES)),
+            1,
+            "µm",
+        ),
+        figure="table-1",
+    ),
+    Finding(
+        "(3)",
+        "The inner sum runs over k while its terms carry j, which nothing binds; (4) and the list "
+        "of symbols have j.",
+        weight=Weight.FORMULA,
+        check=Check(
+            "n = 2, K = 1, all K_iS_iT_i = 1, R_12 = 0.5: with j in the place of k the total is "
+            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed the terms have a j without a value",
+            (sp.sqrt(3),),
+        ),
+    ),
+    Finding(
+        "after (4), S_i = 1",
+        "Independence takes the terms with R_ij out of (3) and says nothing of the sensitivities: "
+        "S_i = 1 is a second assumption. Without it (5) keeps its S_i.",
+        costs=(
+            Cost(
+                "Table 1, all K = 1, without Δ_T",
+                {},
+                "mm",
+                4,
+                FIVE,
+                total_of_five(sp.Rational(11, 10)),
+                ("S = 1", "S = 1.1 of the mounting error alone"),
+            ),
+        ),
+        weight=Weight.WORDING,
+        check=Check(
+            "two independent errors of 3 µm and 4 µm, K = 1: (5) gives {0}, (3) with S_1 = 2 and "
+            "S_2 = 1 gives {1}",
+            (sp.Rational(5, 1000), sp.sqrt(52) / 1000),
+            1,
+            "µm",
+        ),
+    ),
+    Finding(
+        "before (14), product",
+        "Multiplied in the order A B C the matrices do not give the printed K; only C B A does. "
+        "A B C is turns about the fixed axes, C B A those about axes that turn with the part.",
+        costs=(
+            Cost(
+                "farthest point of the track, along Y_0, turns of Table 1",
+                LIKE_TABLE_1,
+                "µm",
+                3,
+                along_y(ABC),
+                along_y(PRINTED_K),
+            ),
+        ),
+        weight=Weight.WORDING,
+        check=Check(
+            "the second element of the first row, for gamma = 0, is sin alpha sin beta in (14) and "
+            "0 in A B C; 0.00103² times R + A = 45.25 mm is {0}",
+            (along_y(PRINTED_K).subs(LIKE_TABLE_1),),
+            3,
+            "µm",
         ),
     ),
 )

@@ -16,7 +16,6 @@ from .symbols import (
     amplitude,
     beta,
     elastic,
-    elastics,
     form,
     gamma,
     i,
@@ -29,7 +28,6 @@ from .symbols import (
     k_thermal,
     k_wear,
     mounting,
-    mountings,
     n,
     n_delta,
     n_y,
@@ -82,29 +80,7 @@ def propagate_groups(
     return 6 * sp.sqrt(of_singles + of_mounting + of_elastic) / scatter
 
 
-def corrected_groups(
-    form: sp.Symbol,
-    mountings: sp.IndexedBase,
-    elastics: sp.IndexedBase,
-    setting: sp.Symbol,
-    wear: sp.Symbol,
-    thermal: sp.Symbol,
-) -> sp.Expr:
-    """Write (6) and (7) with an index and coefficients for each group and Delta_T squared."""
-    return (
-        sp.sqrt(
-            (k_form * form) ** 2
-            + sp.Sum((k_mounting[i] * mountings[i]) ** 2, (i, 1, n_y))
-            + sp.Sum((k_elastic[i] * elastics[i]) ** 2, (i, 1, n_delta))
-            + (k_setting * setting) ** 2
-            + (k_wear * wear) ** 2
-            + (k_thermal * thermal) ** 2
-        )
-        / scatter
-    )
-
-
-UNCORRELATED, FULLY_CORRELATED, UNIT_INFLUENCE = sp.Integer(0), sp.Integer(1), sp.Integer(1)
+UNCORRELATED, UNIT_INFLUENCE = sp.Integer(0), sp.Integer(1)
 DEVIATIONS = deviation(scatters[i], tolerances[i])
 DEVIATIONS_T = deviation(scatters_t[i], tolerances_t[i])
 
@@ -113,7 +89,6 @@ CROSS = scatters[i] * scatters[j] * influences[i] * influences[j] * tolerances[i
 
 CORRECTED_5 = sp.sqrt(SQUARES) / scatter
 
-CORRECTED_6 = corrected_groups(form, mountings, elastics, setting, wear, thermal)
 SINGLES = ((k_form, form), (k_setting, setting), (k_wear, wear), (k_thermal, thermal))
 SINGLES_T = tuple((own, AT_TIME[field]) for own, field in SINGLES)
 
@@ -122,7 +97,6 @@ SUM_OF_SQUARES = sp.Add(*(field**2 for field in FIVE_ERRORS))
 
 # Part two: the frame of the part, its turns and its shift ---------------------------------------
 
-ZERO_ANGLES = dict.fromkeys(ANGLES, 0)
 IDENTITY = sp.ImmutableMatrix(sp.eye(3))
 UNIT_VECTORS = tuple(IDENTITY[:, axis] for axis in range(3))
 Triad = Sequence[sp.ImmutableMatrix]

@@ -18,7 +18,7 @@ from .symbols import PRINTED_VALUES, elastic, form, mounting, setting, share, we
 from .table import total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.
-PERIODS, THICKNESSES, THICKNESS = 8, (10.0, 20.0, 30.0), 20.0
+PERIODS, THICKNESSES, THICKNESS = 6, (10.0, 20.0, 30.0), 20.0
 NO_SHIFT = (0.0, 0.0, 0.0)
 MICROMETRES = 1e3
 RED = LineStyle.WRONG["color"]
@@ -209,7 +209,7 @@ FIGURES = (
         f"as in the paper's bar chart. {CHOSEN}: z = {PERIODS} and Hₛ = {THICKNESS:g} mm are "
         f"chosen here (thin: {THICKNESSES[0]:g} and {THICKNESSES[-1]:g} mm), the shift is left "
         "out. So the paper's bars, whose values are lost, cannot be redrawn.",
-        "Fig. 3, shift and turns",
+        "Consequences, turns alone",
         draw_track,
         height=135.0,
     ),
@@ -222,7 +222,7 @@ FIGURES = (
         "printed: all are 1 (normal laws) but where √3 (uniform laws) is said. The tangential and "
         "radial errors that the paper draws cannot be recomputed: how shift and turns follow from "
         "the form error is not printed.",
-        "Fig. 4, growth with the form error",
+        "Consequences, no form error",
         draw_growth,
         height=95.0,
     ),
@@ -245,7 +245,7 @@ FIGURES = (
         "Shares of the errors of Table 1 in the square of their total by the corrected (6), all "
         f"coefficients 1, ΔT random: the paper's {100 * THERMAL_SHARE:g} % of the total. The "
         "symbol of the machine setting is uncertain in print.",
-        "Table 1, total",
+        "Consequences, shares of the errors",
         draw_contributions,
         height=55.0,
     ),

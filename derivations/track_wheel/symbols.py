@@ -31,7 +31,8 @@ function_value, offset, dummy = sp.symbols("f_X x u", real=True)
 sigma, half_width, level = sp.symbols("sigma h m", positive=True)
 k_form, k_setting, k_wear, k_thermal = sp.symbols("K_phi K_n K_u K_T", positive=True)
 share = sp.Symbol("tau", nonnegative=True)
-kept, spread, place = sp.symbols("lambda eta v_1", real=True)
+kept, spread = sp.symbols("lambda eta", real=True)
+depth, depth_exponent, feed_exponent = sp.symbols("t_c x_t y_s", positive=True)
 
 influences = sp.IndexedBase("S_i", real=True)
 correlations, correlations_t = (sp.IndexedBase(name, real=True) for name in ("R_ij", "R_ij(t)"))
@@ -71,8 +72,7 @@ QUATERNION = (
 
 radius, thickness, amplitude, periods, phi = PRINT.symbols("R H_s A z phi")
 radius_vector, planar_error, spatial_error = PRINT.symbols("rho Delta_Sigma^XY Delta_Sigma^XYZ")
-ball_radius, millimetre, any_radius = sp.symbols("r_b mm R_any", positive=True)
-any_shift = sp.Symbol("A_any", real=True)
+ball_radius, millimetre = sp.symbols("r_b mm", positive=True)
 THETA = periods * phi
 
 # Meanings and prints of what the block does not declare ----------------------------------------
@@ -94,6 +94,9 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
         k_setting: ("relative-scatter coefficient of the machine setting", "K_n"),
         k_wear: ("relative-scatter coefficient of the tool wear", "K_u"),
         k_thermal: ("relative-scatter coefficient of the temperature deformation", "K_T"),
+        depth: ("depth of cut / the least one",),
+        depth_exponent: ("exponent of the depth in the cutting force",),
+        feed_exponent: ("exponent of the feed in the cutting force",),
     },
     (NUMBER, sp.S.Reals): {
         influences: ("absolute sensitivities; all inputs and the output are lengths", "S"),
@@ -103,7 +106,6 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
     (NUMBER, UNIT_INTERVAL): {
         correlations: ("correlation coefficients", "R"),
         correlations_t: ("correlation coefficients at time t", "R_#(t)"),
-        place: ("relative change at a place / largest one",),
     },
     (LENGTH, POSITIVE): {
         **{
@@ -122,7 +124,6 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
         level: ("level of the elastic deformation",),
         ball_radius: ("radius of the ball",),
         millimetre: ("the unit of length",),
-        any_radius: ("radius of any circle",),
     },
     (LENGTH, sp.S.Reals): {
         function_value: (
@@ -130,7 +131,6 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
             r"f(X_1,\dots,X_i,\dots,X_n)",
         ),
         offset: ("deviation from the middle of a tolerance",),
-        any_shift: ("shift of any circle",),
     },
     (NUMBER, sp.Interval.open(0, 1)): {
         share: ("temperature error / total error",),

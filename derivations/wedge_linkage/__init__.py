@@ -1,78 +1,68 @@
 """Paper 4: pusher, lever, rod, roller lever and wedge, split into four Assur groups."""
 
 import sympy as sp
-from sympy import Rational
 
-from mechproof.record import Cost, Finding, Paper, PublishedSizes, Toleranced
+from mechproof.record import Check, Cost, Finding, Paper, Weight
 
 from . import chain, conditioning, mechanics, proofs, sizes
-from .boundaries import position_of
+from .boundaries import upright_at, upright_wedge
+from .budget import BUDGET_ROWS
 from .group_rows import GROUP_ROWS
 from .kernels import QUANTITIES
-from .sizes import FIRST_SET, LEGIBLE, SECOND_SET, SIZE_ROWS
-from .symbols import PRINT, error, l_AB, l_BC, l_CD, l_GH, own_error, stage_ratio
+from .sizes import FIRST_SET, SECOND_SET, SIZE_ROWS, limits
+from .substitution import SUBSTITUTED, SUBSTITUTION_ROWS
+from .symbols import PRINT, alpha_KL, error, l_KL, own_error, stage_ratio
 from .tolerances import RANGE_ROWS
 from .transfer import TRANSFER_ROWS
 
-ZERO = sp.S.Zero
-# With the rod's x5 in (6) to (8) the link 5' would follow as if there were no clearance.
-NO_CLEARANCE = PublishedSizes(
-    FIRST_SET.source,
-    {**FIRST_SET.sizes, l_GH: Toleranced(ZERO, ZERO, ZERO)},
-    FIRST_SET.marks,
-)
-BY_SET = "first reconstructed set of sizes"
-
-
-def end_of_q() -> sp.Expr:
-    """Return the displacement (mm) at which Q of (1) stops being real, at the legible sizes."""
-    legible = {symbol: Rational(value) for symbol, _, value, *_ in LEGIBLE}
-    arms = legible[l_AB] + legible[l_CD]
-    return sp.sqrt(arms**2 - legible[l_BC] ** 2) - arms
-
+UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 
 FINDINGS = (
     Finding(
-        "(6), Ox",
-        "(6) to (8) are printed with the displacement x_5 of the rod, but the roller lever is "
-        "driven by the link 5' behind the clearance: x_5' is meant (a prime may be lost). As "
-        "printed, (4) would never be used.",
-        costs=tuple(
-            Cost(
-                f"y_9 at x_1 = {displacement} mm, {BY_SET}",
-                {},
-                "mm",
-                2,
-                printed=position_of(NO_CLEARANCE, {}, displacement),
-                right=position_of(FIRST_SET, {}, displacement),
-            )
-            for displacement in (-10, -40)
-        ),
-    ),
-    Finding(
-        "sizes, domain of Fig. 4",
-        "With the legible l_BC = 19.75 mm the guide cannot follow the pusher over the range of "
-        "Fig. 4: a digit of the table must be another.",
+        SUBSTITUTED,
+        "(7) holds for R > 0 and (8) for R < 0, and the arctangents of both divide by R: at R = 0, "
+        "where KL is upright, in the middle of Fig. 4, y_9(x_1) has no value.",
         costs=(
             Cost(
-                "pusher moves to x_1",
+                "x_1 without a value",
                 {},
                 "mm",
-                2,
-                Rational(-40),
-                end_of_q(),
-                ("in Fig. 4", "with the legible sizes"),
+                printed=upright_at(FIRST_SET),
+                right=upright_at(SECOND_SET),
+                names=("first reconstructed set of sizes", "second"),
             ),
+        ),
+        weight=Weight.FORMULA,
+        mend="(7) and (8), at R = 0",
+        check=Check(
+            "R = 0 at x_5' = 60 cos 65° = {0}; y_9 there is 145 (sin 148.48° - sin 123.48°) = {1}",
+            (UPRIGHT_RUN, upright_wedge(FIRST_SET)),
+            2,
+            "mm",
         ),
     ),
 )
 
+MODEL = "describes the model, whose equations are judged"
+USE = "says what the model can be used for"
+OTHERS = "describes practice and literature, with no number"
+ASIDE = {
+    "S1": "title and authors",
+    **dict.fromkeys(("S2", "S3", "S4", "S5"), f"abstract: {MODEL}"),
+    **dict.fromkeys(("S8", "S9"), f"abstract: {USE}"),
+    "S10": "keywords",
+    **dict.fromkeys(("S11", "S12", "S13", "S14", "S15", "S16"), OTHERS),
+    **dict.fromkeys(("S17", "S19"), "aim"),
+    "S24": "caption",
+    "S26": "explains letters",
+    **dict.fromkeys(("S37", "S38"), "caption and legend"),
+    **dict.fromkeys(("S47", "S49", "S50", "S51"), USE),
+}
+
 PAPER = Paper(
     system="wedge_linkage",
-    citation=(
-        "Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, "
-        "doi 10.15593/2224-9982/2021.64.07"
-    ),
+    citation="Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic",
+    doi="10.15593/2224-9982/2021.64.07",
     variables=tuple(
         variable
         for module in (mechanics, chain, conditioning, proofs, sizes)
@@ -80,11 +70,20 @@ PAPER = Paper(
     ),
     notation=PRINT.notation,
     print=PRINT.file,
-    rows=(*GROUP_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
+    rows=(
+        *GROUP_ROWS,
+        *SUBSTITUTION_ROWS,
+        *TRANSFER_ROWS,
+        *SIZE_ROWS,
+        *RANGE_ROWS,
+        *BUDGET_ROWS,
+    ),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
     usual={error: sp.S.One, stage_ratio: sp.S.Half, own_error: sp.Rational(1, 5)},
     findings=FINDINGS,
+    sentences=52,
+    aside=ASIDE,
     conventions=(
         "Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
         "positive counter-clockwise; x to the right, y upwards."

@@ -8,8 +8,6 @@ import sympy as sp
 from sympy import Rational, pi, sqrt
 
 from mechproof.record import (
-    Completion,
-    Completions,
     Conjunction,
     Holds,
     PrintedNumber,
@@ -19,7 +17,7 @@ from mechproof.record import (
 
 from .._relations import less, not_above
 from .mechanics import driven
-from .sizes import FIRST_SET, SECOND_SET, Signs, limits
+from .sizes import SETS, Signs, limits
 from .symbols import (
     PRINTED_Q,
     PRINTED_R,
@@ -27,6 +25,7 @@ from .symbols import (
     alpha_DE,
     alpha_KL,
     alpha_LM,
+    l_AB,
     l_BC,
     l_CD,
     l_DE,
@@ -79,6 +78,25 @@ def position_of(table: PublishedSizes, signs: Signs, displacement: Displacement)
         return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
 
 
+def upright_at(table: PublishedSizes) -> sp.Expr:
+    """Return the displacement (mm) of the pusher at which KL is upright, R = 0: (3) and (4) back.
+
+    Group 1 solved for x1: (l_AB + l_CD) (sec(varphi3) - 1) - l_BC tan(varphi3).
+    """
+    sizes = limits(table, {})
+    run = sizes[l_KL] * sp.cos(sizes[alpha_KL]) + sizes[l_GH]
+    start = sizes[alpha_DE]
+    turned = 2 * pi - sp.acos(sp.cos(start) + run / sizes[l_DE]) - start
+    arm = sizes[l_AB] + sizes[l_CD]
+    return arm * (sp.sec(turned) - 1) - sizes[l_BC] * sp.tan(turned)
+
+
+def upright_wedge(table: PublishedSizes) -> sp.Expr:
+    """Return the position of the wedge there, by (10)."""
+    sizes = limits(table, {})
+    return print_10.subs(phi7, pi / 2 - alpha_KL).xreplace(sizes)
+
+
 def above(table: PublishedSizes, one: Signs, other: Signs, displacement: Displacement) -> Holds:
     """State that curve `one` lies above curve `other` at a displacement (mm)."""
     first, second = (position_of(table, signs, displacement) for signs in (one, other))
@@ -123,11 +141,6 @@ def deviations_round(
     with sp.evaluate(False):
         deviations = (100 * (1 - high / nominal), 100 * (low / nominal - 1))
     return Conjunction(tuple(map(PrintedNumber, printed, deviations)))
-
-
-def ten_percent(table: PublishedSizes) -> Conjunction:
-    """State that both deviations at the start round to what is printed of them."""
-    return deviations_round(table, START, BOUNDARY_IV, (DEVIATION, DEVIATION))
 
 
 def angles_in_range(table: PublishedSizes) -> Conjunction:
@@ -179,23 +192,14 @@ def extreme(
     return Conjunction((angles_in_range(table), beyond(flipped, displacement), *neighbours))
 
 
-def in_both(statement: Callable[[PublishedSizes], Statement]) -> Conjunction:
-    """State the same of both reconstructions."""
-    return Conjunction((statement(FIRST_SET), statement(SECOND_SET)))
-
-
-def differ(statement: Callable[[PublishedSizes], Statement]) -> Completions:
-    """State a claim on which the reconstructions may differ."""
-    return Completions(
-        "sizes: two reconstructions are known",
-        Completion(FIRST_SET.source, statement(FIRST_SET)),
-        Completion(SECOND_SET.source, statement(SECOND_SET)),
-    )
+def in_all(statement: Callable[[PublishedSizes], Statement]) -> Conjunction:
+    """State the same of all reconstructions."""
+    return Conjunction(tuple(map(statement, SETS)))
 
 
 def influence(size: sp.Symbol) -> Conjunction:
-    """State that the position at -40 mm differs between the limits of the size, both sets."""
-    return in_both(
+    """State that the position at -40 mm differs between the limits of the size, all sets."""
+    return in_all(
         lambda table: Holds(
             sp.Ne(
                 position_of(table, {size: 1}, -40),

@@ -9,18 +9,13 @@ from sympy import sqrt
 
 from mechproof.record import (
     Claim,
-    Completion,
-    Completions,
     Conjunction,
-    Correction,
     Datum,
     Definition,
     Equality,
     Part,
-    Reading,
 )
 
-from .chain import PUSHED_IN_PRINT
 from .mechanics import (
     BEFORE_PIVOT,
     FIRST_QUADRANT,
@@ -45,7 +40,6 @@ from .mechanics import (
     upright,
     wedge,
 )
-from .proofs import push_by
 from .symbols import (
     AD,
     DG,
@@ -66,15 +60,8 @@ from .symbols import (
     l_GH,
     l_KL,
     overlap,
-    phi2,
     phi3,
     phi7,
-    print_1,
-    print_3,
-    print_6_ox,
-    print_7,
-    print_8,
-    print_10,
     tau,
     x1,
     x5,
@@ -91,7 +78,8 @@ def mobility(links: int, pairs: int) -> sp.Integer:
 
 
 DRIVEN = {x5_driven: driven.subs(overlap, x5 - l_GH)}
-IN_CONTACT = Equality(print_6_ox.subs(x5, x5 - l_GH), group_3[0].subs(x5_driven, x5 - l_GH))
+PRIME = "The prime of x5' is lost in the text layer and set by the sense, as in (4)."
+ONE_FORM = r"\varphi_7=2\arctan\frac{x_{5'}}{l_{KL}\sin\alpha_{KL}+\sqrt{l_{KL}^2-R^2}}"
 
 GROUP_ROWS = (
     Datum(
@@ -99,32 +87,34 @@ GROUP_ROWS = (
         r"\text{pusher, accelerating lever, rod, lever with rollers, wedge: 5 elements}",
         Definition(elements, sp.Integer(5)),
         note="Of Fig. 1.",
+        cites=("S18", "S22"),
     ),
     Claim(
         "links 1 to 9",
         r"\text{links }1\text{ to }9\text{: the pusher and four Assur groups}",
         Equality(sp.Integer(9), sp.Integer(1 + GROUPS * LINKS_OF_GROUP)),
         note="Of Fig. 2, a group having two links and three lower pairs. The link 5', behind the "
-        "clearance, is counted with the rod 5.",
+        "clearance, is counted with the rod 5; before contact it is a tenth link, in a guide of "
+        "its own.",
         marks=("inferred",),
+        cites=("S20", "S23"),
     ),
     Claim(
         "Assur groups, zero mobility",
-        r"W=3\cdot2-2\cdot3=0",
-        Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
-        note="What makes two links with three lower pairs a group of Assur.",
-        marks=("ours", "inferred"),
-    ),
-    Claim(
-        "linkage, mobility",
-        r"W=3\cdot9-2(1+4\cdot3)=1",
-        Equality(
-            sp.S.One,
-            mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
+        r"\text{kinematic chains of zero degree of mobility, structural Assur groups}",
+        Conjunction(
+            (
+                Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
+                Equality(
+                    sp.S.One,
+                    mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
+                ),
+            )
         ),
-        note="In contact: the pusher's guide and four groups, one input. Before contact the link "
-        "5' is a tenth link in a guide of its own, and W = 3*10 - 2*14 = 2.",
-        marks=("ours", "inferred"),
+        note="Two links with three lower pairs, W = 3*2 - 2*3 = 0; with the pusher in its guide "
+        "four such groups have one input.",
+        marks=("inferred",),
+        cites=("S21",),
     ),
     PRINT.equation(
         "group 1",
@@ -157,6 +147,7 @@ GROUP_ROWS = (
         "the next row.",
         on=BEFORE_PIVOT,
         marks=("rebuilt",),
+        cites=("S25",),
     ),
     Claim(
         "(1), where the arctangent is right",
@@ -193,14 +184,17 @@ GROUP_ROWS = (
         "(3)",
         derived={x5: rod},
         marks=("rebuilt",),
+        cites=("S27",),
     ),
     replace(
         PRINT.equation(
             "(4)",
             derived=DRIVEN,
             substituted={x5: l_GH - apart},
-            note="A link that is only pushed; x5 is short of the clearance by apart > 0.",
-            marks=("rebuilt",),
+            note="A link that is only pushed; x5 is short of the clearance by apart > 0. The "
+            "argument of x5 is varphi2 in the text layer, where all else has varphi3.",
+            marks=("rebuilt", "uncertain"),
+            cites=("S28",),
         ),
         number="(4), before contact",
     ),
@@ -212,19 +206,9 @@ GROUP_ROWS = (
             note="x5 exceeds the clearance. At the start of contact, which is in neither case, "
             "both give 0, so that < and <= would say the same.",
             marks=("rebuilt", "uncertain"),
+            cites=("S28",),
         ),
         number="(4), in contact",
-    ),
-    Claim(
-        "(4), argument",
-        r"x_5(\varphi_2)",
-        Completions(
-            "the damaged letter of the angle",
-            Completion("the letter is varphi3", Equality(print_3, rod)),
-            Completion("the letter is varphi2", Equality(print_3.subs(phi3, phi2), rod)),
-        ),
-        note="Printed three times, where all else has the lever's angle.",
-        marks=("rebuilt", "uncertain"),
     ),
     PRINT.equation(
         "(5)",
@@ -233,21 +217,10 @@ GROUP_ROWS = (
     ),
     PRINT.equation(
         "(6), Ox",
-        residual=IN_CONTACT.rebuilt,
-        corrected=Correction(
-            r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_{5'}",
-            IN_CONTACT,
-        ),
-        note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
-        "lost a prime. The one letter stands in (7), (8) and R, too, which are judged with the "
-        "link 5'.",
-        readings=(
-            Reading(
-                "x5 is the displacement of the link 5' after the clearance",
-                IN_CONTACT,
-            ),
-        ),
-        marks=("inferred", "uncertain"),
+        residual=group_3[0],
+        note=f"{PRIME} In contact the link 5' lags behind the rod by the clearance.",
+        marks=("rebuilt", "uncertain"),
+        cites=("S29",),
     ),
     PRINT.equation("(6), Oy", residual=group_3[1]),
     PRINT.equation(
@@ -255,28 +228,30 @@ GROUP_ROWS = (
         derived={phi7: direction_tau - alpha_KL},
         substituted={R: l_KL * cosine_of_tau},
         on=FIRST_QUADRANT,
-        note="R, the projection of KL, by the direction 2 arctan(tau) of KL.",
-        marks=("rebuilt", "inferred"),
+        note=f"R, the projection of KL, by the direction 2 arctan(tau) of KL. {PRIME}",
+        marks=("rebuilt", "uncertain"),
+        cites=("S30",),
     ),
     PRINT.equation(
         "(8)",
         derived={phi7: direction_sigma - alpha_KL},
         substituted={R: l_KL * cosine_of_sigma},
         on=SECOND_QUADRANT,
-        note="R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL.",
-        marks=("rebuilt", "inferred"),
+        note=f"R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL. {PRIME}",
+        marks=("rebuilt", "uncertain"),
+        cites=("S30",),
     ),
     PRINT.equation(
         "(7) and (8), R",
         derived={R: l_KL * cosine_of_tau},
-        substituted={x5: displacement[tau]},
-        note="R is the projection of KL on Ox, so |R| <= l_KL; R = 0 lies in neither formula. x5 "
-        "is that of the link 5'.",
-        marks=("inferred",),
+        substituted={x5_driven: displacement[tau]},
+        note=f"R is the projection of KL on Ox, so |R| <= l_KL; R = 0 lies in neither formula. "
+        f"{PRIME}",
+        marks=("rebuilt", "uncertain"),
     ),
     Claim(
         "(7) and (8), one form",
-        r"\varphi_7=2\arctan\frac{x_5}{l_{KL}\sin\alpha_{KL}+\sqrt{l_{KL}^2-R^2}}",
+        ONE_FORM,
         Equality(upright(2 * sp.atan(half_7)), direction_tau - 2 * sp.atan(kappa)),
         note="Without a hole at R = 0, for 0 < alpha_KL < pi and KL pointing upwards; equal to "
         "the same right side as (7) and (8).",
@@ -297,27 +272,6 @@ GROUP_ROWS = (
         "(10)",
         derived={y9: wedge},
         marks=("rebuilt",),
-    ),
-    Claim(
-        "(1), (3), (4), (7), (8), (10), substituted",
-        r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
-        Conjunction(
-            (
-                Equality(print_1, lever_angle),
-                Equality(print_3, rod),
-                *push_by(PUSHED_IN_PRINT),
-                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
-                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
-                Equality(print_10, wedge),
-            )
-        ),
-        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6), "
-        "Ox'; else (4) would be left out. R = 0 is in neither case.",
-        on=Part(
-            f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
-            {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},
-            BEFORE_PIVOT.where,
-        ),
-        marks=("rebuilt", "inferred", "uncertain"),
+        cites=("S31",),
     ),
 )

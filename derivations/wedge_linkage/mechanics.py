@@ -38,7 +38,6 @@ from .symbols import (
     alpha_KL,
     alpha_LM,
     apart,
-    beyond,
     combinations,
     crossing_place,
     dBC,
@@ -48,8 +47,6 @@ from .symbols import (
     elements,
     error,
     guide_square,
-    h3,
-    h7,
     height,
     height_square,
     kappa,
@@ -212,17 +209,6 @@ roller_slopes = {
 }
 
 
-rod_slopes = {
-    phi3: -l_DE * sin(alpha_DE + phi3),
-    l_DE: cos(alpha_DE + phi3) - cos(alpha_DE),
-    alpha_DE: l_DE * (sin(alpha_DE) - sin(alpha_DE + phi3)),
-}
-wedge_slopes = {
-    phi7: l_LM * cos(alpha_LM + phi7),
-    l_LM: sin(alpha_LM + phi7) - sin(alpha_LM),
-}
-
-
 def slope_by_projections(
     projections: Iterable[sp.Expr], unknowns: Sequence[sp.Symbol], size: sp.Symbol
 ) -> sp.Expr:
@@ -254,8 +240,6 @@ VARIABLES = (
     Variable(kappa, "tangent of half of alpha_KL", within=NOT_NEGATIVE),
     Variable(overlap, "x5 less the clearance", LENGTH, given=x5 - l_GH),
     Variable(reach, "present length of BC", LENGTH, POSITIVE),
-    Variable(h3, "sum of both lengths of BC", LENGTH, POSITIVE),
-    Variable(h7, "sum of both heights of K over L", LENGTH, POSITIVE),
     Variable(height, "height of K over L", LENGTH, POSITIVE),
     Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
     Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),
@@ -268,5 +252,4 @@ VARIABLES = (
     Variable(tolerances, "number of sizes with tolerances", within=sp.S.Naturals),
     Variable(combinations, "number of combinations of limits", within=sp.S.Naturals),
     Variable(crossing_place, "displacement at which the curves III and IV cross", LENGTH),
-    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by", ANGLE),
 )

@@ -9,8 +9,6 @@ from mechproof.record import (
     ANGLE,
     LENGTH,
     Claim,
-    Completion,
-    Completions,
     Conjunction,
     Datum,
     Definition,
@@ -63,9 +61,9 @@ def with_deviations(size: sp.Symbol, nominal: str, if_lost: str = "") -> tuple[s
     return nominal, upper or if_lost, lower
 
 
-# Nominal, upper and lower limit deviation (mm, degrees). Two reconstructions of what cannot be
+# Nominal, upper and lower limit deviation (mm, degrees). Three reconstructions of what cannot be
 # read, fitted to the printed crossing of two boundary curves at x1 = -29.4 mm, which therefore
-# confirms neither; in both, lost upper deviations are +1.22 (BC) and, in the first, 0 (CD).
+# confirms none; lost upper deviations are +1.22 (BC) and, but in the second, 0 (CD).
 FIRST_SIZES = {
     l_AB: ("6.25", "0", "0"),
     l_BC: with_deviations(l_BC, "49.75", "1.22"),
@@ -83,6 +81,11 @@ SECOND_SIZES = {
     l_BC: with_deviations(l_BC, "39.75", "1.22"),
     l_CD: with_deviations(l_CD, "28", "1.19"),
     l_DE: with_deviations(l_DE, "70.83"),
+}
+THIRD_SIZES = {
+    **FIRST_SIZES,
+    l_BC: with_deviations(l_BC, "45.75", "1.22"),
+    l_CD: with_deviations(l_CD, "28", "0"),
 }
 ANGLES = (alpha_DE, alpha_KL, alpha_LM)
 
@@ -104,7 +107,9 @@ def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> PublishedSiz
     )
 
 
-FIRST_SET, SECOND_SET = reconstruct(FIRST_SIZES), reconstruct(SECOND_SIZES)
+SETS = FIRST_SET, SECOND_SET, THIRD_SET = tuple(
+    map(reconstruct, (FIRST_SIZES, SECOND_SIZES, THIRD_SIZES))
+)
 
 
 def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
@@ -135,11 +140,23 @@ LEGIBLE = (
     (l_AB, r"l_{AB}=6.25", "6.25", "", False),
     (l_BC, r"l_{BC}=19.75_{-1.22}", "19.75", "Digits uncertain, upper deviation lost.", True),
     (l_CD, r"l_{CD}=38_{-2.06}", "38", "Upper deviation lost.", True),
-    (l_DE, r"l_{DE}=70.833\ (83)^{+0.92}_{-1.05}", "70.833", "Two strings, 70,833 and 83.", True),
+    (
+        l_DE,
+        r"l_{DE}=70.833\ (83)^{+0.92}_{-1.05}",
+        "70.833",
+        "Two strings, 70,833 and 83, which may be the tail of 70,83.",
+        True,
+    ),
     (l_EF, r"l_{EF}=4\pm0.3", "4", "Digits uncertain; without influence.", True),
     (l_GH, r"l_{GH'}=2^{+1.03}_{-0.72}", "2", "The primes vary from place to place.", True),
     (l_KL, r"l_{KL}=60\pm0.2", "60", "", False),
-    (l_LM, r"l_{LM}=145\pm0.1", "145", "The sign of the lower deviation is lost.", True),
+    (
+        l_LM,
+        r"l_{LM}=145^{+0.1}_{\;\;0.1}",
+        "145",
+        "The sign of the lower deviation is lost, read as -0.1.",
+        True,
+    ),
 )
 LEGIBLE_ANGLES = (
     (alpha_DE, r"\alpha_{DE}=283.06^{\circ\,+0.62}_{\;\;-1.10}", "283.06"),
@@ -171,6 +188,7 @@ def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: b
         Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
         note=note or "A datum.",
         marks=("uncertain",) if uncertain else (),
+        cites=("S33",),
     )
 
 
@@ -184,25 +202,9 @@ SIZE_ROWS = (
             Conjunction(define_deviations(symbol)),
             note=note,
             marks=("uncertain",),
+            cites=("S33",),
         )
         for symbol, latex, note in LOST
-    ),
-    Claim(
-        "sizes, domain of Fig. 4",
-        r"Q\text{ is real on }x_1\in[-40,0]",
-        Completions(
-            "digits of l_BC and l_CD",
-            Completion(
-                "the legible digits l_BC = 19.75, l_CD = 38, at x1 = -40 mm",
-                Holds(sp.Ge(radicand_of(-40, "19.75"), 0, evaluate=False)),
-            ),
-            Completion(
-                "one digit changed, l_BC = 49.75, at x1 = -40 mm",
-                Holds(sp.Ge(radicand_of(-40, "49.75"), 0, evaluate=False)),
-            ),
-        ),
-        note="The curve of Fig. 4 cannot have been computed with the legible digits.",
-        marks=("uncertain", "inferred", "calibrated"),
     ),
     Claim(
         "sizes, end of the legible ones",
@@ -213,6 +215,8 @@ SIZE_ROWS = (
                 Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
             )
         ),
+        note="A remark on the transcription: the curve of Fig. 4 goes on to -40 mm, so that a "
+        "digit of the table was another; it says nothing of the print.",
         marks=("ours", "uncertain"),
     ),
 )

@@ -25,11 +25,9 @@ HI, IK, KL, HL, LM, MN, NP, LP = PRINT.symbols("HI IK KL HL LM MN NP LP")
 
 l_FG, l_HI, l_NP = sp.symbols("l_FG l_HI l_NP", positive=True)
 overlap, guide_square, height_square = sp.symbols("x5-l_GH guide_square height_square", real=True)
-alpha_1, alpha_2, beyond, crossing_place = sp.symbols(
-    "alpha_1 alpha_2 beyond x1_crossing", real=True
-)
+alpha_1, alpha_2, crossing_place = sp.symbols("alpha_1 alpha_2 x1_crossing", real=True)
 tau, sigma, kappa, own_error = sp.symbols("tau sigma kappa delta", nonnegative=True)
-reach, h3, height, h7, apart = sp.symbols("reach h3 height h7 apart", positive=True)
+reach, height, apart = sp.symbols("reach height apart", positive=True)
 error, stage_ratio, millimetre = sp.symbols("Delta k mm", positive=True)
 elements, tolerances, combinations = sp.symbols(
     "elements tolerances combinations", integer=True, positive=True
@@ -47,10 +45,10 @@ def read(number: str) -> tuple[Any, ...]:
 
 
 (_, PRINTED_Q), (_, PRINTED_R) = read("(1), Q"), read("(7) and (8), R")
+# From the link 5' on the chain is a function of one displacement, which the kernels call x5.
+PRINTED_R = PRINTED_R.subs(x5_driven, x5)
 _, print_1 = read("(1)")
 print_1_top, print_1_bottom = sp.fraction(print_1.args[0])
-left_of_2, right_of_2 = read("(2), Ox")
 (_, print_3), (_, print_4), (_, print_7), (_, print_8), (_, print_10) = map(
     read, ("(3)", "(4)", "(7)", "(8)", "(10)")
 )
-print_6_ox = sp.Add(*map(sp.Mul, (1, -1), read("(6), Ox")))

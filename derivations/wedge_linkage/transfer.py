@@ -1,16 +1,17 @@
-"""Rows on the transfer function of paper 4: stages by half-angle, slopes, velocities."""
+"""Rows on the transfer function of paper 4: slopes and velocities."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 import sympy as sp
-from sympy import cos, pi, sin, sqrt
+from sympy import cos, sin, sqrt
 
 from mechproof.record import Claim, Conjunction, Equality, Part
 
 from .._linear import solve_linear
 from .mechanics import (
     MOVABLE,
-    by_half_angle,
     group_3,
     half_3,
     half_7,
@@ -18,12 +19,10 @@ from .mechanics import (
     lever_slope,
     lever_slopes,
     rod,
-    rod_slopes,
     roller_slope,
     roller_slopes,
     root_7,
     wedge,
-    wedge_slopes,
 )
 from .symbols import (
     POSITIVE,
@@ -33,9 +32,6 @@ from .symbols import (
     alpha_DE,
     alpha_KL,
     alpha_LM,
-    beyond,
-    h3,
-    h7,
     height,
     l_DE,
     l_KL,
@@ -55,86 +51,37 @@ def displacement_by(direction: sp.Symbol) -> sp.Expr:
     return solve_linear(group_3[0], x5_driven).subs(alpha_KL, direction)
 
 
-# How it is called and printed, its slopes, what they are proved from.
-SLOPES = (
-    (
-        ("varphi3", r"\varphi_3"),
+def slopes_row(
+    number: str,
+    output: str,
+    slopes: Mapping[sp.Symbol, sp.Expr],
+    differentiate: Callable[[sp.Symbol], sp.Expr],
+    on: Part | None,
+) -> Claim:
+    """State the derivatives of an angle by its group's displacement and sizes."""
+    return Claim(
+        number,
+        r",\quad ".join(
+            rf"\partial{output}/\partial {sp.latex(size)}={sp.latex(slope)}"
+            for size, slope in slopes.items()
+        ),
+        Conjunction(tuple(Equality(slope, differentiate(size)) for size, slope in slopes.items())),
+        note="From the differentiated projections; the kernels of velocity and sensitivities are "
+        "built of them.",
+        on=on,
+        marks=("ours",),
+    )
+
+
+TRANSFER_ROWS = (
+    slopes_row(
+        "slopes of varphi3",
+        r"\varphi_3",
         lever_slopes,
         lever_slope,
         Part("the guide has a length", {reach: POSITIVE}),
-        "From both differentiated projections; reach is l_BC + delta_BC.",
     ),
-    (
-        ("varphi7", r"\varphi_7"),
-        roller_slopes,
-        roller_slope,
-        None,
-        "From the differentiated projection on Ox.",
-    ),
-    (
-        ("x5", " x_5"),
-        rod_slopes,
-        rod.diff,
-        None,
-        "From the projection of group 2 on Ox; l_GH is taken off, see (4).",
-    ),
-    (("y9", " y_9"), wedge_slopes, wedge.diff, None, "From the projection of group 4 on Oy."),
-)
-
-TRANSFER_ROWS = (
-    Claim(
-        "chain, rod by half-angle",
-        r"x_5=\frac{2l_{DE}x_1(h\sin\alpha_{DE}-x_1\cos\alpha_{DE})}{h^2+x_1^2}",
-        Equality(
-            2 * l_DE * x1 * (h3 * sin(alpha_DE) - x1 * cos(alpha_DE)) / (h3**2 + x1**2),
-            by_half_angle(rod, phi3, -x1 / h3),
-        ),
-        note="(1) put into (3), h = l_BC + l_BC + delta_BC.",
-        marks=("ours",),
-    ),
-    Claim(
-        "chain, wedge by half-angle",
-        r"y_9=\frac{2l_{LM}x_5(h\cos\alpha_{LM}-x_5\sin\alpha_{LM})}{h^2+x_5^2}",
-        Equality(
-            2 * l_LM * x5 * (h7 * cos(alpha_LM) - x5 * sin(alpha_LM)) / (h7**2 + x5**2),
-            by_half_angle(wedge, phi7, x5 / h7),
-        ),
-        note="(7) or (8) put into (10), h = l_KL sin(alpha_KL) + (l_KL^2 - R^2)^(1/2).",
-        marks=("ours",),
-    ),
-    *(
-        Claim(
-            f"sensitivity of {name} to {size}",
-            rf"\partial{output}/\partial {sp.latex(size)}={sp.latex(slope)}",
-            Equality(slope, differentiate(size)),
-            note=note,
-            on=on,
-            marks=("ours",),
-        )
-        for (name, output), slopes, differentiate, on, note in SLOPES
-        for size, slope in slopes.items()
-    ),
-    Claim(
-        "sensitivity of varphi7 to alpha_KL, sign",
-        r"\frac{\partial\varphi_7}{\partial\alpha_{KL}}=-\frac{2\cos(\alpha_{KL}+\varphi_7/2)"
-        r"\sin(\varphi_7/2)}{\sin(\alpha_{KL}+\varphi_7)}\text{ changes sign at }"
-        r"\varphi_7=\pi-2\alpha_{KL}",
-        Conjunction(
-            (
-                Equality(
-                    -2 * cos(alpha_KL + phi7 / 2) * sin(phi7 / 2) / sin(alpha_KL + phi7),
-                    roller_slope(alpha_KL),
-                ),
-                Equality(
-                    cos(alpha_KL + phi7 / 2).subs(phi7, pi - 2 * alpha_KL + 2 * beyond),
-                    -sin(beyond),
-                ),
-            )
-        ),
-        note="At 50 deg for alpha_KL = 65 deg; negative before. Beyond it, by twice `beyond`, the "
-        "cosine is negative.",
-        marks=("ours",),
-    ),
+    slopes_row("slopes of varphi7", r"\varphi_7", roller_slopes, roller_slope, None),
     Claim(
         "two directions of KL",
         r"[\cos\alpha_1-\cos(\alpha_1+\varphi_7)]-[\cos\alpha_2-\cos(\alpha_2+\varphi_7)]="
@@ -150,29 +97,24 @@ TRANSFER_ROWS = (
         marks=("ours",),
     ),
     Claim(
-        "chain, velocity of the rod",
-        r"dx_5/dx_1=l_{DE}\sin(\alpha_{DE}+\varphi_3)\cos\varphi_3/(l_{BC}+\delta_{BC})",
+        "chain, velocity",
+        r"\frac{dx_5}{dx_1}=\frac{l_{DE}\sin(\alpha_{DE}+\varphi_3)\cos\varphi_3}"
+        r"{l_{BC}+\delta_{BC}},\quad\frac{dy_9}{dx_{5'}}=\frac{l_{LM}\cos(\alpha_{LM}+\varphi_7)}"
+        r"{(l_{KL}^2-R^2)^{1/2}}",
         Conjunction(
             (
                 Equality(-l_DE * sin(alpha_DE + phi3), sp.diff(rod, phi3)),
                 Equality(-lever_cosine / sqrt(radicand), sp.diff(2 * sp.atan(half_3), x1)),
-            )
-        ),
-        note="The product of both stages.",
-        on=MOVABLE,
-        marks=("ours",),
-    ),
-    Claim(
-        "chain, velocity of the wedge",
-        r"dy_9/dx_5=l_{LM}\cos(\alpha_{LM}+\varphi_7)/(l_{KL}^2-R^2)^{1/2}",
-        Conjunction(
-            (
                 Equality(l_LM * cos(alpha_LM + phi7), sp.diff(wedge, phi7)),
                 Equality(1 / root_7, sp.diff(2 * sp.atan(half_7.subs(height, root_7)), x5)),
             )
         ),
-        note="The product of both stages; with the rod's, errors multiply along the chain.",
-        on=Part("|R| < l_KL", where=(l_KL**2 - PRINTED_R**2 > 0,)),
+        note="Each the product of two stages; in contact dy9/dx1 is the product of both, and an "
+        "error that enters on the way is multiplied by what follows.",
+        on=Part(
+            "the radicand of Q is positive and |R| < l_KL",
+            where=(*MOVABLE.where, l_KL**2 - PRINTED_R**2 > 0),
+        ),
         marks=("ours",),
     ),
 )

@@ -50,10 +50,10 @@ def add_chosen(place: Path, chosen: Chosen) -> Path:
 
 
 def choose_forms(paper: Paper, place: Path) -> Paper:
-    """Return the paper with the chosen forms shipped; ValueError for a quantity it has not."""
+    """Return the paper with the chosen forms shipped; ValueError for one that it does not have."""
     chosen = read_chosen(place)
     if unknown := sorted(chosen.keys() - {q.name for q in paper.quantities}):
-        raise ValueError(f"{find_file(place)}: {unknown} are no quantities of {paper.system}")
+        raise ValueError(f"{find_file(place)}: {paper.system} has no quantities {unknown}")
     if not chosen:
         return paper
     quantities = (_choose(q, chosen[q.name]) if q.name in chosen else q for q in paper.quantities)

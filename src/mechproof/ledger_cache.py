@@ -16,10 +16,11 @@ from typing import Any
 from mechproof.cache import Store, name_place
 from mechproof.chosen import find_file
 from mechproof.proof.cache import UNREAD, read_judgement
-from mechproof.proof.findings import LedgerFinding
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.findings import LedgerCost, LedgerFinding
+from mechproof.proof.ledger import Ledger, Origin
 from mechproof.proof.verdict import Left, Place, State, Verdict
 from mechproof.reads import are_unchanged, digest_program
+from mechproof.record import Weight
 
 
 class LedgerCache:
@@ -55,9 +56,10 @@ def _write(ledger: Ledger) -> dict[str, Any]:
         "system": ledger.system,
         "citation": ledger.citation,
         "judgements": [asdict(row) for row in ledger.judgements],
-        "findings": [found.as_dict() for found in ledger.findings],
+        "findings": [asdict(found) for found in ledger.findings],
         "shipped": sorted(ledger.shipped),
         "left": [asdict(row) for row in ledger.left],
+        "origin": asdict(ledger.origin),
     }
 
 
@@ -74,6 +76,7 @@ def _read(kept: dict[str, Any]) -> Ledger:
         tuple(_read_finding(found) for found in kept["findings"]),
         frozenset(kept["shipped"]),
         left=tuple(map(_read_left, kept["left"])),
+        origin=Origin(**kept["origin"]),
     )
 
 
@@ -82,5 +85,8 @@ def _read_left(kept: dict[str, Any]) -> Left:
 
 
 def _read_finding(kept: dict[str, Any]) -> LedgerFinding:
-    lists = {name: tuple(kept[name]) for name in ("marks", "costs", "follows")}
-    return LedgerFinding(**{**kept, **lists, "verdict": Verdict(kept["verdict"])})
+    lists = {name: tuple(kept[name]) for name in ("marks", "follows")}
+    lists["costs"] = tuple(LedgerCost(**cost) for cost in kept["costs"])
+    said = {"verdict": Verdict(kept["verdict"]), "weight": Weight(kept["weight"])}
+    place = Place(**kept["place"]) if kept["place"] else None
+    return LedgerFinding(**{**kept, **lists, **said, "place": place})

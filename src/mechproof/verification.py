@@ -13,14 +13,14 @@ from pathlib import Path
 
 from mechproof.codegen.forms import form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
-from mechproof.document import checking
+from mechproof.document import checking, judging
 from mechproof.document.sources import BESIDE, SUFFIXES
 from mechproof.ledger_cache import LedgerCache
 from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import JudgedPaper, Ledger
+from mechproof.proof.ledger import JudgedPaper, Ledger, Origin
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.reads import digest_files, note_reads
 from mechproof.record import Paper, Row
@@ -146,7 +146,7 @@ def _add_rest(
 ) -> JudgedPaper:
     """Add what the print of a paper has besides its rows; it needs no mechanics."""
     try:
-        checked = checking.check_rest(file, ledger.paper.rows, min(limit, checking.LIMIT), report)
+        checked = checking.check_rest(file, ledger.paper.rows, min(limit, judging.LIMIT), report)
     except ValueError as error:
         raise DerivationError(str(error)) from error
     rest = checked.to_ledger(ledger.system)
@@ -167,7 +167,7 @@ def _check_source(
     report(f"reading {location}")
     try:
         with note_reads() as read:
-            paper = checking.check(location, limit=min(limit, checking.LIMIT), report=report)
+            paper = checking.check(location, limit=min(limit, judging.LIMIT), report=report)
     except ValueError as error:
         raise DerivationError(str(error)) from error
     ledger = paper.to_ledger()
@@ -225,10 +225,11 @@ class _Progress:
         paper = self.opened.paper
         ledger = JudgedPaper(
             paper.system,
-            paper.citation,
+            paper.reference,
             tuple(self.found[number] for number in sorted(self.found)),
             shipped=self.opened.kernels,
             failures=tuple(self.failed[number] for number in sorted(self.failed)),
+            origin=Origin.of(paper),
             paper=paper,
         )
         if ledger.failures or self.only_kernels:

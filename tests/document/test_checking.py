@@ -122,6 +122,33 @@ CASES = {
         [r"m+n=1", r"m+n=2"],
         ["DEFINITION", "DEFINITION"],
     ),
+    "nothing follows from constraints that cannot hold together": (
+        [r"m+n=1", r"m+n=2", r"m=7u", r"m+n=k+1", r"m+n=u^2+\cos k"],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION"],
+    ),
+    "nothing follows from a constraint that holds nowhere": (
+        [
+            r"\mathrm{e}^m+\ln(1+n^2)+\sin k\cos u+1=0",
+            r"2\mathrm{e}^m+2\ln(1+n^2)+2\sin k\cos u+2=0",
+        ],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "what is true nowhere is excused by no constraint": (
+        [r"m^2+n^2+1=0", r"m=n+k"],
+        ["REFUTED", "DEFINITION"],
+    ),
+    "a wrong identity is no constraint, unless it is said to be one": (
+        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n", r"2\sin(m+n)=2\sin m\cos n-2\cos m\sin n"],
+        ["not judged", "not judged"],
+    ),
+    "what is said to be a constraint is one, whatever its letters": (
+        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n", r"2\sin(m+n)=2\sin m\cos n-2\cos m\sin n"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "what a constraint contradicts is not acquitted by it": (
+        [r"m^2=n+1", r"k=m^2n=m^2n+n-m^2+2"],
+        ["DEFINITION", "DEFINITION", "REFUTED"],
+    ),
     "what holds by a constraint is not accused": (
         [
             r"r\sin\alpha=l\sin\beta",
@@ -133,6 +160,68 @@ CASES = {
     "special positions define nothing": (
         [r"k=m\cos\alpha+n\cos\beta", r"k=n\cos\alpha+m\cos\beta", r"m=n"],
         ["DEFINITION", "not judged", "DEFINITION"],
+    ),
+    "units tell what a bracket multiplies": (
+        [
+            r"x=r(1-\cos\alpha)",
+            r"x=r-r\cos\alpha",
+            r"x=r(1+\cos\alpha)",
+            r"x=\lambda(l+b)",
+            r"x=r(\alpha+\beta)",
+            r"x=r(\alpha)",
+            r"x=k(l+b)",
+            r"s=x(1+\cos\psi)",
+            r"x=r(1-\lambda)",
+        ],
+        [
+            *["DEFINITION", "PROVED", "REFUTED", "not judged"],
+            *["not read", "not read", "not read", "not read", "not read"],
+        ],
+    ),
+    "later prints are compared with each member of a chain": (
+        [r"k=mu=n\cos\alpha", r"k=n\frac{\cos^2\alpha}{\cos\alpha}", r"k=n\sin\alpha", r"k=2mu"],
+        ["DEFINITION", "not judged", "PROVED", "not judged", "REFUTED"],
+    ),
+    "derivatives are compared with that of each member": (
+        [
+            r"x=lk=r\cos\varphi",
+            r"\dot x=-r\dot\varphi\sin\varphi",
+            r"\dot x=r\dot\varphi\sin\varphi",
+        ],
+        ["DEFINITION", "not judged", "PROVED", "not judged"],
+    ),
+    "a member that differs from the others does not stand": (
+        [r"k=\cos2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1", r"k=2\cos^2\alpha+1"],
+        ["DEFINITION", "PROVED", "REFUTED", "REFUTED"],
+    ),
+    "of two members that differ either may be right": (
+        [
+            r"x=r\cos\varphi=r\sin\varphi",
+            r"\dot x=-r\dot\varphi\sin\varphi",
+            r"\ddot x=r\ddot\varphi\cos\varphi-r\dot\varphi^2\sin\varphi",
+            r"x=r\tan\varphi",
+        ],
+        ["DEFINITION", "REFUTED", "PROVED", "PROVED", "not judged"],
+    ),
+    "derivatives by pieces are compared beside the seams": (
+        [
+            r"s=\begin{cases}a\psi^2&\psi\le1\\a(2\psi-1)&\psi>1\end{cases}",
+            r"s'=\begin{cases}2a\psi&\psi<1\\2a&\psi>1\end{cases}",
+            r"s''=\begin{cases}0&\psi\ge1\\2a&\psi<1\end{cases}",
+            r"s''=\begin{cases}2a&\psi<1\\0&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<2\\0&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<1\\a&\psi>1\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED", "REFUTED"],
+    ),
+    "seams with letters": (
+        [
+            r"s=\begin{cases}a\psi^2&\psi\le k\\2ak\psi-ak^2&\psi\ge k\end{cases}",
+            r"s'=\begin{cases}2a\psi&\psi<k\\2ak&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<k\\0&\psi>k\end{cases}",
+            r"s''=\begin{cases}2a&\psi<k\\2&\psi>k\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
     ),
     "two letters that are zero define nothing": (
         [r"\dot x=\dot\varphi=0", ROD, r"\dot x=-r\dot\varphi\sin\varphi"],
@@ -220,7 +309,10 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
 
 
 # What a block says besides.
-SAID = {"an identity may be claimed": "%% identity (1)\n"}
+SAID = {
+    "an identity may be claimed": "%% identity (1)\n",
+    "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",
+}
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -60,7 +60,7 @@ def test_a_misprint_is_a_finding_and_what_was_not_read_is_listed(paper: Path) ->
     write(paper, UNREAD)
     file = paper.with_suffix(".json")
     output = run("verify", str(paper), "--json", str(file)).output
-    assert "Finding in a_paper: display 1: REFUTED" in output
+    assert "\na_paper display 1  REFUTED  at l = " in output
     assert "1 paper, 2 rows, 1 finding, 1 row without a verdict" in output
     assert output.count("q is not declared") == 1
     written = json.loads(file.read_text())
@@ -85,6 +85,14 @@ def test_a_ledger_is_kept_until_its_paper_or_the_file_beside_it_changes(paper: P
     write(paper, TRUE)
     (changed,) = find_ledgers([paper])
     assert [row.verdict for row in changed.judgements] == [Verdict.DEFINITION, Verdict.PROVED]
+
+
+def test_a_paper_with_a_table_that_is_not_compared_is_kept(paper: Path) -> None:
+    table = "\\begin{tabular}{ll}Material & Price\\\\ steel & 12\\\\ \\end{tabular}"
+    write(paper, TRUE + table)
+    find_ledgers([paper])
+    find_ledgers([paper], report=(said := []).append)
+    assert said == []
 
 
 def test_what_lacks_a_file_is_not_kept(paper: Path) -> None:

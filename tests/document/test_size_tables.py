@@ -188,8 +188,15 @@ def test_results_say_where_they_stand_and_what_gives_them() -> None:
 def test_another_table_is_told() -> None:
     found = run(tabular("Material & Price", "steel & 12"))
     assert len(found.rows) == 8
-    ((place, reason),) = found.missing
+    ((place, reason),) = found.told
     assert (place.line, "no two letters" in reason) == (16, True)
+
+
+def test_a_column_of_another_formula_is_told_beside_one_that_is_compared() -> None:
+    found = run(tabular("No. & $a$ & $b$ & $k$ & $a/b$", "1 & 2 & 4 & 0.5 & 0.5"))
+    assert found.rows[-1].outcome == "PROVED"
+    ((place, reason),) = found.told
+    assert (place.line, "the column $a/b$ is not compared" in reason) == (18, True)
 
 
 def test_sizes_of_the_block_that_are_not_those_of_the_table_accuse_nobody() -> None:

@@ -44,19 +44,28 @@ FIRST_TRIES = {
 }
 
 
+# What the commands search; the offers for all are found without them.
+WRITTEN = ("involute", "step", "tangent")
+
+
 @pytest.fixture(scope="module")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the derivation alone."""
+    """A folder with a derivation of few quantities alone."""
     folder = tmp_path_factory.mktemp("gears")
     (folder / "derivations").mkdir()
-    shutil.copy(GEAR, folder / "derivations")
+    lines = GEAR.read_text(encoding="utf-8").splitlines(keepends=True)
+    others = [f'        ship("{name}",' for name in FIRST_TRIES if name not in WRITTEN]
+    kept = [line for line in lines if not line.startswith(tuple(others))]
+    assert len(lines) - len(kept) == len(others)
+    (folder / "derivations" / GEAR.name).write_text("".join(kept), encoding="utf-8")
     return folder
 
 
 @pytest.fixture(scope="module")
-def subjects(workshop: Path) -> dict[str, Subject]:
-    found = find_subjects((), workshop / "derivations")
-    return {subject.quantity.name: subject for subject in found}
+def subjects(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Subject]:
+    folder = tmp_path_factory.mktemp("offers")
+    shutil.copy(GEAR, folder)
+    return {subject.quantity.name: subject for subject in find_subjects((), folder)}
 
 
 def run_in(folder: Path, *arguments: str) -> str:
@@ -141,7 +150,7 @@ def test_what_is_found_is_kept_and_shipped(workshop: Path) -> None:
     done = subprocess.run(command, cwd=workshop, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert "gear.involute: the shipped form loses 0.6 digits; no rewrite is better" in done.stdout
-    assert json.loads(find_file(derivation).read_text()).keys() == FIRST_TRIES.keys() - {"tangent"}
+    assert json.loads(find_file(derivation).read_text()).keys() == {"involute", "step"}
     run_in(workshop, "regenerate", "--check")
     file = workshop / "generated" / "gear.py"
     spec = spec_from_file_location("gear_of_workshop", file)

@@ -131,7 +131,7 @@ def test_limits_and_their_combinations_are_drawn() -> None:
     assert {66.0, 66.1, 65.8} <= set(r1.tolist())
 
 
-@pytest.mark.parametrize("name", first_of(SETS, 20))
+@pytest.mark.parametrize("name", first_of(SETS, 3))
 def test_a_seed_makes_the_same_points_again_and_another_others(name: str) -> None:
     first, again, other = (draw_points(SETS[name], seed) for seed in (REPORT, REPORT, TUNE))
     assert all(np.array_equal(a, b) for a, b in zip(first, again, strict=True))

@@ -12,7 +12,7 @@ from mechproof.proof.cases import decide_by_pieces, narrow
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Equality
+from mechproof.record import Equality, Holds, Statement
 
 x, y, s = (sp.Symbol(name, real=True) for name in "xys")
 DOMAIN = Domain({x: sp.Interval(-3, 3), y: sp.S.Reals, s: sp.FiniteSet(-1, 1)}, (), {})
@@ -43,6 +43,39 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
 )
 def test_equal_by_cases(printed: sp.Expr, rebuilt: sp.Expr, verdict: Verdict) -> None:
     assert decide(Equality(printed, rebuilt), DOMAIN).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("statement", "verdict"),
+    [
+        (Holds(sp.Abs(x + y) <= sp.Abs(x) + sp.Abs(y)), Verdict.PROVED),
+        (Holds(sp.Abs(x + y) <= sp.Abs(x) + sp.Abs(y) / 2), Verdict.REFUTED),
+        (Holds(sp.Abs(x) + sp.Abs(y) >= x - y), Verdict.PROVED),
+        (Holds(sp.Abs(x) - sp.Abs(y) >= x - y), Verdict.REFUTED),
+        (Equality(sp.Max(x, y), (x + y + sp.Abs(x - y)) / 2), Verdict.PROVED),
+        (Equality(sp.Max(x, y), (x + y - sp.Abs(x - y)) / 2), Verdict.REFUTED),
+        (Equality(sp.Min(x, y), (x + y - sp.Abs(x - y)) / 2), Verdict.PROVED),
+        (Equality(sp.Min(x, y), (x + y + sp.Abs(x - y)) / 2), Verdict.REFUTED),
+        (Equality(sp.Max(x, y) + sp.Min(x, y), x + y), Verdict.PROVED),
+        (Equality(sp.Max(x, y) - sp.Min(x, y), x - y), Verdict.REFUTED),
+    ],
+)
+def test_moduli_and_the_largest_by_cases(statement: Statement, verdict: Verdict) -> None:
+    assert decide(statement, DOMAIN).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("apart", "verdict"), [((), Verdict.REFUTED), ((sp.Ne(2 * x, 2 * y),), Verdict.PROVED)]
+)
+def test_a_seam_counts_unless_the_domain_leaves_it_out(
+    apart: tuple[sp.Basic, ...], verdict: Verdict
+) -> None:
+    sides = (sp.Piecewise((0, x < y), (1, True)), sp.Piecewise((0, x <= y), (1, True)))
+    domain = replace(DOMAIN, where=apart, within={x: sp.S.Reals, y: sp.S.Reals})
+    assert decide(Equality(*sides), domain).verdict is verdict
+    at_one = (side.subs(y, 1) for side in sides)
+    there = replace(domain, where=tuple(r.subs(y, 1) for r in apart))
+    assert decide(Equality(*at_one), there).verdict is verdict
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from mechproof.proof.findings import LedgerFinding, follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.record import (
     LENGTH,
+    Check,
     Claim,
     Correction,
     Cost,
@@ -22,6 +23,7 @@ from mechproof.record import (
     Reading,
     Row,
     Variable,
+    Weight,
 )
 
 phi, psi = sp.symbols("phi psi", real=True)
@@ -117,7 +119,7 @@ def test_a_follower_may_hold_the_matrix_of_its_cause_as_a_whole() -> None:
 def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
     cost = Cost("sum", {}, "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
     first, *_ = find(Finding("(1)", "", (cost,)))
-    assert first.costs == ("sum: as read 1 mm, as guessed 2 mm",)
+    assert tuple(map(str, first.costs)) == ("sum: as read 1 mm, as guessed 2 mm",)
 
 
 def test_a_convention_is_wrong_only_when_read_literally() -> None:
@@ -125,7 +127,7 @@ def test_a_convention_is_wrong_only_when_read_literally() -> None:
         Finding("turned", "", (Cost("here", {phi: sp.pi / 6}, "°"),)), others=(CONVENTION,)
     )
     (cost,) = next(finding.costs for finding in found if finding.number == "turned")
-    assert cost == "here: read literally 30.0°, right -30.0°, off by 60.0°"
+    assert str(cost) == "here: read literally 30.0°, right -30.0°, off by 60.0°"
 
 
 def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
@@ -135,11 +137,11 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
         Finding("(1)", "", (Cost("30°", at, "mm", 3), turned)),
         Finding("number", "", (Cost("here", {}),)),
     )
-    assert first.costs == (
+    assert tuple(map(str, first.costs)) == (
         "30°: printed 8.660 mm, right 5.000 mm, off by 3.660 mm",
         "as angles: printed 30.00°, right 60.00°, off by 30.00°",
     )
-    assert last.costs == ("here: printed 1.2, right 2.5, off by 1.3",)
+    assert tuple(map(str, last.costs)) == ("here: printed 1.2, right 2.5, off by 1.3",)
 
 
 @pytest.mark.parametrize(
@@ -167,6 +169,9 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
             Finding("(1)", "", (Cost("nowhere", {r: sp.Integer(1)}),)),
             "nowhere: no size is given for .'phi'",
         ),
+        (Finding("(1)", "", mend="(4)"), r"mend = '\(4\)': it is REFUTED"),
+        (Finding("(1)", "", mend="(9)"), r"mend = '\(9\)': it is no row"),
+        (Finding("(1)", "", check=Check("{0}", (1 / r,))), "no size"),
         (Finding("(1)", "", (Cost("x", {}, "km"),)), "unit = 'km'"),
         (Finding("(3)", "", (Cost("x", {}, "", printed=1 / r, right=r),)), "no size"),
         (Finding("(3)", "", (Cost("x", {r: sp.S.Zero}, "", 1, 1 / r, r),)), "no value there"),
@@ -175,6 +180,25 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
 def test_what_is_no_finding_is_refused(finding: Finding, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         find(finding)
+
+
+def test_the_gravest_findings_come_first() -> None:
+    found = find(
+        Finding("(1)", "", weight=Weight.WORDING), Finding("(4)", "", weight=Weight.CONCLUSION)
+    )
+    assert [one.number for one in found] == ["(4)", "(2)", "(3)", "number", "(1)"]
+
+
+def test_a_mend_that_is_proved_is_shown_beside_the_correction() -> None:
+    first, *_ = find(Finding("(1)", "", mend="true"))
+    assert (first.mend_latex, first.corrected_latex) == ("t", "y")
+    assert first.mend_by == "sign in positive coordinates"
+
+
+def test_the_numbers_of_a_check_are_computed() -> None:
+    check = Check("at 30° {0}, twice {1}", (sp.pi / 6, sp.pi / 3), 1, "°")
+    first, *_ = find(Finding("(1)", "", check=check))
+    assert first.check == "at 30° 30.0°, twice 60.0°"
 
 
 def test_a_row_is_one_finding() -> None:

@@ -1,5 +1,7 @@
 """How answers become the verdict of a row: correction, reading, part, marks."""
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
@@ -161,6 +163,17 @@ def test_unknown_marks_and_double_numbers_are_refused():
         Claim("c", "p", TRUE, marks=("sure",))
     with pytest.raises(ValueError, match="row numbers given twice"):
         Paper("s", "c", (), (row(TRUE), row(FALSE)))
+
+
+def test_a_row_cites_sentences_of_the_transcription_that_are_not_aside():
+    cited = row(TRUE, cites=("S2",))
+    paper = replace(PAPER, system="s", rows=(cited,), sentences=2, aside={"S1": "motivation"})
+    judgement = judge(cited, paper)
+    assert (judgement.id, judgement.as_dict()["cites"]) == ("s/eq-1", ["S2"])
+    with pytest.raises(ValueError, match=r"sentences = 1: there are no \['S2'\]"):
+        replace(paper, sentences=1)
+    with pytest.raises(ValueError, match=r"aside: rows judge \['S2'\]"):
+        replace(paper, aside={"S2": "motivation"})
 
 
 def test_every_wrong_entry_of_a_matrix_is_told() -> None:

@@ -15,6 +15,7 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    NotCheckable,
     RecordError,
 )
 
@@ -122,6 +123,14 @@ def test_completions_need_opposite_answers(first, second, verdict):
     assert [evidence.what[:3] for evidence in answer.evidence] == ["one", "two"]
 
 
+def test_what_is_lost_is_not_checkable():
+    answer = decide(NotCheckable("the curves of Fig. 5 are lost"), ANYWHERE)
+    assert answer.verdict is Verdict.NOT_CHECKABLE
+    assert answer.reason == "not checkable: the curves of Fig. 5 are lost"
+    with pytest.raises(RecordError, match="name what is lost"):
+        NotCheckable(" ")
+
+
 def test_completions_of_a_symbol_are_put_into_one_statement():
     says = Holds(x > 1)
     both = Completions(x, Completion("a half", says, sp.S.Half), Completion("two", says, sp.S(2)))
@@ -162,7 +171,7 @@ def test_what_a_symbol_is_declared_to_be_is_not_proved_by_the_declaration():
 
 
 def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):
-    monkeypatch.setattr(ladder, "decide_equal", lambda left, right, domain: "broken rung")
+    monkeypatch.setattr(ladder, "_EQUAL", (lambda left, right, domain: "broken rung",))
     with pytest.raises(ContradictionError, match="proved, yet"):
         decide(FALSE, ANYWHERE)
 

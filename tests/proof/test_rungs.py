@@ -6,15 +6,19 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.document.checking import MULTIPLE
+from mechproof.document.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
     bisection,
+    induction,
+    integrals,
+    newton,
+    powers,
     printed_number,
     taylor,
     vector_angles,
 )
-from mechproof.proof.ladder import IDENTICAL
+from mechproof.proof.ladder import IDENTICAL, UNCOMPARED
 from mechproof.proof.rungs import RUNGS, name_rungs
 
 ROOT = Path(__file__).parents[2]
@@ -24,7 +28,15 @@ EXPECTED = [
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
 NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, printed_number.RUNG, IDENTICAL]
-NAMED += [MULTIPLE, taylor.RUNG]
+NAMED += [
+    MULTIPLE,
+    taylor.RUNG,
+    integrals.RUNG,
+    powers.RUNG,
+    induction.RUNG,
+    UNCOMPARED,
+    newton.RUNG,
+]
 
 
 def test_every_rung_that_occurs_is_explained() -> None:

@@ -40,6 +40,13 @@ TRUE = {
     "cosine, strict": (2 + sp.cos(x) > 0, {}, ()),
     "two angles, strict": (3 + sp.cos(x) + sp.sin(y) > 0, {}, ()),
     "polar denominator": (1 + e**2 - 2 * e * sp.cos(x) > 0, {e: sp.Interval.Ropen(0, 1)}, ()),
+    "of a joint": (sp.cos(x) / (1 - sp.sin(x) ** 2 * sp.cos(y) ** 2) - sp.cos(x) >= 0, OPEN, ()),
+    "of a joint, strict": (1 - sp.sin(x) ** 2 * sp.cos(y) ** 2 > 0, OPEN, ()),
+    "root with a parameter": (
+        1 + sp.cos(y) + (1 - sp.cos(y)) / sp.sqrt((1 - x) / (1 + x)) > 0,
+        OPEN,
+        (),
+    ),
     "tangent": (later(sp.Gt, 1 + sp.tan(x) ** 2, 0), {}, ()),
     "cosine within a quarter turn": (sp.cos(x) > 0, {x: sp.Interval(-1, 1)}, ()),
     "smaller radius": (R1 - R2 > 0, RADII, (R2 < R1,)),

@@ -14,6 +14,9 @@ SUM = sp.atan(x) + sp.atan(y)
 TRUE = {
     "sum of two": (SUM, sp.atan2(x + y, 1 - x * y), POSITIVE),
     "sum of two below a quarter turn": (SUM, sp.atan((x + y) / (1 - x * y)), SMALL),
+    "numbers": (sp.atan(sp.Rational(1, 2)) + sp.atan(sp.Rational(1, 3)), sp.pi / 4, {}),
+    "Machin": (4 * sp.atan(sp.Rational(1, 5)) - sp.atan(sp.Rational(1, 239)), sp.pi / 4, {}),
+    "half a turn": (sp.atan(1) + sp.atan(2) + sp.atan(3), sp.pi, {}),
     "same direction": (sp.atan2(x * y, x), sp.atan2(y, 1), POSITIVE),
 }
 WRONG = {
@@ -28,6 +31,12 @@ WRONG = {
         POSITIVE,
     ),
     "three arguments": (SUM + sp.atan(x * y), sp.atan(x + y), POSITIVE),
+    "another number": (
+        4 * sp.atan(sp.Rational(1, 5)) - sp.atan(sp.Rational(1, 238)),
+        sp.pi / 4,
+        {},
+    ),
+    "a whole turn": (sp.atan(1) + sp.atan(2) + sp.atan(3), -sp.pi, {}),
     "another constant": (SUM, sp.atan2(x + y, 1 - x * y) + sp.pi, POSITIVE),
 }
 

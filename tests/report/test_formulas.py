@@ -8,11 +8,12 @@ from xml.etree.ElementTree import fromstring
 
 import pytest
 
-from mechproof.report.formulas import is_sentence, write_lines, write_print
+from mechproof.latex.sentences import is_sentence
+from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import ATTRIBUTES, write_formula
 
 LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
-FIELDS = ("printed_latex", "corrected_latex", "compared_with")
+FIELDS = ("print", "paraphrase", "corrected_latex", "mend_latex", "compared_with")
 MATH = "{http://www.w3.org/1998/Math/MathML}"
 
 

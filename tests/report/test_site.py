@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from collections import Counter
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
@@ -14,11 +15,14 @@ import pytest
 from own_papers import HURT
 from pages import find_faults
 
+from mechproof.cache import VARIABLE
 from mechproof.kernels.elliptic_planetary import position
 from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import find_files, read_record
-from mechproof.report.layout import read_stylesheet
-from mechproof.report.pictures import chart
+from mechproof.proof.cards import PUT, TAKEN
+from mechproof.report.layout import read_font, read_stylesheet
+from mechproof.report.mathml import write_formula
+from mechproof.report.pictures import chart, draw_pictures, list_charts
 
 pytestmark = pytest.mark.xdist_group("report")
 # WCAG 2.2, AA: text of usual size.
@@ -233,3 +237,33 @@ def test_text_stands_out_in_light_and_dark() -> None:
 
 def test_pale_text_is_seen() -> None:
     assert find_pale({**read_colours(read_stylesheet()), "soft": "#3a3d41"})
+
+
+def test_a_picture_is_drawn_once_and_anew_when_it_shows_something_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    record = read_record(find_files()["elliptic_planetary.largest_ratio"])
+    said: list[str] = []
+    first = draw_pictures(list_charts(record), said.append)
+    assert draw_pictures(list_charts(record), said.append) == first
+    assert len(said) == 1
+    draw_pictures(list_charts(replace(record, taken="2001-01-01")), said.append)
+    assert len(said) == 2
+
+
+def test_what_a_mend_changes_is_marked_in_the_card() -> None:
+    assert 'class="taken"' in write_formula(rf"x_{{{TAKEN.change('1')}}}")
+    assert 'class="put"' in write_formula(PUT.change("y"))
+    assert "mathcolor" not in write_formula(r"{\color{blue}{y}}")
+
+
+def test_the_font_of_formulas_is_in_the_stylesheet(files: dict[str, str]) -> None:
+    assert "data:font/woff2;base64," in files["report.css"]
+    assert "data:font" not in read_stylesheet()
+    assert len(read_font()) < 90_000
+
+
+def test_rows_of_kernels_stand_on_the_page_of_their_quantity(files: dict[str, str]) -> None:
+    assert 'id="row-kernel-position"' in files["quantities/elliptic_planetary.position.html"]
+    assert 'id="row-kernel-position"' not in files["papers/elliptic_planetary.html"]

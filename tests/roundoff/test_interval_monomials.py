@@ -7,11 +7,10 @@ import math
 import numpy as np
 import pytest
 
+from mechproof.arithmetic.cover import Boxes, cover_below
 from mechproof.arithmetic.intervals import ONE, PI, Interval, between, exactly
 from mechproof.roundoff.angles import Turn
-from mechproof.roundoff.cover import cover_below
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial, MixedBoxesError
-from mechproof.roundoff.regions import Boxes
 from mechproof.roundoff.rules import RULES
 
 SIDES = [(0.0, 1e-3), (0.0, 0.5), (0.7, 0.9), (1.2, 1.3), (1.5, 1.6), (-0.2, 0.3), (-1.3, -1.2)]

@@ -11,13 +11,14 @@ import sympy as sp
 from certified import GROUP, claims, name_claim, subject_of, subjects
 from weights import first_of
 
+from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, extended, worst
 from mechproof.roundoff.certificate import RoundingClaim
 from mechproof.roundoff.chart_membership import find_membership
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.regions import Box, ChartRegion, list_regions
+from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.worst import WorstRounding, draw, estimate, find_worst, judge, measure
 

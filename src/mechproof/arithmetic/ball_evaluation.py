@@ -28,6 +28,8 @@ from mechproof.arithmetic.ball_functions import (
     take_real_part,
 )
 from mechproof.arithmetic.layout import Layout, Operation, Plan, Values
+from mechproof.arithmetic.roots import enclose_iterate, enclose_root
+from mechproof.record.implicit import Implicit, Root
 from mechproof.record.parts import find_free
 
 Evaluator = Callable[[Values], Ball]
@@ -209,6 +211,15 @@ def _delta(node: sp.Basic) -> Plan:
     return compare, node.args
 
 
+def _implicit(node: sp.Basic) -> Plan:
+    enclose = enclose_root if isinstance(node, Root) else enclose_iterate
+    return (lambda values: enclose(node, values, _run)), ()
+
+
+def _run(expression: sp.Basic, values: Values) -> Ball:
+    return compile_expression(expression)(values)
+
+
 _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
     (sp.AccumBounds, lambda node: ((lambda values: NOT_FINITE), ())),
     (sp.Add, _add),
@@ -217,6 +228,7 @@ _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
     (sp.Sum, _repeat),
     (sp.Product, _repeat),
     (sp.Integral, _integral),
+    (Implicit, _implicit),
     (sp.Piecewise, _piecewise),
     (sp.KroneckerDelta, _delta),
 )

@@ -56,6 +56,7 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.Mod: lambda x, y: x - y * (x / y).floor(),
     sp.floor: lambda x: x.floor(),
     sp.ceiling: lambda x: x.ceil(),
+    sp.Heaviside: lambda x, at_zero: _step(x, at_zero),
     sp.Abs: abs,
     sp.sign: lambda x: x.sgn(),
     sp.Max: lambda *xs: reduce(arb.max, xs),
@@ -112,6 +113,12 @@ CONNECTIVES: dict[type[sp.Basic], Callable[..., bool | None]] = {
 
 def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
     return arb(0) if x == 0 else arb.beta_lower(x, a, b, regularized=True)
+
+
+def _step(x: Ball, at_zero: Ball) -> Ball:
+    if x == 0:
+        return at_zero
+    return NOT_FINITE if x.contains(0) else arb(int(x > 0))
 
 
 def _arctangent(y: Ball, x: Ball) -> Ball:

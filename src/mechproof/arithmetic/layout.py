@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.record.implicit import Implicit
 from mechproof.record.substitution import resolve
 
 Values = Mapping[sp.Basic, Any]
@@ -22,7 +23,7 @@ Plan = tuple[Operation, tuple[sp.Basic, ...]]
 Given = Mapping[sp.Basic, sp.Basic]
 NOTHING: Given = MappingProxyType({})
 # What has symbols of its own, or branches.
-WHOLE = (sp.Sum, sp.Product, sp.Integral, sp.Piecewise)
+WHOLE = (sp.Sum, sp.Product, sp.Integral, sp.Piecewise, Implicit)
 
 
 class Layout:

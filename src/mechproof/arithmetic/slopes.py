@@ -32,7 +32,7 @@ SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
     sp.Abs: ((1,), (-1,)),
 }
 # A kink under a bound symbol has no one side, and what has branches need not be continuous.
-ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.sign, sp.Max, sp.Min, sp.Abs)
+ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.Min, sp.Abs)
 
 
 class GradientTape:

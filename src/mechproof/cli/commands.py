@@ -87,13 +87,17 @@ def verify(
     show_all: Annotated[
         bool, typer.Option("--all", help="Show every row, with the evidence where there is any.")
     ] = False,
+    show_findings: Annotated[
+        bool,
+        typer.Option("--findings", help="Show of each finding what is right, why, and its cost."),
+    ] = False,
     derivations: DerivationsOption = None,
     root: RootOption = None,
     fail_on: FailOnOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
 ) -> None:
-    """Judge every row of the papers; print what was found, then what is not plainly proved.
+    """Judge every row of the papers; print a line for each finding, the gravest first, and totals.
 
     Of a paper's own source (LaTeX or Markdown) what needs no mechanics is judged, as by `check`.
 
@@ -107,7 +111,7 @@ def verify(
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
     if not any(ledger.failures for ledger in ledgers):
         write_json(json_file, to_json(ledgers))
-    print_ledgers(ledgers, show_all=show_all)
+    print_ledgers(ledgers, show_findings=show_findings, show_all=show_all)
     refuse_failures(ledgers)
     if any(ledger.outcomes & outcomes for ledger in ledgers):
         raise typer.Exit(1)

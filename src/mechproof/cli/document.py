@@ -23,7 +23,7 @@ def print_checked(paper: CheckedPaper, *, show_all: bool) -> None:
         if row.judgement and (show_all or row.outcome not in PLAIN):
             print_details(row.judgement)
     print_left([row.leave() for row in paper.rows if not row.judgement])
-    for place, reason in paper.missing:
+    for place, reason in (*paper.missing, *paper.told):
         say(f"{place}: {reason}")
     if paper.taken:
         say(

@@ -1,4 +1,4 @@
-"""The ledger on a terminal: findings, a table of rows, totals; full lines where it is piped."""
+"""The ledger on a terminal: findings, rows, totals; full lines where it is piped."""
 
 from __future__ import annotations
 
@@ -10,9 +10,19 @@ from rich.table import Table
 from rich.text import Text
 
 from mechproof.cli.console import console, say
+from mechproof.latex.changes import Style
+from mechproof.proof.cards import make_card
 from mechproof.proof.findings import LedgerFinding
-from mechproof.proof.ledger import COUNTED, PLAIN, Ledger, classify, show_totals
+from mechproof.proof.ledger import (
+    COUNTED,
+    PLAIN,
+    Ledger,
+    classify,
+    show_totals,
+    sort_findings,
+)
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
+from mechproof.record.findings import WEIGHTS
 
 STYLES = {
     Verdict.PROVED: "green",
@@ -22,6 +32,7 @@ STYLES = {
     Verdict.CONDITIONAL: "yellow",
     Verdict.CONVENTION: "yellow",
     Verdict.UNDERDETERMINED: "cyan",
+    Verdict.NOT_CHECKABLE: "dim cyan",
     Verdict.ENCLOSED: "magenta",
     Verdict.UNDECIDED: "bold magenta",
 }
@@ -31,28 +42,62 @@ POINTER = (
 )
 
 
-def print_ledgers(ledgers: Sequence[Ledger], *, show_all: bool) -> None:
-    """Print the findings of all papers, then the rows and totals of each, then all totals.
+# What a mend takes out of a print and puts in, as in a comparison word by word.
+TAKEN = Style("[-{}-]".format, "-]{}[-".format)
+PUT = Style("{{+{}+}}".format, "+}}{}{{+".format)
+OPEN = (Verdict.UNDECIDED, Verdict.ENCLOSED)
+MORE = "--findings shows what is right, and why; --all shows every row, with its evidence"
 
-    Rows that are proved or define are counted only, unless all are to be shown: then with the
-    details of those that are not plain.
+
+def print_ledgers(ledgers: Sequence[Ledger], *, show_findings: bool, show_all: bool) -> None:
+    """Print a line for each finding, the gravest first, what is open, and the totals: one screen.
+
+    Before them come the cards of all findings, or every row of every paper, if asked for.
     """
-    findings = [found for ledger in ledgers for found in ledger.findings]
-    for found in findings:
+    findings = sort_findings(ledgers)
+    for found in findings if show_findings else ():
         _print_finding(found)
-    for ledger in ledgers:
-        _print_paper(ledger, show_all)
+    for ledger in ledgers if show_all else ():
+        _print_paper(ledger)
+    _print_lines(findings)
+    for ledger in () if show_all else ledgers:
+        print_left(ledger.left)
     rows = [row for ledger in ledgers for row in ledger.judgements]
-    if len(ledgers) > 1:
-        _print_sums(rows)
+    if undecided := [row for row in rows if row.verdict in OPEN]:
+        _print_rows(undecided)
+        say("")
+    _print_sums(rows)
     counts = [count(ledgers, "paper"), count(rows, "row"), count(findings, "finding")]
     if left := [row for ledger in ledgers for row in ledger.left]:
         counts.append(f"{count(left, 'row')} without a verdict")
     say(", ".join(counts))
-    hidden = [row for row in rows if row.verdict in PLAIN]
-    if hidden and not show_all:
-        say(f"{count(hidden, 'row')} proved or defining not shown: --all shows every row")
+    if not (show_findings or show_all):
+        say(MORE)
     say(POINTER)
+
+
+def _print_lines(findings: Sequence[LedgerFinding]) -> None:
+    """Print what is wrong where, and what it costs first, on a line each."""
+    cells = [
+        (f"{f.system} {f.number}", f.verdict.value, _tell_cost(f) or WEIGHTS[f.weight])
+        for f in findings
+    ]
+    if not console.is_terminal:
+        _print_padded(cells)
+    else:
+        table = Table.grid(padding=(0, 2, 0, 0))
+        for _ in range(3):
+            table.add_column(no_wrap=True, overflow="ellipsis")
+        for number, verdict, cost in cells:
+            styled = Text(verdict, style=STYLES[Verdict(verdict)])
+            table.add_row(Text(number), styled, Text(cost))
+        console.print(table)
+    if findings:
+        say("")
+
+
+def _tell_cost(found: LedgerFinding) -> str:
+    return str(found.costs[0]) if found.costs else ""
 
 
 def count(things: Sequence[object], name: str) -> str:
@@ -60,11 +105,10 @@ def count(things: Sequence[object], name: str) -> str:
     return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
 
 
-def _print_paper(ledger: Ledger, show_all: bool) -> None:
+def _print_paper(ledger: Ledger) -> None:
     say(Text(f"{ledger.system}: {ledger.citation}", style="bold"))
-    rows = [row for row in ledger.judgements if show_all or row.verdict not in PLAIN]
-    _print_rows(rows, with_rungs=show_all)
-    for row in rows if show_all else ():
+    _print_rows(ledger.judgements)
+    for row in ledger.judgements:
         if row.verdict not in PLAIN:
             print_details(row)
     print_left(ledger.left)
@@ -97,23 +141,33 @@ def _print_sums(rows: Sequence[Judgement]) -> None:
         for v in Verdict
         if any(counted[v, name] for name in names)
     ]
-    _print_padded([["all papers", *names], *lines])
+    _print_padded([["verdict", *names], *lines])
+    say("")
 
 
 def _print_finding(found: LedgerFinding) -> None:
+    """Print the card: what is printed, right, wrong, what it costs, a check, the figure."""
     marks = f" ({', '.join(found.marks)})" if found.marks else ""
-    say(Text(f"Finding in {found.system}: {found.number}: {found.verdict}{marks}", style="bold"))
-    lines = [("printed", _plain(found.printed_latex)), ("wrong", found.wrong)]
-    lines += [("costs", cost) for cost in found.costs]
-    if found.corrected_latex:
-        lines.append(("right", f"{found.corrected_latex}   (proved: {found.corrected_by})"))
+    heading = f"{found.system} {found.number}: {found.verdict}{marks}: {WEIGHTS[found.weight]}"
+    say(Text(heading, style="bold"))
+    card = make_card(found, TAKEN, PUT)
+    lines = [("printed", _plain(card.printed))]
+    for label, latex, by in (
+        ("right", card.mend, card.mend_by),
+        ("general", card.general, card.general_by),
+    ):
+        lines += [(label, f"{latex}   (proved: {by})")] if latex else []
+    lines.append(("wrong", found.wrong))
+    lines += [("costs", str(cost)) for cost in found.costs]
+    lines += [("check", found.check)] if found.check else []
+    lines += [("figure", f"{found.system}.{found.figure}")] if found.figure else []
     lines += [("follows", number) for number in found.follows]
     _print_fields(lines)
     say("")
 
 
-def _print_rows(rows: Sequence[Judgement], *, with_rungs: bool) -> None:
-    cells = [_to_cells(row)[: 4 if with_rungs else 3] for row in rows]
+def _print_rows(rows: Sequence[Judgement]) -> None:
+    cells = [_to_cells(row) for row in rows]
     if not console.is_terminal:
         _print_padded(cells)
         return

@@ -50,7 +50,7 @@ def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) ->
     """Write the module's lines: what it holds, conventions, what all kernels share, scales."""
     kernels = tuple(kernels)
     shipped = [k for k in kernels if k.is_shipped]
-    paragraphs = [first_line, paper.citation, paper.conventions, *COMMON]
+    paragraphs = [first_line, paper.reference, paper.conventions, *COMMON]
     paragraphs += [ACCURACY] if any(k.quantity.accuracy for k in shipped) else []
     paragraphs += [PROVED] if any(f.proved for k in shipped for f in k.forms) else []
     paragraphs += [SCALES] if any(_scale_of(k.quantity) for k in shipped) else []

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import FORMS, render_modules
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
-from mechproof.programs.evaluation import Enclosure
-from mechproof.programs.kernel import Kernel, list_functions, name_rival
+from mechproof.programs.evaluation import Enclosure, Solved
+from mechproof.programs.kernel import Kernel, build_functions, name_rival
 from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
     Claim,
@@ -24,29 +26,56 @@ from mechproof.record import (
     Quantity,
     Row,
     Statement,
+    Unwritten,
     Written,
 )
+from mechproof.record.implicit import LEFT, LastIterate
 from mechproof.record.relations import solve
 
 # Ends the number of the row that says that the rewrites of a form are legal.
 LEGAL = ", legal"
 # Ends the number of the row that says how near a polynomial is to what it stands for.
 NEAR_ZERO = ", near 0"
+# Ends the number of the row that says that Newton's steps lead to a root.
+CONVERGES = ", converges"
+_ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
+# Where an iterate is, in widths of the bracket from its lower end.
+_PLACE = sp.Symbol("place", real=True)
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
     """Return the rows of every form: what its source computes, and that its rewrites are legal.
 
-    The source is read back first. Raises `TranslationError` where it is not the program.
+    The source is read back first. Raises `TranslationError` where it is not the program. What has
+    no kernel has a row that says why.
     """
-    kernels = list_functions(paper)
-    read_back(paper, kernels)
-    return tuple(
+    functions = build_functions(paper)
+    read_back(_leave_out(functions.refused, paper), functions.kernels)
+    written = (
         row
-        for kernel in kernels
+        for kernel in functions.kernels
         for number, stage in enumerate(kernel.code.stages)
         for row in _state_form(kernel, number, stage, paper)
     )
+    refused = (q for q in paper.quantities if q.name in functions.refused)
+    return (*written, *(_state_refusal(q, functions.refused[q.name]) for q in refused))
+
+
+def _leave_out(names: Container[str], paper: Paper) -> Paper:
+    """Return a paper without some of its quantities, and what is computed together with them."""
+    left = tuple(q for q in paper.quantities if q.name not in names)
+    together = tuple(t for t in paper.together if not any(name in names for name in t.quantities))
+    return paper if left == paper.quantities else replace(paper, quantities=left, together=together)
+
+
+def _state_refusal(quantity: Quantity, reason: str) -> Row:
+    shown = _show(quantity.name)
+    number = number_form(quantity, quantity.shipped[-1])
+    return Claim(number, rf"\text{{{shown} has a kernel}}", Unwritten(reason), marks=("ours",))
+
+
+def _show(name: str) -> str:
+    return name.replace("_", r"\_")
 
 
 def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
@@ -68,16 +97,25 @@ def number_form(quantity: Quantity, form: Form) -> str:
     return f"kernel {name_rival(quantity, form)}"
 
 
+def list_form_numbers(quantity: Quantity) -> list[str]:
+    """List the numbers that rows on the forms of a quantity have, if there are any."""
+    return [number for form in quantity.forms for number in _number_rows(quantity, form)]
+
+
 def number_shipped(paper: Paper) -> frozenset[str]:
     """Return the numbers of the rows on which the kernels of a paper rest."""
-    numbers = (number_form(q, form) for q in paper.quantities for form in q.shipped)
-    return frozenset(f"{number}{end}" for number in numbers for end in ("", LEGAL, NEAR_ZERO))
+    forms = ((q, form) for q in paper.quantities for form in q.shipped)
+    return frozenset(number for q, form in forms for number in _number_rows(q, form))
+
+
+def _number_rows(quantity: Quantity, form: Form) -> list[str]:
+    return [f"{number_form(quantity, form)}{end}" for end in _ENDS]
 
 
 def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
     quantity, form = kernel.quantity, kernel.forms[place]
     number = number_form(quantity, form)
-    shown = kernel.name.replace("_", r"\_")
+    shown = _show(kernel.name)
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {form.bound}"
     definition = _write_out(quantity.definition, paper)
@@ -106,7 +144,19 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
             on=on,
             marks=("ours",),
         )
+    for solved in enclosures:
+        if isinstance(solved, Solved):
+            yield Claim(
+                f"{number}{CONVERGES}",
+                rf"\text{{Newton's steps in {shown} lead to the one root in the bracket}}",
+                _state_steps(written, solved),
+                note=f"{solved.exact.steps} steps leave no more than 2**-64 of the bracket.",
+                on=_widen(on),
+                marks=("ours",),
+            )
     for enclosure in enclosures:
+        if isinstance(enclosure, Solved):
+            continue
         yield Claim(
             f"{number}{NEAR_ZERO}",
             rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
@@ -121,11 +171,33 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
 
 
 def _equal_but_enclosures(
-    enclosures: Sequence[Enclosure], definition: sp.Basic, code: Written
+    enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: Written
 ) -> Statement:
     """State an equality with what is enclosed in place of the steps that enclose it."""
     exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
     return Equality(code.output(*exact).xreplace(exact), definition)
+
+
+def _state_steps(code: Written, solved: Solved) -> Statement:
+    """State that the steps are Newton's, from any place, and that they end at the root."""
+    root = solved.exact
+    low, high = root.ends
+    # A symbol of its own would have the dimension of a number.
+    place = low + _PLACE * (high - low)
+    steps = (
+        Equality(code.step(step, before).xreplace({before: place}), root.step_from(place))
+        for before, step in pairwise(solved.iterates)
+    )
+    distance = sp.Abs(LastIterate.towards(root) - root)
+    near = Holds(sp.Le(distance, LEFT * (high - low), evaluate=False))
+    begun = Equality(code.step(solved.iterates[0]), root.start)
+    return Conjunction((begun, *steps, near))
+
+
+def _widen(on: Part | None) -> Part:
+    """Let the place of an iterate be any."""
+    on = on or Part("", {})
+    return replace(on, within={**on.within, _PLACE: sp.S.Reals})
 
 
 def _state_enclosure(code: Written, enclosure: Enclosure) -> Statement:

@@ -2,7 +2,7 @@ r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
 begins with a word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single
-equations, `constraint`, `identity`, `modulo 2\pi`, `skip`.
+equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ _INNER = r"(?:[^{}]|\{[^{}]*\})*"
 _CONDITION = re.compile(rf"(?<![^\s\]])\{{((?:[^{{}}]|\{{{_INNER}\}})*)\}}\s*\Z")
 _REFERENCES = re.compile(r"(?:\([^()]*\)|display \d+)(?:, part \d+)?|[^\s,()]+")
 _PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
+_FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
+_MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
 _MODULO = re.compile(r"(.+?)\s+(\(.*|[^\s\\]+)\Z")
 
@@ -34,7 +36,8 @@ class Declared:
     """A letter: how it is printed, what it means, its unit, what is said of it, its shape.
 
     `running` is the letter that it depends on, and by which it is differentiated; a bracket behind
-    a matrix is part of its name. `symbol` is the name of its symbol, if said.
+    a matrix is part of its name. `symbol` is the name of its symbol, if said. A bracket with the
+    letters of the index tells a family, S_i (i): its name is printed without them.
     """
 
     names: tuple[str, ...]
@@ -44,6 +47,7 @@ class Declared:
     shape: tuple[int, int] | None = None
     running: str = ""
     symbol: str = ""
+    is_family: bool = False
 
 
 @dataclass
@@ -61,7 +65,9 @@ class Block:
     constraints: list[str] = field(default_factory=list)
     identities: list[str] = field(default_factory=list)
     modulo: dict[str, str] = field(default_factory=dict)
+    follows: dict[str, tuple[str, ...]] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
+    scopes: list[tuple[list[str], dict[str, str]]] = field(default_factory=list)
 
 
 def read_block(lines: Sequence[Text], files: Files) -> Block:
@@ -72,8 +78,8 @@ def read_block(lines: Sequence[Text], files: Files) -> Block:
         try:
             if word in _WORDS and not _COLON.search(line.string):
                 _WORDS[word](block, rest.strip())
-            elif word == "skip":
-                _skip(block, rest.strip())
+            elif word in _TOLD:
+                _TOLD[word](block, rest.strip())
             else:
                 block.letters += _read_letters(line.string)
         except ValueError as error:
@@ -88,7 +94,7 @@ def _read_letters(line: str) -> list[Declared]:
     if not rest or not left.strip():
         raise ValueError(
             "neither a letter, `name : meaning [unit] {relation}`, nor one of the words "
-            + ", ".join((*_WORDS, "skip"))
+            + ", ".join((*_WORDS, *_TOLD))
         )
     (right,) = rest
     shape = _SHAPE.search(left)
@@ -115,10 +121,20 @@ def _read_letter(
     if not all(any(sign.isalpha() for sign in name) for name in names):
         raise ValueError(f"the name {text.strip()!r} has no letter")
     running = None if shape else _RUNNING.search(names[0])
-    if running:
-        names[0] = names[0][: running.start()].strip()
     by = running[1] if running else ""
+    stem = names[0][: running.start()].strip() if running else names[0]
+    family = _FAMILY.match(stem) if by and len(names) == 1 else None
+    if family and _list_signs(family[2]) == _list_signs(by):
+        name = symbol.strip() or re.sub(r"[\\{}\s]", "", stem)
+        return Declared((family[1],), meaning, unit, condition, symbol=name, is_family=True)
+    # What depends on several is no motion.
+    by = "" if "," in by else by
+    names[0] = stem if by else names[0]
     return Declared(tuple(names), meaning, unit, condition, shape, by, symbol.strip())
+
+
+def _list_signs(index: str) -> list[str]:
+    return [sign for sign in index if sign.isalpha()]
 
 
 def _add(name: str) -> Callable[[Block, str], None]:
@@ -169,6 +185,22 @@ def _skip(block: Block, rest: str) -> None:
     block.skipped |= dict.fromkeys(_find_references(equations), reason.strip())
 
 
+def _follow(block: Block, rest: str) -> None:
+    equations, *others = _COLON.split(rest, maxsplit=1)
+    if not others or not others[0].strip():
+        raise ValueError("say from which equations: follows (5): (3), (4)")
+    found = tuple(_find_references(others[0]))
+    block.follows |= dict.fromkeys(_find_references(equations), found)
+
+
+def _scope(block: Block, rest: str) -> None:
+    equations, *said = _COLON.split(rest, maxsplit=1)
+    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(said[0])] if said else []
+    if not pairs or any(len(pair) != 2 for pair in pairs):
+        raise ValueError("say which print is which declared letter: in (8)-(13): A is A_r")
+    block.scopes.append((_find_references(equations), dict(pairs)))
+
+
 def _start(block: Block, rest: str) -> None:
     block.start = rest
 
@@ -185,3 +217,5 @@ _WORDS: dict[str, Callable[[Block, str], None]] = {
     "identity": _refer("identities"),
     "modulo": _modulo,
 }
+# Words behind whose equations a colon stands.
+_TOLD: dict[str, Callable[[Block, str], None]] = {"follows": _follow, "skip": _skip, "in": _scope}

@@ -15,6 +15,7 @@ from mechproof.latex.tree import Letter
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
 _SINGLE = re.compile(r"\\(?:mathrm|text|rm)\s+(?=[A-Za-z])")
 _DEGREE = re.compile(r"\^?\s*\{?\s*\\(?:circ|degree)(?![A-Za-z])\s*\}?|º")
+_MICRO = re.compile(r"\\mu(?![A-Za-z])\s*")
 _BLANK = re.compile(r"\\[,;:! ]|~|\$|\\(?:quad|left|right)(?![A-Za-z])")
 _UNIT = re.compile(
     r"(?:[\s~$]|\\[,; ])*(?:[\[(](?P<a>[^\[\]()]*)[\])]|[,;](?P<b>[^,;]+)|/(?P<c>[^/]+)"
@@ -71,7 +72,7 @@ class Numeral:
 
 def name_unit(text: str) -> str:
     r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
-    shown = _DEGREE.sub("°", _BLANK.sub(" ", text).replace(r"\%", "%"))
+    shown = _DEGREE.sub("°", _BLANK.sub(" ", _MICRO.sub("µ", text)).replace(r"\%", "%"))
     while (inside := _UPRIGHT.sub(r"\1", shown)) != shown:
         shown = inside
     shown = _SINGLE.sub("", shown)

@@ -3,43 +3,39 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import sympy as sp
-
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
-from mechproof.document.constraints import find_combination, find_multiple
-from mechproof.document.roles import Role
+from mechproof.document.consequences import GIVEN, list_letters
+from mechproof.document.judging import (
+    LIMIT,
+    Key,
+    judge_beside,
+    judge_members,
+    judge_row,
+    leave_out,
+    opened,
+)
+from mechproof.document.roles import Role, name_member
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
 from mechproof.processes import WorkerError, run_tasks
-from mechproof.proof.domain import Domain
 from mechproof.proof.findings import list_findings
-from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
-from mechproof.record import Equality, Equation, Holds, Paper, RecordError, Row
+from mechproof.record import Equality, Equation, Paper, Row
 
-# How the row of one sign of a chain is called.
-_SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
-# Seconds for one equation.
-LIMIT = 60.0
-MULTIPLE = "multiple of a constraint"
-COMBINATION = "combination of constraints"
-GIVEN = "definition"
+_EITHER = (
+    "both sides have the same letters and differ: a misprint, or a constraint? Say which in the "
+    "block of letters: identity, or constraint"
+)
+# What may yet follow from constraints.
+_UNPROVED = (Verdict.DEFINITION, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
 # What is compared, even if letters that only one side has could make both sides equal.
 _COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
-
-# Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
-# a process that was forked finds here what its parent had. SymPy would work relations out on their
-# way through a pipe.
-_Key = tuple[str, str | None, frozenset[str]]
-_opened: dict[_Key, list[Task]] = {}
 
 
 @dataclass(frozen=True)
@@ -80,9 +76,9 @@ class CheckedRow:
 
 @dataclass(frozen=True)
 class CheckedPaper:
-    """The rows of a paper's source, the letters taken as real numbers, and what was not found.
+    """The rows of a paper's source, the letters taken as real numbers, and files not found.
 
-    `paper` has the letters, without rows.
+    `paper` has the letters, without rows; `told` are tables and columns that are not compared.
     """
 
     file: str
@@ -90,6 +86,7 @@ class CheckedPaper:
     paper: Paper
     taken: tuple[str, ...] = ()
     missing: tuple[tuple[Place, str], ...] = ()
+    told: tuple[tuple[Place, str], ...] = ()
 
     def to_ledger(self, system: str = "") -> JudgedPaper:
         """Return the ledger of the paper: rows of one name are told apart by their places.
@@ -113,7 +110,7 @@ class CheckedPaper:
         )
         return JudgedPaper(
             paper.system,
-            paper.citation,
+            paper.reference,
             judged,
             findings=list_findings(paper, judged),
             left=tuple(row.leave() for row in rows if not row.judgement),
@@ -159,56 +156,47 @@ def check_rest(
     return _check((str(path), None, elsewhere), limit, report)
 
 
-def _check(key: _Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:
+def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:
     path, content, elsewhere = key
     source = read_source(path, content)
     document = Document(source)
-    found = tuple(_leave_out(document.read(limit), elsewhere))
+    found = tuple(leave_out(document.read(limit), elsewhere))
     tasks = [one for one in found if isinstance(one, Task)]
     report(f"judging {len(tasks)} rows")
-    _opened[key] = tasks
+    opened[key] = tasks
     try:
         numbers = [(key, number) for number in range(len(tasks))]
-        answers = run_tasks(_judge, numbers, limit=limit)
+        answers = run_tasks(judge_row, numbers, limit=limit)
         rows = {number: _make_row(tasks[number], answer) for number, answer in answers}
+        rows |= dict(_compare_members(key, tasks, rows, limit))
         rows |= dict(_follow(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
     finally:
-        del _opened[key]
+        del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     paper = document.papers[True]
-    missing = (*source.missing, *document.told)
-    return CheckedPaper(path, shown, paper, document.taken, missing)
-
-
-def _leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
-    """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
-    equations = {_SIGN.sub("", number) for number in elsewhere}
-    for one in rows:
-        row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
-        if not judged & {row.number, row.printed_latex}:
-            yield one
+    missing, told = tuple(source.missing), tuple(document.told)
+    return CheckedPaper(path, shown, paper, document.taken, missing, told)
 
 
 def _leave_open(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Leave open what is compared with another print and differs from it by its letters."""
+    """Leave open what is compared with another print and differs from it by its letters.
+
+    So is what is not true and has the same letters on both sides, as identities have.
+    """
     for number, task in enumerate(tasks):
         found = rows[number].judgement
-        if found and found.rung == GIVEN and task.sign.role in _COMPARED:
+        if not found or found.rung != GIVEN:
+            continue
+        if task.sign.role in _COMPARED:
             other = task.sign.first or "the member before"
             reason = f"it differs from {other}, in its letters too: a constraint, or a misprint?"
             yield number, _make_row(task, reason)
-
-
-def _open(key: _Key) -> list[Task]:
-    if key not in _opened:
-        path, content, elsewhere = key
-        found = _leave_out(Document(read_source(path, content)).read(LIMIT), elsewhere)
-        _opened[key] = [one for one in found if isinstance(one, Task)]
-    return _opened[key]
+        elif task.is_either:
+            yield number, _make_row(task, _EITHER)
 
 
 def _make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
@@ -224,136 +212,81 @@ def _show(left: Left) -> CheckedRow:
     return CheckedRow(*head, reason=left.reason, remedy=left.remedy)
 
 
-def _judge(which: tuple[_Key, int]) -> Judgement | str:
-    """Judge a row, or say why not; what asserts nothing is refuted only if it is true nowhere."""
-    task = _open(which[0])[which[1]]
-    try:
-        found = judge(task.row, task.paper)
-    except (RecordError, ContradictionError) as error:
-        return str(error)
-    if found.verdict is Verdict.REFUTED and task.is_rounded:
-        return "the two sides differ, but a decimal is a rounded number"
-    if found.verdict is Verdict.REFUTED and task.is_alone:
-        return f"another value than at the sizes: {found.reason}"
-    if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
-        reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
-        return replace(found, reason=reason)
-    if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
-        return found
-    if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
-        return replace(found, reason=f"it is true nowhere: {found.reason}")
-    return _take_as_given(task, found)
+# Members ----------------------------------------------------------------------------------------
 
 
-def _is_nowhere_true(task: Task) -> bool:
-    says = task.row.says
-    domain = Domain.of(task.paper, task.row.on)
-    if isinstance(says, Equality) and task.residual is not None:
-        apart = Holds(sp.Ne(says.printed, says.rebuilt, evaluate=False))
-        return decide(apart, domain).verdict is Verdict.PROVED
-    if isinstance(says, Holds):
-        return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
-    return False
+def _compare_members(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge later prints of a letter by all members that stand of the chain that printed it."""
+    numbers = []
+    for n, task in enumerate(tasks):
+        if not task.others:
+            continue
+        standing = _list_standing(task, tasks, rows)
+        is_proved = rows[n].outcome == Verdict.PROVED.value
+        if not (is_proved and task.sign.first in standing[0]):
+            numbers.append((key, n, standing))
+    for place, answer in run_tasks(judge_members, numbers, limit=limit):
+        number = numbers[place][1]
+        yield number, _make_row(tasks[number], answer)
 
 
-def _take_as_given(task: Task, found: Judgement) -> Judgement:
-    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint between its letters"
-    reason = f"{what}, taken as given: it is not true for all values of its letters"
-    if found.verdict is not Verdict.REFUTED:
-        reason = f"{what}, taken as given"
-    return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
+def _list_standing(
+    task: Task, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> list[list[str]]:
+    """Return the members that a print is compared with, those together that do not differ.
+
+    Of groups of which one is the largest the others do not stand.
+    """
+    first = task.sign.first
+    groups = [[first]]
+    steps = (n for n, one in enumerate(tasks) if one.row.number.startswith(f"{first}, "))
+    for number, step in enumerate((n for n in steps if tasks[n].sign.role is Role.STEP), 3):
+        if rows[step].outcome == Verdict.REFUTED.value:
+            groups.append([])
+        groups[-1].append(name_member(number, first))
+    largest = max(map(len, groups))
+    return [group for group in groups if len(group) == largest]
 
 
 # Constraints ------------------------------------------------------------------------------------
 
 
 def _follow(
-    key: _Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Judge again what does not hold by itself, beside the constraints of the paper.
 
     It may follow from constraints before it; two sides that were said to be equal and are not are
-    left open where any constraint has letters of theirs.
+    left open where any constraint has letters of theirs that could make them equal.
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        if task.is_claimed or not isinstance(task.row.says, Equality):
+        is_refuted = rows[n].outcome == Verdict.REFUTED.value
+        is_settled = task.is_claimed or (is_refuted and not task.asserts)
+        if is_settled or not isinstance(task.row.says, Equality):
             continue
-        common = [g for g in given if g != n and _list_letters(tasks[g]) & _list_letters(task)]
-        if rows[n].outcome == Verdict.DEFINITION.value:
+        common = [g for g in given if g != n and list_letters(tasks[g]) & list_letters(task)]
+        if not is_refuted:
             common = [g for g in common if g < n]
-        if common and rows[n].outcome in (Verdict.DEFINITION.value, Verdict.REFUTED.value):
+        if common and rows[n].outcome in _UNPROVED:
             numbers.append((key, n, tuple(common)))
-    for place, answer in run_tasks(_compare, numbers, limit=limit):
+    for place, answer in run_tasks(judge_beside, numbers, limit=limit):
         number = numbers[place][1]
         found = rows[number].judgement
+        is_refuted = rows[number].outcome == Verdict.REFUTED.value
         if found and isinstance(answer, tuple):
             verdict, rung, reason = answer
             new = replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())
-            yield number, _make_row(tasks[number], new)
-        elif rows[number].outcome == Verdict.REFUTED.value:
+            if not is_refuted or verdict is Verdict.PROVED:
+                yield number, _make_row(tasks[number], new)
+        elif is_refuted:
             yield number, _make_row(tasks[number], str(answer))
 
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:
     is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role is Role.CONSTRAINT
     is_equation = isinstance(task.row.says, Equality) and task.residual is not None
-    return is_given and is_equation and not task.is_rounded
-
-
-def _list_letters(task: Task) -> set[sp.Basic]:
-    return set() if task.residual is None else set(task.residual.free_symbols)
-
-
-def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> tuple[Verdict, str, str] | str:
-    """Judge a row by the constraints that it follows from, or cannot hold together with."""
-    key, number, others = which
-    tasks = _open(key)
-    task = tasks[number]
-    domain = Domain.of(task.paper, task.row.on)
-    for other in others:
-        name = tasks[other].row.number
-        multiple = find_multiple(task.residual, tasks[other].residual, domain)
-        if multiple is None or other > number:
-            continue
-        factor, rest = multiple
-        reason = f"left - right is that of {name} times {factor}"
-        if rest == 0:
-            return Verdict.PROVED, MULTIPLE, f"follows from {name}: {reason}"
-        reason = f"cannot hold together with {name}: {reason}, plus {rest}"
-        return Verdict.DEFINITION, GIVEN, reason
-    if found := _combine(task, [tasks[other] for other in others if other < number], domain):
-        return found
-    names = ", ".join(tasks[other].row.number for other in others)
-    return f"the two sides differ, unless {names} makes them equal, which is not decided"
-
-
-def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    """Return that a row follows from several constraints, or from the derivative of some."""
-    alone = [other for other in others if other.row.on is None and other.residual is not None]
-    given = {other.row.number: other.residual for other in alone}
-    for known in (given, *_list_rates(task, alone)):
-        multipliers = find_combination(task.residual, list(known.values()), domain)
-        if multipliers is not None:
-            parts = [
-                f"{name} times {m}" for name, m in zip(known, multipliers, strict=True) if m != 0
-            ]
-            reason = f"follows from constraints: left - right is {', plus '.join(parts)}"
-            return Verdict.PROVED, COMBINATION, reason
-    return None
-
-
-def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
-    """Yield the first derivatives of constraints, and with them the second ones."""
-    found: dict[str, sp.Expr] = {}
-    for order, name in enumerate(("the derivative", "the second derivative")):
-        new = {
-            f"{name} of {other.row.number}": other.rates[order]
-            for other in others
-            if len(other.rates) > order
-            and other.rates[order].free_symbols & _list_letters(task) - _list_letters(other)
-        }
-        if new:
-            found |= new
-            yield found
+    return is_given and is_equation and not (task.is_rounded or task.is_either)

@@ -35,9 +35,9 @@ def find_multiple(
     are never zero together. What the multiplier is divided by has no zero on the domain: where the
     constraint holds, a multiplier without value would prove anything.
     """
-    for multiplier, rest, below in _propose(residual, constraint):
+    for multiplier, rest in _propose(residual, constraint):
         answer = decide(Equality(residual, multiplier * constraint + rest), domain)
-        if answer.verdict is Verdict.PROVED and is_nonzero(below, domain):
+        if answer.verdict is Verdict.PROVED and _have_values((multiplier, rest), domain):
             return multiplier, rest
     return None
 
@@ -49,6 +49,8 @@ def find_combination(
 
     What they are divided by has no zero on the domain.
     """
+    if numbers := _add_up(residual, constraints):
+        return numbers
     total = residual.count_ops() + sum(one.count_ops() for one in constraints)
     if total > LARGEST:
         return None
@@ -60,13 +62,31 @@ def find_combination(
         return None
     back = {name: function for function, name in names.items()}
     multipliers = tuple(
-        multiplier.xreplace(back) * own_below / below
+        sp.cancel(multiplier.xreplace(back) * own_below / below)
         for multiplier, (_, own_below) in zip(found, others, strict=True)
     )
     total = sp.Add(*(m * c for m, c in zip(multipliers, constraints, strict=True)))
     answer = decide(Equality(residual, total), domain)
-    is_shown = answer.verdict is Verdict.PROVED and is_nonzero(below, domain)
+    is_shown = answer.verdict is Verdict.PROVED and _have_values(multipliers, domain)
     return multipliers if is_shown else None
+
+
+def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr, ...] | None:
+    """Return numbers by which constraints add up to the residual, term by term."""
+    terms = [sp.expand(one).as_coefficients_dict() for one in (residual, *constraints)]
+    if not all(value.is_Rational for one in terms for value in one.values()):
+        return None
+    places: dict[sp.Expr, tuple[int, ...]] = {
+        term: (n,) for n, term in enumerate(dict.fromkeys(t for one in terms for t in one))
+    }
+    wanted, *columns = [{places[t]: value for t, value in one.items()} for one in terms]
+    found = _solve(columns, wanted)
+    return tuple(found) if found and any(found) else None
+
+
+def _have_values(multipliers: Sequence[sp.Expr], domain: Domain) -> bool:
+    """Return whether what multipliers are divided by has no zero on the domain."""
+    return all(is_nonzero(sp.fraction(one)[1], domain) for one in multipliers)
 
 
 def _combine(
@@ -129,11 +149,13 @@ def _solve(
     return [sp.QQ.to_sympy(values.get(n, sp.QQ.zero)) for n in range(last)]
 
 
-def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
-    """Yield a multiplier, what remains, and what both are divided by."""
+def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """Yield a multiplier and what remains."""
     if constraint.is_number or residual.count_ops() + constraint.count_ops() > LARGEST:
         return
     (above, below), (own_above, own_below) = map(_to_fraction, (residual, constraint))
+    if 0 in (above, own_above):
+        return
     names = _name_functions((above, own_above))
     polynomials = [e.xreplace(names) for e in (above, own_above, *_circles(names))]
     generators = sorted(set().union(*(p.free_symbols for p in polynomials)), key=str)
@@ -143,7 +165,7 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
         return
     if rest.is_number and first != 0:
         back = {name: function for function, name in names.items()}
-        yield first.xreplace(back) * own_below / below, rest / below, below
+        yield sp.cancel(first.xreplace(back) * own_below / below), rest / below
 
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

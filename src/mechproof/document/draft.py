@@ -1,80 +1,67 @@
 """A first block of letters, to be confirmed: the letters of a paper and what its words say of them.
 
-Nothing of a draft is used before it stands in the paper: words are matched, not understood.
+Nothing of a draft is used before it stands in the paper.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from mechproof.document.displays import find_displays
+from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
+    Collected,
     collect_letters,
     find_shapes,
-    group_alike,
     is_vector,
     name_symbol,
 )
+from mechproof.document.said import Said, find_said
 from mechproof.document.sources import Source
-from mechproof.document.units import UnitError, read_unit
 
-_ACCENT = re.compile(r"\\d?dot\s*\{?\s*(\\[A-Za-z]+|[A-Za-z])\s*\}?(.*)\Z", re.DOTALL)
-_UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"
-_VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
-_SENTENCE = re.compile(
-    rf"\$(?P<name>[^$]{{1,30}})\$\s*{_VERBS}\s+(?:the\s+|an?\s+)?(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
-    rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)",
+_RATE = re.compile(
+    r"\\d?dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
+    re.DOTALL,
 )
-_TABLE = re.compile(
-    r"^\s*\$(?P<name>[^$&]{1,30})\$\s*&\s*(?P<meaning>[^&$\\\n]{3,60}?)\s*"
-    r"(?:&\s*(?:\\si\{)?\$?([^&$\\\n{}]{0,12})\$?\}?\s*)?(?:&[^\n]*)?(?:\\\\|$)",
-    re.MULTILINE,
-)
+# A reference, or a number in brackets.
+_REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
+# Characters between a reference and the equation that it is made for.
+_NEAR = 400
+_DEPENDS = re.compile(r"(.+?)\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
+# Letters that could be something else where nothing declares them.
+_ASKED = {
+    "e": r"a letter here, Euler's number elsewhere",
+    "d": "a letter here, a differential elsewhere",
+    "i": "a letter here, an index or the imaginary unit elsewhere",
+}
 
 
-@dataclass(frozen=True)
-class Said:
-    """What words say of a letter, and the line where."""
+@dataclass
+class _Entry:
+    """A letter: its prints, and the letter that it depends on."""
 
-    meaning: str
-    unit: str
-    line: int
+    names: dict[str, None] = field(default_factory=dict)
+    running: str = ""
 
 
 def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
-    collected = collect_letters(prints)
-    letters, factors = collected.letters, collected.factors
-    said = dict(_find_said(source))
-    moved = {_find_moved(letter) for letter in letters}
+    collected = collect_letters(prints, guess=True)
     shapes = dict(find_shapes(prints))
-    lines = []
-    for letter, *alike in group_alike(letters):
-        if _find_moved(letter):
-            continue
-        others = "".join(f" | {other}" for other in alike)
-        found = said.get(name_symbol(letter))
-        size = shapes.get(name_symbol(letter))
-        shape = f" {size[0]}x{size[1]}" if size else ""
-        if is_vector(letter) and not size:
-            lines.append("# A vector or a matrix? Say its size behind the name: 3x1")
-        running = "(t)" if name_symbol(letter) in moved else ""
-        unit = f" [{found.unit}]" if found and found.unit else ""
-        if found:
-            lines.append(f"# line {found.line} says:")
-        lines.append(
-            f"{letter}{running}{others}{shape} : {found.meaning if found else ''}{unit}".rstrip()
-        )
-    if factors:
-        lines.append(
-            "# A bracket stands behind these. Factors, or functions? Functions are declared"
-        )
-        lines.append("# with their brackets as one letter, f(x).")
-        lines += [f"# factor {name}" for name in factors]
+    said = dict(find_said(source))
+    lines = [
+        line
+        for name, entry in _list_entries(collected, shapes).items()
+        for line in _write(name, entry, shapes.get(name), said.get(name))
+    ]
+    if collected.factors:
+        lines.append("# A bracket with more than letters stands behind these: it is multiplied.")
+        lines += [f"factor {name}" for name in collected.factors]
+    lines += _ask_what_follows(source, displays)
     for number, reason in collected.unread.items():
         place = source.files.locate(displays[number].latex.offsets[0])
         lines.append(f"# {displays[number].name}, line {place.line}: its letters are not listed:")
@@ -82,27 +69,61 @@ def draft_block(source: Source) -> str:
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
 
 
-def _find_moved(letter: str) -> str:
-    r"""Return the name of the letter of which this one is the derivative: x of \dot x."""
-    match = _ACCENT.match(letter)
-    return name_symbol(match[1] + match[2]) if match else ""
+def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
+    """Yield which equations words before another refer to: it may follow from these."""
+    names = {label: one.name for one in displays for label in (*one.labels, one.name)}
+    starts = [one.latex.offsets[0] for one in displays]
+    met: dict[int, dict[str, int]] = {}
+    for match in _REFERENCE.finditer(source.text.string):
+        offset = source.text.offsets[match.start()]
+        name = names.get(match[1] or match[2], "")
+        after = bisect_right(starts, offset)
+        before = {one.name for one in displays[:after]}
+        if name in before and after < len(starts) and starts[after] - offset < _NEAR:
+            met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
+    for after, found in met.items():
+        if len(found) > 1:
+            yield f"# line {min(found.values())} refers to these. Does it follow from them?"
+            yield f"# follows {displays[after].name}: {', '.join(found)}"
 
 
-def _find_said(source: Source) -> Iterator[tuple[str, Said]]:
-    """Yield letters with what is said of them last, so that the first of a table wins."""
-    string = source.text.string
-    for pattern in (_SENTENCE, _TABLE):
-        for match in reversed(list(pattern.finditer(string))):
-            units = [group for group in match.groups()[2:] if group]
-            place = source.files.locate(source.text.offsets[match.start("name")])
-            meaning = " ".join(match["meaning"].split()).strip(" ~")
-            for name in match["name"].split(","):
-                yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+def _list_entries(collected: Collected, shapes: Mapping[str, tuple[int, int]]) -> dict[str, _Entry]:
+    """Return the letters by the names of their symbols; a derivative says what its letter is of.
+
+    Vectors and matrices are not differentiated: their derivatives are letters of their own.
+    """
+    entries: dict[str, _Entry] = {}
+    for letter in (*collected.letters, *collected.guessed):
+        base, running = _split(letter)
+        if running and (is_vector(base) or name_symbol(base) in shapes):
+            base, running = letter, ""
+        entry = entries.setdefault(name_symbol(base), _Entry())
+        entry.names[base] = None
+        entry.running = entry.running or running
+    return entries
 
 
-def _check_unit(units: list[str]) -> str:
-    try:
-        read_unit(units[0].strip()) if units else None
-    except UnitError:
-        return ""
-    return units[0].strip() if units else ""
+def _split(letter: str) -> tuple[str, str]:
+    r"""Return a letter and what it is a function of: x and t of \dot x and of x(t)."""
+    if rate := _RATE.match(letter):
+        return rate[1] + rate[2] + rate[3], "t"
+    if depends := _DEPENDS.match(letter):
+        return depends[1].strip(), depends[2]
+    return letter, ""
+
+
+def _write(
+    name: str, entry: _Entry, size: tuple[int, int] | None, found: Said | None
+) -> Iterator[str]:
+    first, *alike = entry.names
+    if is_vector(first) and not size:
+        yield "# A vector or a matrix? Say its size behind the name: 3x1"
+    if first in _ASKED:
+        yield f"# {_ASKED[first]}:"
+    if found:
+        yield f"# line {found.line} says:"
+    running = f"({entry.running})" if entry.running else ""
+    others = "".join(f" | {other}" for other in alike)
+    shape = f" {size[0]}x{size[1]}" if size else ""
+    unit = f" [{found.unit}]" if found and found.unit else ""
+    yield f"{first}{running}{others}{shape} : {found.meaning if found else ''}{unit}".rstrip()

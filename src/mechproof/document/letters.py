@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import sympy as sp
 
 from mechproof.document.cells import name_unit
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.left_scripts import LEFT, VECTORS
-from mechproof.record import Notation
+from mechproof.record import Notation, Variable
 
 REMEDIES = Remedies(
     name="Declare it in the block of letters: {0} : its meaning",
@@ -23,9 +25,23 @@ REMEDIES = Remedies(
     membership="Print an interval as a relation, 0<x<1, or say natural for a letter that counts.",
 )
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
+_NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
+# Letters in a bracket, which then holds arguments.
+_ARGUMENT = r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*"
+_ARGUMENTS = re.compile(
+    rf"(?:\\left\s*)?\((?P<inner>{_ARGUMENT}(?:,{_ARGUMENT})*)(?:\\right\s*)?\)"
+)
+# Prints in which such a letter is no quantity.
+_NO_LETTER = {
+    "e": re.compile(r"(?<![A-Za-z\\])e\s*\^"),
+    "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
+    "i": re.compile(r"i\s*(?:=|\\in)|e\s*\^"),
+}
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
-    r"\\begin\{(?:[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{",
+    r"\\begin\{(?:[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{\w+\}"
+    # With a factor behind it it has another shape than the letter.
+    r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|\\|[,;]))",
     re.DOTALL,
 )
 
@@ -47,40 +63,74 @@ def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
 class Collected:
     """Letters that are not declared, those before a bracket, and why some prints show none.
 
-    What could not be read is keyed by the number of its print.
+    `guessed` are letters that the reader asks for, whole prints as f(x) among them. What could not
+    be read is keyed by the number of its print.
     """
 
     letters: list[str]
     factors: list[str]
     unread: Mapping[int, str]
+    guessed: list[str] = field(default_factory=list)
 
 
-def collect_letters(printed: Iterable[str]) -> Collected:
-    """Collect the letters of prints."""
+def collect_letters(printed: Iterable[str], *, guess: bool = False) -> Collected:
+    """Collect the letters of prints; with `guess` those, too, that the reader would ask for."""
+    prints = list(printed)
     letters: dict[str, None] = {}
-    factors: dict[str, None] = {}
+    guesses = _Guesses("\n".join(prints), declares=guess)
     unread: dict[int, str] = {}
-    for number, latex in enumerate(printed):
-        found = _collect_from(latex, factors)
+    for number, latex in enumerate(prints):
+        found = _collect_from(latex, guesses)
         if isinstance(found, str):
             unread[number] = found
         else:
             letters |= dict.fromkeys(found)
-    return Collected([x for x in letters if "#" not in x], list(factors), unread)
+    kept = [x for x in letters if "#" not in x]
+    return Collected(kept, list(guesses.factors), unread, list(guesses.letters))
 
 
-def _collect_from(latex: str, factors: dict[str, None]) -> list[str] | str:
+@dataclass
+class _Guesses:
+    """What would mend refusals of the prints `all_prints`; `declares` allows letters, too."""
+
+    all_prints: str
+    declares: bool
+    factors: dict[str, None] = field(default_factory=dict)
+    letters: dict[str, None] = field(default_factory=dict)
+
+    def take(self, error: ReadingError) -> bool:
+        """Take what would mend a refusal; return whether there is something new."""
+        asked = _ASKS.search(error.reason)
+        named = _NAMES.search(error.remedy) if self.declares else None
+        if asked:
+            arguments = _ARGUMENTS.match(error.latex, error.place) if self.declares else None
+            if not arguments:
+                return _enter(asked[1], self.factors)
+            return _enter(f"{asked[1]}({arguments['inner'].strip()})", self.letters)
+        if not named or self._is_taken_up(named[1]):
+            return False
+        return _enter(named[1], self.letters)
+
+    def _is_taken_up(self, name: str) -> bool:
+        return name in _NO_LETTER and bool(_NO_LETTER[name].search(self.all_prints))
+
+
+def _enter(name: str, names: dict[str, None]) -> bool:
+    is_new = name not in names
+    names[name] = None
+    return is_new
+
+
+def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
     """Return the letters of a print, or why it cannot be read."""
     while True:
+        names = tuple(Variable(sp.Symbol(name_symbol(x)), "", latex=(x,)) for x in guesses.letters)
+        notation = Notation(factors=tuple(guesses.factors), name_unit=name_unit)
         try:
-            return Reader(
-                (), Notation(factors=tuple(factors), name_unit=name_unit), REMEDIES
-            ).collect(latex)
+            return Reader(names, notation, REMEDIES).collect(latex)
         except ReadingError as error:
-            asks = _ASKS.search(error.args[0])
-            if asks is None or asks[1] in factors:
-                return str(error.args[0])
-            factors[asks[1]] = None
+            if not guesses.take(error):
+                return error.reason
         except RecursionError:
             return "it is nested too deeply"
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.record import Variable
+from mechproof.record.relations import solve
 
 
 def read_relations(text: str, reader: Reader) -> list[sp.Basic]:
@@ -55,7 +56,7 @@ def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
         sets = [_solve(part, symbol) for part in parts]
         return None if None in sets else sp.Intersection(*sets)
     is_rational = all(side.is_rational_function(symbol) for side in relation.args)
-    return relation.as_set() if is_rational else None
+    return solve(relation, symbol) if is_rational else None
 
 
 def _order(relation: sp.Basic, smaller: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

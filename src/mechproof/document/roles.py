@@ -7,9 +7,11 @@ bare number is a size.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import StrEnum
+from itertools import takewhile
 from typing import Any
 
 import sympy as sp
@@ -17,6 +19,7 @@ import sympy as sp
 from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
+from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import (
     Add,
@@ -29,6 +32,7 @@ from mechproof.latex.tree import (
     Measure,
     Node,
     Number,
+    Product,
     walk,
 )
 from mechproof.latex.values import differentiate
@@ -70,12 +74,16 @@ class Sign:
 
 @dataclass
 class Known:
-    """What is known of letters: their values, which equation printed them first, which were met."""
+    """What is known of letters: their values, which equation printed them first, which were met.
+
+    `others` are the further members of the chains that printed them first, and which these are.
+    """
 
     symbols: Symbols
     values: Values = field(default_factory=dict)
     printed: dict[sp.Basic, str] = field(default_factory=dict)
     met: set[sp.Basic] = field(default_factory=set)
+    others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -103,6 +111,17 @@ class Known:
             self.printed[rate] = name
             above = rate
 
+    def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
+        """Yield what else is printed of a letter, or of the one whose derivative it is."""
+        moving = self.symbols.moving
+        by, rates = next((m for m in moving.values() if symbol in m[1]), (symbol, ()))
+        letter = next((s for s, (_, own) in moving.items() if symbol in own), symbol)
+        for name, value in self.others.get(letter, ()):
+            with suppress(ValueError):
+                for _ in rates[: rates.index(symbol) + 1 if rates else 0]:
+                    value = differentiate(self.settle(value, {letter}), by, moving)
+                yield name, value
+
     def _find_rates(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
         """Return by what a letter, or the derivative of one, is differentiated, and what it is."""
         for letter, (by, rates) in self.symbols.moving.items():
@@ -129,11 +148,11 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
 
     Raises `ReadingError` for members that cannot be worked out.
     """
-    signs = [
-        _find_role(name, read, chain, left, known)
-        for chain in read.chains
-        for left in range(len(chain.relations))
-    ]
+    signs = []
+    for chain in read.chains:
+        found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
+        _note_others(name, found, known)
+        signs += found
     known.met |= {part.symbol for part in walk(read.chains) if isinstance(part, Letter)}
     return signs
 
@@ -160,7 +179,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if not value.free_symbols:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
             return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
-        is_fit = isinstance(value, sp.MatrixBase) <= isinstance(symbol, sp.MatrixSymbol)
+        is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
+        is_fit = is_matrix <= isinstance(symbol, sp.MatrixSymbol)
         if not is_fit:
             raise read.source.refuse(
                 node.start, f"{symbol} is a matrix here", "Say its size behind its name: 3x1."
@@ -179,12 +199,30 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
+    if not left and _is_sum_of_sizes(nodes, known):
+        return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     if not left:
         return Sign(Role.CONSTRAINT, sides=sides)
     is_number = not (one.free_symbols and other.free_symbols)
     if is_number:
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def name_member(number: int, name: str) -> str:
+    """Return how a member of an equation is called, counted from the letter on."""
+    return f"the {name_ordinal(number)} member of {name}"
+
+
+def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
+    """Note the further members of a chain that defines a letter."""
+    if not signs or known.printed.get(signs[0].letter) != name:
+        return
+    letter = signs[0].letter
+    for number, sign in takewhile(lambda one: one[1].role is Role.STEP, enumerate(signs[1:], 3)):
+        value = sign.sides[1]
+        if letter not in known.settle(value, {letter}).free_symbols:
+            known.others.setdefault(letter, []).append((name_member(number, name), value))
 
 
 def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> bool:
@@ -208,6 +246,22 @@ def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, 
         if isinstance(inside, Degrees) and isinstance(inside.number, Number):
             return sign + inside.number.text, other, "°"
     return "", None, ""
+
+
+def _is_sum_of_sizes(nodes: Sequence[Node], known: Known) -> bool:
+    """Return whether a number is said of a sum of letters: one with a unit, or at their sizes."""
+    if not (is_sum_of_letters(nodes[0]) and _is_number(nodes[1])):
+        return False
+    letters = {part.symbol for part in walk(nodes[0]) if isinstance(part, Letter)}
+    return isinstance(_split_sign(nodes[1])[1], Measure) or letters <= known.symbols.usual.keys()
+
+
+def is_sum_of_letters(node: Node) -> bool:
+    """Return whether a node is a sum of letters, of which each may have a number before it."""
+    if not isinstance(node, Add):
+        return False
+    parts = [p for _, t in node.terms for p in (t.factors if isinstance(t, Product) else (t,))]
+    return all(isinstance(part, Letter | Number) for part in parts)
 
 
 def _split_sign(node: Node) -> tuple[str, Node]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -19,10 +19,20 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.roles import EQUAL, Known, Role, Sign, find_roles, give_values
+from mechproof.document.roles import (
+    EQUAL,
+    Known,
+    Role,
+    Sign,
+    find_roles,
+    give_values,
+    is_sum_of_letters,
+)
+from mechproof.document.scopes import add_scopes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sources import Source
 from mechproof.document.special_cases import (
+    leave_seams_out,
     list_rates,
     round_at_sizes,
     specialise,
@@ -79,7 +89,7 @@ class Document:
             for names in group_alike(self.taken)
         ]
         _refuse_unknown(self.block, self.printed)
-        self.symbols = declare(self.block)
+        self.symbols = add_scopes(declare(self.block), self.block, self.printed)
         self.known = Known(self.symbols)
         give_values(self.block.values, self.known)
         self.limit = 0.0
@@ -118,16 +128,23 @@ class Document:
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
-        read = reader.parse(latex, upper=int(branch is None))
+        read = reader.parse(latex, printed.name, int(branch is None))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         _refuse_units(read)
         double = _DOUBLE.search(latex) if branch is None else None
-        if double is None:
+        follows = _is_listed(printed, [*self.block.follows])
+        if double is None and not follows:
             return find_roles(printed.name, read, self.known)
-        # What has two signs defines no letter.
-        known = replace(self.known, values={**self.known.values}, printed={**self.known.printed})
+        # What has two signs, or follows, defines no letter.
+        known = replace(
+            self.known, values={**self.known.values}, printed={**self.known.printed}, others={}
+        )
         signs = find_roles(printed.name, read, known)
+        if double is None:
+            return [
+                replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
+            ]
         if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
             raise read.source.refuse(
                 double.start(),
@@ -151,6 +168,7 @@ class Document:
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
 
         own = next((s.letter for s in signs if s.letter is not None), None)
+        own = own or self._find_alike(signs)
 
         def prepare() -> list[Task | Left]:
             rows = read_row(row, reader)
@@ -158,6 +176,12 @@ class Document:
 
         found = self._guard(printed, prepare)
         return [found] if isinstance(found, Left) else found
+
+    def _find_alike(self, signs: Sequence[Sign]) -> sp.Basic | None:
+        """Return a letter whose unit all letters have of which a first sign says a number."""
+        letters: set[sp.Basic] = getattr(signs[0].value, "free_symbols", set()) if signs else set()
+        units = {(self.symbols.find_dimension(x), self.symbols.scales.get(x)) for x in letters}
+        return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""
@@ -177,6 +201,18 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
+        """Make a task of a row, and one for each other member that it is compared with."""
+        task = self._make(printed, row, sign, own)
+        if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
+            return task
+        others = []
+        for name, value in self.known.list_others(sign.letter):
+            sides = [value if side == sign.letter else side for side in sign.sides]
+            other = replace(row, says=Equality(sides[0], sides[1], "member"))
+            others.append(self._make(printed, other, replace(sign, first=name), own))
+        return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
+
+    def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row; `own` is the letter that its chain is about."""
         place = self._locate(printed)
         says = row.says
@@ -187,6 +223,8 @@ class Document:
             values = [side for side in sign.sides if not side.free_symbols]
             row = replace(row, says=Definition(sign.letter, values[0]))
         row = specialise(row, self.known)
+        if sign.role is Role.DERIVATIVE:
+            row = leave_seams_out(row)
         if sign.role is Role.NUMBER:
             number = round_at_sizes(sign, own, self.known)
             if isinstance(number, str):
@@ -206,10 +244,29 @@ class Document:
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
             residual = sides[0] - sides[1]
-        is_claimed = _is_listed(printed, [*self.block.identities, *self.block.modulo])
+        block = self.block
+        is_claimed = _is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         asserts = is_claimed or self._asserts(printed, sign, sides)
         rates = () if residual is None else tuple(list_rates(residual, self.known))
-        return Task(row, place, sign, paper, asserts, is_claimed, residual, rates)
+        is_either = self._is_either(printed, sign, sides)
+        follows = self._list_named(_look_up(printed, self.block.follows) or ())
+        return Task(
+            row,
+            place,
+            sign,
+            paper,
+            asserts,
+            is_claimed,
+            residual,
+            rates,
+            is_either,
+            follows=follows,
+        )
+
+    def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
+        """Return the names of equations that are named by their labels."""
+        names = {label: one.name for one in self.printed for label in one.labels}
+        return tuple(names.get(key, key) for key in keys)
 
     def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether the sides are claimed to be equal wherever their letters lie.
@@ -220,8 +277,13 @@ class Document:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        one, other = map(_list_letters, sides)
-        return bool(one == other)
+        return _have_same_letters(sides)
+
+    def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
+        """Return whether a constraint of two compound sides may be a wrong identity."""
+        is_said = _is_listed(printed, self.block.constraints)
+        is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
+        return is_compound and not is_said and _have_same_letters(sides)
 
     def _locate(self, printed: Printed, place: int = 0) -> Place:
         offsets = printed.latex.offsets
@@ -248,7 +310,7 @@ def _refuse_units(read: Print) -> None:
     for chain in read.chains:
         limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
         beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
-        if not isinstance(chain.members[0], Letter):
+        if not (isinstance(chain.members[0], Letter) or is_sum_of_letters(chain.members[0])):
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
             for node in walk(part):
@@ -264,18 +326,24 @@ def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
     """Refuse what is said of equations that are not there."""
     known = {name for one in printed for name in (one.name, *one.labels)}
     said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
+    said = (*said, *block.follows, *(name for names in block.follows.values() for name in names))
     if unknown := [name for name in said if name not in known]:
         raise ValueError(
             f"the block of letters names {unknown[0]}: no equation has that name or label"
         )
 
 
-def _look_up(printed: Printed, said: dict[str, str]) -> str:
-    return next((said[key] for key in (printed.name, *printed.labels) if key in said), "")
+def _look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
+    return next((said[key] for key in (printed.name, *printed.labels) if key in said), None)
 
 
 def _is_listed(printed: Printed, names: Sequence[str]) -> bool:
     return any(key in names for key in (printed.name, *printed.labels))
+
+
+def _have_same_letters(sides: Sequence[Any]) -> bool:
+    one, other = map(_list_letters, sides)
+    return bool(one == other)
 
 
 def _list_letters(side: Any) -> set[sp.Basic]:
@@ -285,7 +353,13 @@ def _list_letters(side: Any) -> set[sp.Basic]:
         there = limit.args[0].subs(limit.args[1], limit.args[2])
         if not there.has(sp.nan, sp.zoo, sp.oo):
             shown = shown.xreplace({limit: there})
-    return set(shown.free_symbols)
+    free: set[sp.Basic] = set(shown.free_symbols)
+    # SymPy lists the members of families that a sum runs over, too.
+    return {x for x in free if not (isinstance(x, sp.Indexed) and _list_indices(x) - free)}
+
+
+def _list_indices(member: sp.Indexed) -> set[sp.Basic]:
+    return {symbol for index in member.indices for symbol in index.free_symbols}
 
 
 def _list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:

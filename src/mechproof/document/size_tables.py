@@ -7,6 +7,7 @@ that is another one only if the sizes of its line are no rounded ones is not acc
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -31,6 +32,8 @@ from mechproof.latex import Reader
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Equation, Paper
 
+# A head that shows a formula.
+_MATH = re.compile(r"\$|\\\(")
 # Rows in which the heads may stand: above them those of groups of columns.
 _HEAD_ROWS = 3
 _COMMA = "1,234 in a table: a decimal comma, or thousands?"
@@ -41,21 +44,34 @@ Numbers = Sequence[Mapping[int, Numeral | None]]
 
 @dataclass(frozen=True)
 class Grid:
-    """The heads of a table by their columns, and the lines below; a table may lie on its side."""
+    """The heads of a table by their columns, and the lines below; a table may lie on its side.
+
+    `unread` are heads with a formula that is no letter.
+    """
 
     name: str
     heads: Mapping[int, Head]
     lines: Sequence[Sequence[Cell]]
+    unread: Sequence[Cell] = ()
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
     """Return a table with two letters in its head, or in its first column; None for another."""
     for first, row in enumerate(table.rows[:_HEAD_ROWS]):
         if len(heads := _read_heads(row, reader)) > 1:
-            return _take_units(Grid(name, heads, table.rows[first + 1 :]))
+            return _take_units(_make_grid(name, heads, row, table.rows[first + 1 :]))
     columns = [*zip(*table.rows, strict=True)]
     heads = _read_heads(columns[0], reader)
-    return _take_units(Grid(name, heads, columns[1:])) if len(heads) > 1 else None
+    if len(heads) < 2:
+        return None
+    return _take_units(_make_grid(name, heads, columns[0], columns[1:]))
+
+
+def _make_grid(
+    name: str, heads: Mapping[int, Head], row: Sequence[Cell], lines: Sequence[Sequence[Cell]]
+) -> Grid:
+    unread = [cell for n, cell in enumerate(row) if n not in heads and _MATH.search(cell.string)]
+    return Grid(name, heads, lines, unread)
 
 
 def _read_heads(cells: Sequence[Cell], reader: Reader) -> dict[int, Head]:
@@ -70,7 +86,8 @@ def _take_units(grid: Grid) -> Grid:
         units = {n: find_unit(text) for n, text in cells.items()}
         if any(units.values()) and all(map(is_unit_or_empty, cells.values())):
             heads = {n: replace(h, unit=h.unit or units[n]) for n, h in grid.heads.items()}
-            return Grid(grid.name, heads, [*grid.lines[:number], *grid.lines[number + 1 :]])
+            lines = [*grid.lines[:number], *grid.lines[number + 1 :]]
+            return replace(grid, heads=heads, lines=lines)
     return grid
 
 
@@ -90,6 +107,9 @@ class SizeTables:
             grid = find_grid(f"table {number}", table, reader)
             found = list(self._read_grid(grid)) if grid else []
             yield from found
+            for cell in grid.unread if grid and found else ():
+                reason = f"the column {cell.string.strip()} is not compared: its head is no letter"
+                self.told.append((self.files.locate(cell.offset), reason))
             if not found:
                 what = "numbers of a letter that a formula gives" if grid else "two letters"
                 reason = f"this table shows no {what}: it is not compared"

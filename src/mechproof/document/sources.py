@@ -30,6 +30,8 @@ _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE
 _MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
 # A formula that is a line of its own is a display.
 _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
+# What Markdown needs a backslash before, so that it is no emphasis.
+_ESCAPED = re.compile(r"\\(_)")
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
 _BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MULTILINE)
 _OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
@@ -92,7 +94,7 @@ def _read(
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
         shown = _show(text, _MATH).replace(_FENCE, lambda match: "\n")
-        return _show(shown, _ALONE)
+        return _show(shown.replace(_ESCAPED, lambda match: match[1]), _ALONE)
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
     plain = _drop_false(plain.replace(_VERB, lambda match: " "))
     if last := _END.search(plain.string):

@@ -13,8 +13,9 @@ from mechproof.document.scales import Scales, agrees
 from mechproof.document.symbols import ORDERS
 from mechproof.document.units import read_unit
 from mechproof.latex.values import differentiate
-from mechproof.record import Conjunction, Equality, PrintedNumber, Row, Statement
+from mechproof.record import Conjunction, Equality, Part, PrintedNumber, Row, Statement
 
+_ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 
@@ -34,6 +35,25 @@ def specialise(row: Row, known: Known) -> Row:
     on = replace(row.on, where=where) if where else None
     note = f"{row.note} Compared for {row.on.text}.".strip()
     return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
+
+
+def leave_seams_out(row: Row) -> Row:
+    """Compare derivatives by pieces beside the ends of the pieces alone.
+
+    A law by pieces may have no derivative there; prints give that of either piece.
+    """
+    if not isinstance(row.says, Equality):
+        return row
+    sides = (row.says.printed, row.says.rebuilt)
+    pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
+    ends = {r for piece in pieces for _, said in piece.args for r in said.atoms(*_ORDERS)}
+    apart = dict.fromkeys(sp.Ne(*end.canonical.args) for end in sorted(ends, key=str))
+    if not apart:
+        return row
+    if row.on is None:
+        return replace(row, on=Part("the interiors of the pieces", {}, tuple(apart)))
+    text = f"{row.on.text}, within the pieces"
+    return replace(row, on=replace(row.on, text=text, where=(*row.on.where, *apart)))
 
 
 def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
@@ -59,8 +79,9 @@ def split_branches(says: Statement, known: Known) -> Statement:
 
 def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
     """Return what a number says of a letter at the sizes, or why that is not judged."""
-    if not sign.number or _FEW_DIGITS.match(sign.number):
-        return "a special value: nothing says at which sizes, or to how many digits"
+    special = "a special value: nothing says at which sizes, or to how many digits"
+    if not sign.number:
+        return special
     if sign.unit and own is None:
         return "a unit, and no letter in whose unit the number could be compared"
     usual = dict(known.symbols.usual)
@@ -73,6 +94,8 @@ def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNum
     factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
     readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
     values = [one.xreplace(usual) / factor for reading in readings for one in reading]
+    if _FEW_DIGITS.match(sign.number) and sp.Rational(sign.number) not in values:
+        return special
     stated = [PrintedNumber(sign.number, one) for one in values]
     return next(filter(agrees, stated), stated[0])
 

@@ -100,17 +100,27 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         own = list(_make(letter, units, block, assume=assume))
         variables += own
         scales |= {v.symbol: unit.scale for v, unit in zip(own, units, strict=False)}
+        if letter.is_family:
+            bare |= {own[0].symbol.label} if letter.unit is None else set()
         if letter.running:
             depending[own[0].symbol] = letter.running, tuple(v.symbol for v in own[1:])
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
     _refuse_twins(variables)
-    symbols = {name: v.symbol for v in variables for name in v.latex}
+    plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
+    symbols = {name: v.symbol for v in plain for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
     factors = (*block.factors, *block.natural)
     phases = frozenset(_find_phases(variables, {by for by, _ in moving.values()}, bare))
-    notation = Notation(factors=factors, moving=moving, name_unit=name_unit, phases=phases)
+    dimensions = {v.symbol: v.dimension for v in variables if v.symbol not in bare}
+    notation = Notation(
+        factors=factors,
+        moving=moving,
+        name_unit=name_unit,
+        phases=phases,
+        dimensions=dimensions,
+    )
     for name in (*block.branches, *block.natural):
         if name not in symbols:
             raise ValueError(f"{name} is said to be a branch or natural: it is not declared")
@@ -121,9 +131,13 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
 
 
 def _add_running(letters: Sequence[Declared]) -> list[Declared]:
-    """Add the letters by which others are differentiated, where they are not declared: t."""
-    known = {name for letter in letters for name in letter.names}
-    new = dict.fromkeys(x.running for x in letters if x.running and x.running not in known)
+    """Add the letters by which others are differentiated, where they are not declared: t.
+
+    Those that are declared are named as they are declared, t_{2} where it is t_2.
+    """
+    known = {name_symbol(name): name for letter in letters for name in letter.names}
+    letters = [replace(x, running=known.get(name_symbol(x.running), x.running)) for x in letters]
+    new = dict.fromkeys(x.running for x in letters if x.running not in ("", *known.values()))
     return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]
 
 
@@ -146,6 +160,9 @@ def _make(
     name = _name(letter)
     dimension = units[0].dimension
     meaning, _, convention = letter.meaning.partition("; ")
+    if letter.is_family:
+        yield Variable(sp.IndexedBase(name, real=True), meaning, dimension, latex=letter.names)
+        return
     if letter.shape:
         yield Variable(sp.MatrixSymbol(name, *letter.shape), meaning, dimension, latex=letter.names)
         return

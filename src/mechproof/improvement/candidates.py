@@ -41,7 +41,7 @@ class Points:
 
 @dataclass(frozen=True)
 class Loss:
-    """What a way of computing loses on points: the worst of them, and bits on the average."""
+    """What a way of computing loses on points: the worst of them, and the bits lost on average."""
 
     worst: float
     bits: float

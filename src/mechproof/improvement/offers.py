@@ -28,7 +28,7 @@ from mechproof.proof.verdict import Verdict
 
 # So many of the best candidates are tried to be proved.
 TRIED = 4
-# The level of a form that loses less than a digit, and less than a bit on the average.
+# The level of a form that loses less than a digit, and less than a bit on average.
 NOTHING = (0, 0)
 
 

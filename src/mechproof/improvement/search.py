@@ -16,7 +16,7 @@ from mechproof.programs.rewrites import REWRITES
 
 # So many candidates are kept after each rewrite.
 KEPT = 8
-# What no loss of digits mends: it makes other forms for speed, or in float32.
+# Rewrites that save no digits: they are for speed, or for float32.
 FOR_SPEED = ("clenshaw", "in_single")
 # Why a rewrite does not fit: what it needs is not there, or has no operation.
 UNFIT = (ValueError, NotImplementedError)

@@ -17,6 +17,7 @@ from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.proof.domain import Domain
 from mechproof.record import Peer, Quantity, Row
+from mechproof.record.implicit import Implicit
 
 Array = NDArray[Any]
 Arguments = tuple[Array, ...]
@@ -25,7 +26,7 @@ Compute = Callable[..., Any]
 # The extra that compiled kernels need.
 COMPILED = "fast"
 # What SymPy's NumPy printer has no array code for.
-BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed)
+BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed, Implicit)
 
 
 @dataclass(frozen=True)
@@ -153,7 +154,7 @@ def _in_single(kernel: Compute) -> Compute:
 def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Way]:
     """List `sympy.lambdify` of the definition, with common subexpressions and without.
 
-    Sums and integrals have none: SymPy has no array code for them.
+    Sums, integrals and roots have none: SymPy has no array code for them.
     """
     definition = domain.resolve(quantity.definition)
     if definition.has(*BEYOND_LAMBDIFY):

@@ -6,7 +6,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from mechproof.latex import letters
+from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tree import Add, Integration, Letter, Node, Number, Repeated
+from mechproof.latex.undeclared import printed_name
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -31,7 +33,7 @@ def read_repeated(parser: Parser) -> Node:
     if parser.text != "_":
         raise parser.refuse(
             f"a {name} without limits: which index, from where to where?",
-            rf"Print \{name}_{{k=1}}^n.",
+            rf"Print \{name}_{{k=1}}^n. {_name_whole(parser, name)}".strip(),
         )
     index, low, apart = _read_below(parser)
     if parser.text != "^":
@@ -41,6 +43,13 @@ def read_repeated(parser: Parser) -> Node:
     term = parser.read_product()
     parser.bound.pop()
     return Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
+
+
+def _name_whole(parser: Parser, name: str) -> str:
+    r"""Return how a sum over nothing that is printed is declared as one letter, \sum F_x."""
+    if not begins_letter(parser.text):
+        return ""
+    return parser.remedies.name.format(rf"\{name} {printed_name(parser, parser.place)}")
 
 
 def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:

@@ -14,7 +14,7 @@ from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.relations import join
 from mechproof.latex.tokens import DOTS, GAPS, WIDE, Token
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
-from mechproof.latex.words import IF
+from mechproof.latex.words import AND, IF
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -117,9 +117,12 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
     statements: list[Chain] = []
     conditions: list[Chain] = []
     for part in _share_relations(parser, parts):
-        if part.said or (statements and _is_condition(parser, statements, part.chain)):
+        own = statements[-1].condition if statements else None
+        if own and _continues(own, part.chain):
+            statements[-1] = _narrow(statements[-1], [part.chain])
+        elif part.said or _narrows(parser, statements, conditions, part.chain):
             conditions.append(part.chain)
-        elif conditions:
+        elif conditions or (own and _says_values(own) and not part.chain.condition):
             raise parser.refuse(
                 "an equation behind a condition: is it meant under the condition, too?",
                 "Print one equation at a time, its condition behind it.",
@@ -131,6 +134,28 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
         raise parser.refuse("a condition without a statement", "", parts[0].chain.start)
     _refuse_leading_condition(parser, statements)
     return tuple(_narrow(chain, conditions) for chain in statements)
+
+
+def _narrows(
+    parser: Parser, statements: Sequence[Chain], conditions: Sequence[Chain], chain: Chain
+) -> bool:
+    """Return whether a relation that nothing calls a condition is one."""
+    if conditions and _continues(conditions[-1], chain):
+        return True
+    return bool(statements) and _is_condition(parser, statements, chain)
+
+
+def _continues(condition: Chain, chain: Chain) -> bool:
+    r"""Return whether a value of a letter stands behind one: \text{ for }x=0,\ y=0."""
+    said = [m for m in condition.members if isinstance(m, Letter)]
+    letter, *others = chain.members
+    is_value = isinstance(letter, Letter) and not any(map(_has_letter, others))
+    is_plain = {*chain.relations} == {"="} and chain.condition is None
+    return is_value and is_plain and _says_values(condition) and letter not in said
+
+
+def _says_values(condition: Chain) -> bool:
+    return {*condition.relations} <= {"=", AND}
 
 
 def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:

@@ -160,10 +160,10 @@ def _number(row: Row, number: int, count: int, only_equal: bool) -> str:
     if count == 1:
         return row.number
     kind = "equals sign" if only_equal else "sign"
-    return f"{row.number}, {_count(number)} {kind}"
+    return f"{row.number}, {name_ordinal(number)} {kind}"
 
 
-def _count(number: int) -> str:
+def name_ordinal(number: int) -> str:
     """Return an ordinal number, in letters as long as it is small."""
     if number <= len(_ORDINALS):
         return _ORDINALS[number - 1]

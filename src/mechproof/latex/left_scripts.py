@@ -15,6 +15,7 @@ LEFT = "{}"
 VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb")
 ACCENTS = (
     *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\widehat", r"\widetilde"),
+    *(r"\mathcal", r"\mathscr", r"\mathfrak"),
     *VECTORS,
 )
 UPRIGHT = (

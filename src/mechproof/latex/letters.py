@@ -9,11 +9,13 @@ import sympy as sp
 
 from mechproof.latex import places, undeclared
 from mechproof.latex.characters import is_digit
+from mechproof.latex.errors import ReadingError
 from mechproof.latex.functions import CONSTANTS
 from mechproof.latex.names import Match
 from mechproof.latex.numerals import read_number
-from mechproof.latex.tree import Constant, Letter, Node, Power
+from mechproof.latex.tree import Add, Bracket, Call, Constant, Letter, Node, Number, Power
 from mechproof.latex.words import ITALICS
+from mechproof.record import NUMBER, Dimension
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -28,12 +30,68 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
         return
     if isinstance(letter.symbol, sp.MatrixSymbol):
         return
-    if letter.text not in parser.factors:
+    if letter.text not in parser.factors and not _multiplies(parser, letter):
         printed = parser.source.latex[letter.start : letter.end]
         raise parser.refuse(
             f"a bracket after {printed}: a factor, or the argument of a function?",
             parser.remedies.bracket.format(printed),
         )
+
+
+def _multiplies(parser: Parser, letter: Letter) -> bool:
+    r"""Return whether units tell that a bracket multiplies a letter: r(1-\cos\varphi), k(a+b).
+
+    The letter depends on nothing, and the bracket is a sum that is no argument: of lengths and the
+    like, or with functions in it.
+    """
+    moving, known = parser.notation.moving, parser.notation.dimensions
+    rates = {rate for _, rates in moving.values() for rate in rates}
+    if letter.symbol not in known or letter.symbol in {*moving, *rates}:
+        return False
+    place, count = parser.place, len(parser.collected)
+    try:
+        bracket = parser.read_atom()
+    except ReadingError:
+        return True
+    finally:
+        parser.place = place
+        del parser.collected[count:]
+    if not (isinstance(bracket, Bracket) and isinstance(bracket.inside, Add)):
+        return False
+    running = {by for by, _ in moving.values()}
+    terms = [_walk_outside_calls(term) for _, term in bracket.inside.terms]
+    letters = [{n.symbol for n in term if isinstance(n, Letter)} for term in terms]
+    is_free = not running & set().union(*letters)
+    return (
+        len(terms) > 1
+        and is_free
+        and all(
+            isinstance(term[0], Number)
+            or any(isinstance(n, Call) for n in term)
+            or any(_is_extent(known.get(symbol)) for symbol in symbols)
+            for term, symbols in zip(terms, letters, strict=True)
+        )
+        and any(not isinstance(term[0], Number) for term in terms)
+    )
+
+
+def _is_extent(dimension: Dimension | None) -> bool:
+    """Return whether a unit is that of no usual argument, as numbers, angles and times are."""
+    return dimension is not None and dimension not in (NUMBER, Dimension(time=1))
+
+
+def _walk_outside_calls(node: Node) -> list[Node]:
+    """Return the nodes of a part without those within the arguments of functions."""
+    if isinstance(node, Call):
+        return [node]
+    inner = [part for value in vars(node).values() for part in _list_nodes(value)]
+    return [node, *(n for part in inner for n in _walk_outside_calls(part))]
+
+
+def _list_nodes(value: object) -> list[Node]:
+    if isinstance(value, Node):
+        return [value]
+    return [n for v in value for n in _list_nodes(v)] if isinstance(value, tuple) else []
 
 
 def read_letter(parser: Parser, match: Match | None) -> Node:

@@ -46,7 +46,8 @@ def _find_end(parser: Parser) -> int:
     place, has_unit = parser.place, False
     while place < len(parser.tokens) and parser.tokens[place].text not in _ENDS:
         is_unit = _is_upright(parser, place)
-        if not (is_unit or parser.tokens[place].text in _BETWEEN or _is_power(parser, place)):
+        is_joint = parser.tokens[place].text in _BETWEEN or _is_micro(parser, place)
+        if not (is_unit or is_joint or _is_power(parser, place)):
             return parser.place
         has_unit, place = has_unit or is_unit, place + 1
     return place if has_unit else parser.place
@@ -59,6 +60,12 @@ def _is_upright(parser: Parser, place: int) -> bool:
     return text in (r"\%", "°") or (
         is_word and text.startswith("\\") and not parser.names.match(parser.tokens, place)
     )
+
+
+def _is_micro(parser: Parser, place: int) -> bool:
+    r"""Return whether a \mu stands before a unit."""
+    is_mu = parser.tokens[place].text == r"\mu"
+    return is_mu and place + 1 < len(parser.tokens) and _is_upright(parser, place + 1)
 
 
 def _is_power(parser: Parser, place: int) -> bool:

@@ -65,14 +65,30 @@ def _read_values(parser: Parser, term: Node) -> Node:
 
 
 def is_value(parser: Parser, letter: Letter) -> bool:
-    """Return whether numbers in a bracket stand behind a letter that depends on another one."""
+    r"""Return whether an argument stands behind a letter that depends on another one.
+
+    It is a number, x(0), another letter, s(\beta), or a number times that, s(2\beta). A sum may be
+    a factor.
+    """
     if parser.text != "(" or letter.text in parser.factors or _find_running(parser, letter) is None:
         return False
+    if _is_letter_inside(parser):
+        return True
     texts = [token.text for token in parser.rest[1:]]
     inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
     has_number = any(is_digit(text) or text == r"\pi" for text in inside)
     ends = texts[len(inside) : len(inside) + 1] == [")"]
     return ends and has_number and all(is_digit(text) or text in _NUMERIC for text in inside)
+
+
+def _is_letter_inside(parser: Parser) -> bool:
+    """Return whether a bracket holds one declared letter, or a number times it."""
+    place = parser.place + 1
+    while is_digit(parser.tokens[place].text) or parser.tokens[place].text == ".":
+        place += 1
+    match = parser.names.match(parser.tokens, place)
+    behind = parser.tokens[match.end : match.end + 1] if match else ()
+    return bool(behind) and behind[0].text == ")"
 
 
 def _find_running(parser: Parser, letter: Letter) -> Letter | None:

@@ -10,8 +10,9 @@ from typing import Any
 import sympy as sp
 
 from mechproof.record import Argument, Form, Paper, Quantity
+from mechproof.record.implicit import Root
 from mechproof.record.parts import find_free, find_parts
-from mechproof.record.substitution import write_sums_out
+from mechproof.record.substitution import write_steps, write_sums_out
 
 Step = tuple[sp.Symbol, sp.Expr]
 
@@ -39,6 +40,19 @@ class Enclosure:
 
 
 @dataclass(frozen=True)
+class Solved:
+    """The last of the iterates, which are steps, by which Newton's method gets to a root."""
+
+    exact: Root
+    iterates: tuple[sp.Symbol, ...]
+
+    @property
+    def step(self) -> sp.Symbol:
+        """Return the step in place of the root."""
+        return self.iterates[-1]
+
+
+@dataclass(frozen=True)
 class Evaluation:
     """Named steps, each of inputs and the steps before it, and the output computed from them.
 
@@ -50,9 +64,9 @@ class Evaluation:
     steps: tuple[Step, ...]
     output: sp.Basic
     obligations: tuple[sp.Basic, ...] = ()
-    enclosures: tuple[Enclosure, ...] = ()
+    enclosures: tuple[Enclosure | Solved, ...] = ()
 
-    def enclose(self, enclosures: Iterable[Enclosure]) -> Evaluation:
+    def enclose(self, enclosures: Iterable[Enclosure | Solved]) -> Evaluation:
         """Add steps that a rewrite encloses."""
         return replace(self, enclosures=(*self.enclosures, *enclosures))
 
@@ -121,12 +135,30 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
     idle = [a for a in quantity.arguments if used.isdisjoint(a.symbols)]
     if idle and form not in quantity.rivals:
         raise ValueError(f"{where}: arguments that do not occur: {[a.name for a in idle]}")
-    return _carry_along(evaluation, [s for argument in idle for s in argument.symbols])
+    solved = _solve(evaluation)
+    return _carry_along(solved, [s for argument in idle for s in argument.symbols])
+
+
+def _solve(evaluation: Evaluation) -> Evaluation:
+    """Take Newton's steps in place of roots."""
+    roots = dict.fromkeys(r for e in evaluation.expressions() for r in find_parts(e, Root))
+    steps: list[Step] = []
+    found: list[Solved] = []
+    for root in sorted(roots, key=sp.default_sort_key):
+        iterates = [evaluation.add_step("root_0", root.start, steps)]
+        for k in range(1, root.steps + 1):
+            value = root.step_from(iterates[-1])
+            iterates.append(evaluation.add_step(f"root_{k}", value, steps))
+        found.append(Solved(root, tuple(iterates)))
+    if not found:
+        return evaluation
+    last = {solved.exact: solved.step for solved in found}
+    return evaluation.transform(lambda value: value.xreplace(last), steps).enclose(found)
 
 
 def _write_out(entry: sp.Expr) -> sp.Expr:
-    """Write sums out but those over arguments."""
-    return write_sums_out(sp.sympify(entry), lambda total: not total.has(sp.Indexed))
+    """Write out steps, and sums but those over arguments."""
+    return write_sums_out(write_steps(sp.sympify(entry)), lambda total: not total.has(sp.Indexed))
 
 
 def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evaluation:
@@ -177,26 +209,39 @@ def trace_inputs(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> s
     return found - values.keys()
 
 
-def find_carried(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
+def find_carried(expression: sp.Expr, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
     """Find the inputs whose NaN an expression has for certain.
 
     Where the conditions of pieces are about NaN, none but the last holds; else one piece is taken.
     """
+    return _find_carried(expression, values, {})
+
+
+def _find_carried(
+    expression: sp.Expr,
+    values: Mapping[sp.Basic, sp.Basic],
+    known: dict[sp.Basic, set[sp.Basic]],
+) -> set[sp.Basic]:
+    """Look into every step once: of Newton's each has the one before several times."""
     if isinstance(expression, sp.Piecewise):
-        return _find_carried_by_pieces(expression, values)
+        return _find_carried_by_pieces(expression, values, known)
     if isinstance(expression, sp.Pow) and not expression.exp.is_number:
         return set()
     if expression in values:
-        return find_carried(values[expression], values)
+        if expression not in known:
+            known[expression] = _find_carried(values[expression], values, known)
+        return known[expression]
     if not expression.has(sp.Piecewise, sp.Pow, *values):
         return input_symbols(expression)
-    return set().union(*(find_carried(part, values) for part in expression.args))
+    return set().union(*(_find_carried(part, values, known) for part in expression.args))
 
 
 def _find_carried_by_pieces(
-    pieces: sp.Piecewise, values: Mapping[sp.Basic, sp.Basic]
+    pieces: sp.Piecewise,
+    values: Mapping[sp.Basic, sp.Basic],
+    known: dict[sp.Basic, set[sp.Basic]],
 ) -> set[sp.Basic]:
-    carried = [find_carried(piece, values) for piece, _ in pieces.args if piece != sp.nan]
+    carried = [_find_carried(piece, values, known) for piece, _ in pieces.args if piece != sp.nan]
     always = set.intersection(*carried)
     if any(condition.has(sp.Ne) for _, condition in pieces.args):
         return always

@@ -7,7 +7,7 @@ the same code.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 
@@ -19,6 +19,7 @@ from mechproof.programs.evaluation import (
     Alongside,
     Enclosure,
     Evaluation,
+    Solved,
     count_axes,
     entries,
     find_carried,
@@ -50,7 +51,7 @@ class Kernel:
     digest: str
     code: KernelCode
     obligations: tuple[tuple[sp.Basic, ...], ...]
-    enclosures: tuple[tuple[Enclosure, ...], ...] = ((),)
+    enclosures: tuple[tuple[Enclosure | Solved, ...], ...] = ((),)
 
     @property
     def is_shipped(self) -> bool:
@@ -59,30 +60,55 @@ class Kernel:
 
 
 # The functions of the papers last asked for; a record with mappings in it has no hash.
-_built: list[tuple[Paper, tuple[Kernel, ...]]] = []
+_built: list[tuple[Paper, Functions]] = []
 MOST_BUILT = 8
 
 
+@dataclass(frozen=True)
+class Functions:
+    """The kernels of a paper, and by its name why a quantity has none and what mends that."""
+
+    kernels: tuple[Kernel, ...]
+    refused: Mapping[str, str]
+
+
 def list_functions(paper: Paper) -> tuple[Kernel, ...]:
-    """Build the kernel of every quantity that has forms, each followed by its rivals."""
+    """Build the kernel of every quantity that has forms, each followed by its rivals.
+
+    Raises NotImplementedError where a quantity has what no kernel can have.
+    """
+    functions = build_functions(paper)
+    for refusal in functions.refused.values():
+        raise NotImplementedError(refusal)
+    return functions.kernels
+
+
+def build_functions(paper: Paper) -> Functions:
+    """Build the kernel of every quantity that can have one, each followed by its rivals."""
     for known, functions in _built:
         if known is paper:
             return functions
-    functions = tuple(f for q in paper.quantities if q.forms for f in _build(q, paper))
+    kernels: list[Kernel] = []
+    refused: dict[str, str] = {}
+    for quantity in paper.quantities:
+        try:
+            kernels += _build(quantity, paper)
+        except NotImplementedError as error:
+            refused[quantity.name] = (
+                f"quantity {quantity.name}: {error}; known are powers, Piecewise, Max, Min, "
+                f"{KNOWN}: write its forms by these, or leave them out for no kernel of it"
+            )
+    functions = Functions(tuple(kernels), refused)
     _built[:] = [*_built[1 - MOST_BUILT :], (paper, functions)]
     return functions
 
 
-def _build(quantity: Quantity, paper: Paper) -> Iterator[Kernel]:
-    try:
-        yield build_kernel(quantity.name, quantity, quantity.shipped, paper)
-        for form in quantity.rivals:
-            yield build_kernel(name_rival(quantity, form), quantity, (form,), paper)
-    except NotImplementedError as error:
-        raise NotImplementedError(
-            f"quantity {quantity.name}: {error}; known are powers, Piecewise, Max, Min, {KNOWN}: "
-            "write its forms by these, or leave them out for no kernel of it"
-        ) from error
+def _build(quantity: Quantity, paper: Paper) -> list[Kernel]:
+    if not quantity.forms:
+        return []
+    kernel = build_kernel(quantity.name, quantity, quantity.shipped, paper)
+    named = ((name_rival(quantity, form), form) for form in quantity.rivals)
+    return [kernel, *(build_kernel(name, quantity, (form,), paper) for name, form in named)]
 
 
 def name_rival(quantity: Quantity, form: Form) -> str:

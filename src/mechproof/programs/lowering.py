@@ -22,7 +22,7 @@ from mechproof.programs.names import sort_positive_first, suggest_name
 from mechproof.programs.operations import KINDS, SYMBOLIC, Kind
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 from mechproof.record.relations import is_strict
-from mechproof.record.substitution import MOST_TERMS
+from mechproof.record.substitution import MOST_TERMS, STEPS, write_steps
 
 
 def _name_head(row: Kind) -> str:
@@ -36,7 +36,8 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
     {head: kind for kind, row in KINDS.items() if (head := _name_head(row))}
 )
 # What papers may have: functions by SymPy's own names.
-KNOWN = ", ".join(sorted(head for head, kind in FUNCTIONS.items() if not KINDS[kind].head))
+_PLAIN = [head for head, kind in FUNCTIONS.items() if not KINDS[kind].head]
+KNOWN = ", ".join(sorted([*_PLAIN, *(kind.__name__ for kind in STEPS), "Root"]))
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.CONSTANTS.items()})
 
 
@@ -64,7 +65,7 @@ class Lowering:
         """Add the operations of a relation, true where it holds for every value of its indices."""
         items = relation.atoms(sp.Indexed)
         self._axes = tuple(sorted({i for item in items for i in item.indices}, key=str))
-        result = self.lower(relation)
+        result = self.lower(write_steps(relation))
         axes, self._axes = self._axes, ()
         return self._add("every", result, len(axes)) if axes else result
 

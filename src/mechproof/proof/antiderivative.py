@@ -14,7 +14,10 @@ from mechproof.proof.continuity import find_break, has_pole
 from mechproof.proof.domain import Domain
 
 RUNG = "derivative, constant, continuity"
-_TRANSCENDENTAL = (sp.Integral, sp.atan, sp.atan2, sp.asin, sp.acos, sp.log)
+_TRANSCENDENTAL = (
+    *(sp.Integral, sp.atan, sp.atan2, sp.asin, sp.acos, sp.log),
+    *(sp.asinh, sp.acosh, sp.atanh),
+)
 _CANDIDATES = 2
 
 

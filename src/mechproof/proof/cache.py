@@ -21,7 +21,7 @@ from mechproof.record import Paper, Row
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
-LAYERS = ("record", "arithmetic", "proof")
+LAYERS = ("record", "latex", "arithmetic", "proof")
 
 
 def prover_sources() -> list[Path]:
@@ -72,6 +72,7 @@ def read_judgement(entry: Any) -> Judgement | None:
         changed: dict[str, Any] = {"verdict": Verdict(entry["verdict"])}
         changed["marks"] = tuple(entry["marks"])
         changed["singular"] = tuple(entry["singular"])
+        changed["cites"] = tuple(entry["cites"])
         changed["place"] = Place(**entry["place"]) if entry["place"] else None
         return Judgement(**{**entry, **changed, "evidence": evidence})
     except (KeyError, TypeError, ValueError):

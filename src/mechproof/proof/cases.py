@@ -21,6 +21,8 @@ Sides = tuple[sp.Expr, sp.Expr]
 # Of both sides and the domain.
 Prove = Callable[..., str | None]
 RUNG = "case by case"
+# Work limit: so many moduli, or numbers of which the largest is meant.
+_MOST_WRITTEN = 4
 
 
 def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
@@ -34,6 +36,42 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
         for holds, part in cases.items()
         if part is not None
     )
+
+
+def write_pieces(expression: sp.Expr) -> sp.Expr:
+    """Write moduli, largest and smallest of few numbers by pieces; nothing where they are many.
+
+    Nor where a symbol is bound, on which a condition might hang.
+    """
+    nodes = expression.atoms(sp.Abs, sp.Max, sp.Min)
+    if len(nodes) > _MOST_WRITTEN or any(len(node.args) > _MOST_WRITTEN for node in nodes):
+        return expression
+    if expression.has(ExprWithLimits):
+        return expression
+    return expression.replace(
+        lambda node: isinstance(node, sp.Abs | sp.Max | sp.Min), lambda node: _write_pieces(node)
+    )
+
+
+def _write_pieces(node: sp.Expr) -> sp.Expr:
+    """Write one by pieces that join, so that the seam may belong to either."""
+    if isinstance(node, sp.Abs):
+        return _choose(node.args[0], node.args[0], -node.args[0])
+    first, *others = node.args
+    for other in others:
+        sides = (first, other) if isinstance(node, sp.Max) else (other, first)
+        first = _choose(first - other, *sides)
+    return first
+
+
+def _choose(difference: sp.Expr, above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """Return one where the difference is positive, else the other; one condition in one way."""
+    if difference.could_extract_minus_sign():
+        difference, above, below = -difference, below, above
+    alone = [s for s in sorted(difference.free_symbols, key=str) if difference.coeff(s) == 1]
+    least = alone[0] - difference if alone else sp.S.Zero
+    condition = sp.Ge(alone[0] if alone else difference, least)
+    return sp.Piecewise((above, condition), (below, True))
 
 
 def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
@@ -52,7 +90,8 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 def narrow(domain: Domain, relation: Relational) -> Domain | None:
     """Return the part of a domain on which a relation holds, None for nothing.
 
-    What is no inequality narrows nothing, what is not solved is a relation of the part.
+    What is no inequality narrows nothing, what is not solved is a relation of the part. Of a part
+    that is left it is not said that it has a point.
     """
     relation = domain.resolve(relation)
     if relation == sp.false:
@@ -64,11 +103,37 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
         (symbol,) = symbols
         with suppress(NotImplementedError):
             narrowed = domain.set_of(symbol).intersect(solve(relation, symbol))
-            if narrowed == sp.S.EmptySet:
+            if narrowed == sp.S.EmptySet or _excludes(domain, symbol, narrowed):
                 return None
             if isinstance(narrowed, sp.Interval | sp.FiniteSet):
                 return replace(domain, within={**domain.within, symbol: narrowed})
+    if any(_contradicts(relation, other, domain) for other in domain.where):
+        return None
     return replace(domain, where=(*domain.where, relation))
+
+
+def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:
+    """Return whether a symbol has one value left, and a relation of the domain denies it."""
+    if not (isinstance(values, sp.FiniteSet) and len(values) == 1):
+        return False
+    (value,) = values
+    return any(relation.subs(symbol, value) == sp.false for relation in domain.where)
+
+
+def _contradicts(relation: Relational, other: sp.Basic, domain: Domain) -> bool:
+    """Return whether an inequality says the opposite of another relation of the domain."""
+    one, two = find_slack(relation), find_slack(other)
+    if one is None or two is None or one.value.free_symbols != two.value.free_symbols:
+        return False
+    ratio = sp.cancel(two.value / one.value)
+    if not (ratio.is_number and ratio.is_negative):
+        return False
+    apart = (r for r in domain.where if isinstance(r, sp.Ne))
+    return one.strict or two.strict or any(_is_multiple(r, one.value) for r in apart)
+
+
+def _is_multiple(apart: sp.Ne, value: sp.Expr) -> bool:
+    return bool(sp.cancel((apart.lhs - apart.rhs) / value).is_number)
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:

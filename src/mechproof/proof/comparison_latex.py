@@ -8,8 +8,10 @@ from itertools import islice
 from typing import Any
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.printing.latex import LatexPrinter, translate
 
+from mechproof.arithmetic import balls
 from mechproof.record import (
     Conjunction,
     Distinct,
@@ -20,22 +22,18 @@ from mechproof.record import (
     Variable,
 )
 
-# Nodes of a formula, and parts of a statement, that a reader still takes in.
-_MOST_NODES = 50
-_MOST_PARTS = 3
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _LONG_NAME = re.compile(r"[A-Za-z]{3,}(_\w+)?$")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
+# Numbers with so many parts are written by so many digits.
+_LONGEST_NUMBER, _DIGITS = 200, 15
 
 
 def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
-    """Return the LaTeX of what a print was compared with, empty if it was compared with nothing.
-
-    A formula that is too long to be read is replaced by words that say so.
-    """
+    """Return the LaTeX of what a print was compared with, empty if it was compared with nothing."""
     names = {v.symbol: v.latex[0] for v in variables if v.latex}
     return _compared(statement, names)
 
@@ -60,11 +58,8 @@ def _compared(statement: Statement, names: _NAMED) -> str:
         return _write(statement.rebuilt, names)
     if isinstance(statement, PrintedNumber):
         return _write(statement.value, names)
-    parts = list(dict.fromkeys(_list_parts(statement)))
-    shown = [_write_part(part, names) for part in parts[:_MOST_PARTS]]
-    more = len(parts) - len(shown)
-    shown += [rf"\text{{and {more} more}}"] if more else []
-    return r",\quad ".join(filter(None, shown))
+    parts = dict.fromkeys(_list_parts(statement))
+    return r",\quad ".join(filter(None, (_write_part(part, names) for part in parts)))
 
 
 def _list_parts(statement: Statement) -> Iterator[Statement]:
@@ -89,11 +84,28 @@ def _write_part(statement: Statement, names: _NAMED) -> str:
 
 
 def _write(formula: sp.Basic, names: _NAMED) -> str:
-    nodes = sum(1 for _ in islice(sp.preorder_traversal(formula), _MOST_NODES + 1))
-    if nodes > _MOST_NODES:
-        return rf"\text{{(a formula of more than {_MOST_NODES} terms, too long to be shown)}}"
-    text: str = _Printer(names).doprint(formula)
+    numbers = {part: sp.Dummy() for part in _find_numbers(formula)}
+    shown = {symbol: _write_number(part, names) for part, symbol in numbers.items()}
+    text: str = _Printer({**names, **shown}).doprint(formula.xreplace(numbers))
     return text
+
+
+def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
+    """Find the numbers that SymPy would compute to put the terms around them in order."""
+    if isinstance(formula, sp.Expr) and not formula.free_symbols:
+        whole = list(islice(sp.preorder_traversal(formula), _LONGEST_NUMBER))
+        if isinstance(formula, ExprWithLimits) or len(whole) == _LONGEST_NUMBER:
+            yield formula
+            return
+    for part in formula.args:
+        yield from _find_numbers(part)
+
+
+def _write_number(number: sp.Expr, names: _NAMED) -> str:
+    """Write a number that is too long to be read by its digits."""
+    if isinstance(number, ExprWithLimits):
+        return str(_Printer(names).doprint(number))
+    return rf"{balls.evaluate_until(number, {}, 64).mid().str(_DIGITS, radius=False)}\ldots"
 
 
 class _Printer(LatexPrinter):  # type: ignore[misc]

@@ -13,7 +13,10 @@ from mechproof.proof.signs import (
 )
 
 _POLES = 4
-_EVERYWHERE = (sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc)
+_EVERYWHERE = (
+    *(sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc),
+    *(sp.sinh, sp.cosh, sp.tanh, sp.asinh),
+)
 
 
 def find_break(expression: sp.Basic, variable: sp.Symbol, domain: Domain) -> sp.Basic | None:
@@ -55,6 +58,10 @@ def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
         return is_positive(node.args[0], domain)
     if isinstance(node, sp.asin | sp.acos):
         return all(is_nonnegative(1 + k * node.args[0], domain) for k in (1, -1))
+    if isinstance(node, sp.atanh):
+        return all(is_positive(1 + k * node.args[0], domain) for k in (1, -1))
+    if isinstance(node, sp.acosh):
+        return is_nonnegative(node.args[0] - 1, domain)
     return False
 
 

@@ -81,16 +81,21 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
     return expression.xreplace(replacement)
 
 
-def write_by_cosines(expression: sp.Expr) -> sp.Expr:
-    """Write even powers of sines by cosines; what is left are independent real symbols."""
+def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
+    """Write even powers of sines by cosines; what is left are independent real symbols.
+
+    Returned, too, are the symbols of the cosines, with their angles.
+    """
+    cosines: dict[sp.Symbol, sp.Expr] = {}
     replacement: dict[sp.Basic, sp.Expr] = {}
     squares: dict[sp.Symbol, sp.Expr] = {}
     for angle in list_angles(expression):
         c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
         replacement |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
         squares[s] = 1 - c**2
+        cosines[c] = angle
     above, below = (_lower(part, squares) for part in split(expression.subs(replacement)))
-    return above / below
+    return above / below, cosines
 
 
 def _lower(polynomial: sp.Expr, squares: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

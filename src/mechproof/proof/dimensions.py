@@ -26,6 +26,7 @@ from mechproof.record import (
     ValueWhere,
     family_of,
 )
+from mechproof.record.implicit import Implicit
 
 Dimensions = Mapping[sp.Basic, Dimension]
 _OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
@@ -90,6 +91,8 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return _power(expression, known)
     if isinstance(expression, sp.Sum | sp.Integral):
         return _of_sum_or_integral(expression, known)
+    if isinstance(expression, Implicit):
+        return _of_root(expression, known)
     if isinstance(expression, sp.Piecewise):
         return _of_pieces(expression, known)
     if isinstance(expression, sp.core.relational.Relational):
@@ -184,6 +187,12 @@ def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
         return result
     for _, *limits in node.limits:
         result = result * (_common(tuple(limits), known) or NUMBER)
+    return result
+
+
+def _of_root(node: Implicit, known: Dimensions) -> Dimension | None:
+    result = _common((*node.ends, node.start), known)
+    infer(node.function, {**known, node.unknown: result or NUMBER})
     return result
 
 

@@ -16,8 +16,10 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.proof.domain import Domain
-from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.proof.numbers import describe_number
+from mechproof.proof.verdict import Judgement, Place, Verdict, name_row, tell_print
 from mechproof.record import (
+    Check,
     Conjunction,
     Cost,
     Equality,
@@ -26,7 +28,9 @@ from mechproof.record import (
     Paper,
     PrintedNumber,
     Row,
+    Weight,
 )
+from mechproof.record.findings import WEIGHTS
 
 WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
 # What a value in radians, millimetres or parts of one is multiplied with.
@@ -45,6 +49,24 @@ _BITS = 60
 
 
 @dataclass(frozen=True)
+class LedgerCost:
+    """What a fault makes at one place: values by their names, in the unit; all as text."""
+
+    where: str
+    values: Mapping[str, str]
+    unit: str = ""
+
+    def __str__(self) -> str:
+        unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
+        return f"{self.where}: " + ", ".join(f"{n} {v}{unit}" for n, v in self.values.items())
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON record: the text, and its numbers as such."""
+        values = {name: describe_number(value) for name, value in self.values.items()}
+        return {"text": str(self), "where": self.where, "unit": self.unit, "values": values}
+
+
+@dataclass(frozen=True)
 class LedgerFinding:
     """One finding of the ledger."""
 
@@ -54,16 +76,32 @@ class LedgerFinding:
     marks: tuple[str, ...]
     printed_latex: str
     wrong: str
-    costs: tuple[str, ...]
+    costs: tuple[LedgerCost, ...]
     corrected_latex: str
     corrected_by: str
     follows: tuple[str, ...]
+    weight: Weight
+    mend_latex: str
+    mend_by: str
+    check: str
+    figure: str
+    place: Place | None = None
+
+    @property
+    def id(self) -> str:
+        """Return the name by which it can be cited: that of its row."""
+        return name_row(self.system, self.number)
 
     def as_dict(self) -> dict[str, object]:
         """Return the JSON record."""
         written = {field.name: getattr(self, field.name) for field in fields(self)}
-        lists = {name: list(written[name]) for name in ("marks", "costs", "follows")}
-        return {**written, "verdict": self.verdict.value, **lists}
+        place = written.pop("place")
+        written |= tell_print(written.pop("printed_latex"), is_source=place is not None)
+        lists = {name: list(written[name]) for name in ("marks", "follows")}
+        said = {"verdict": self.verdict.value, "weight": WEIGHTS[self.weight]}
+        said |= {"place": str(place)} if place else {}
+        costs = [cost.as_dict() for cost in self.costs]
+        return {"id": self.id, **written, **said, **lists, "costs": costs}
 
 
 def follower_rows(paper: Paper) -> tuple[Row, ...]:
@@ -81,19 +119,21 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[LedgerFinding, ...]:
-    """List the findings of a paper in the order of its rows; rows without a verdict are none.
+    """List the findings of a paper, the gravest first, else in the order of its rows.
 
-    Raises `ValueError` for a cause that is not wrong and a follower that does not follow.
+    Rows without a verdict are none. Raises `ValueError` for a cause that is not wrong, a follower
+    that does not follow and a mend that is not proved.
     """
     judged = {j.number: j for j in judgements}
     named = {finding.row: finding for finding in paper.findings}
     following = {follower.row for finding in paper.findings for follower in finding.followers}
     rows = [row for row in paper.rows if "ours" not in row.marks or row.number in named]
-    return tuple(
+    found = (
         _describe(paper, row, named.get(row.number), judged)
         for row in rows
         if row.number in named or (_is_wrong(row, judged) and row.number not in following)
     )
+    return tuple(sorted(found, key=lambda one: one.weight))
 
 
 def _is_wrong(row: Row, judged: Mapping[str, Judgement]) -> bool:
@@ -104,7 +144,7 @@ def _describe(
     paper: Paper, row: Row, finding: Finding | None, judged: Mapping[str, Judgement]
 ) -> LedgerFinding:
     about = judged[row.number]
-    finding = finding or Finding(row.number, about.reason)
+    finding = finding or Finding(row.number, about.reason, weight=_weigh(about.verdict))
     if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
         raise ValueError(f"paper {paper.system!r}: finding {row.number!r}: it is {about.verdict}")
     for follower in finding.followers:
@@ -114,6 +154,7 @@ def _describe(
                 f"paper {paper.system!r}: {follower.row!r} does not follow from {row.number!r}: "
                 f"with its correction it is {again.verdict}: {again.reason}"
             )
+    mend = _find_mend(finding, judged)
     return LedgerFinding(
         system=paper.system,
         number=row.number,
@@ -126,34 +167,60 @@ def _describe(
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
         follows=tuple(follower.row for follower in finding.followers),
+        weight=finding.weight,
+        mend_latex=mend.printed_latex if mend else "",
+        mend_by=mend.rung if mend else "",
+        check=_write_check(finding.check, Domain.of(paper)) if finding.check else "",
+        figure=finding.figure,
+        place=about.place,
     )
 
 
-def _show_witness(row: Judgement) -> Iterator[str]:
+def _weigh(verdict: Verdict) -> Weight:
+    return Weight.FORMULA if verdict is Verdict.ILL_FORMED else Weight.NUMBER
+
+
+def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement | None:
+    """Return the row whose print is the smallest mend; ValueError unless it is proved."""
+    if not finding.mend:
+        return None
+    mend = judged.get(finding.mend)
+    if mend is None or mend.verdict is not Verdict.PROVED:
+        found = mend.verdict if mend else "no row"
+        raise ValueError(f"finding {finding.row!r}: mend = {finding.mend!r}: it is {found}")
+    return mend
+
+
+def _write_check(check: Check, domain: Domain) -> str:
+    """Put the computed numbers into the sentence."""
+    unit = check.unit if check.unit in ("", "°") else f" {check.unit}"
+    values = (_value(value, {}, check.unit, check.text, domain) for value in check.values)
+    return check.text.format(*(f"{_round(value, check.decimals)}{unit}" for value in values))
+
+
+def _show_witness(row: Judgement) -> Iterator[LedgerCost]:
     """Show the values of both sides where they were first found to differ."""
     for item in row.evidence[:1]:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
-        values = ", ".join(f"{name} {value}" for name, value in sides if value)
         if at:
-            yield f"at {at}: {values}"
+            yield LedgerCost(f"at {at}", {name: value for name, value in sides if value})
 
 
-def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> str:
+def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> LedgerCost:
     """Write both values at a place and, of a printed and a right one, their difference."""
     domain = Domain.of(paper)
     sides = (
         _sides(row) if cost.printed is None or cost.right is None else (cost.printed, cost.right)
     )
-    values = [_value(side, cost, domain) for side in sides]
-    unit = cost.unit if cost.unit in ("", "°") else f" {cost.unit}"
+    values = [_value(side, cost.at, cost.unit, cost.where, domain) for side in sides]
     differ = cost.names == PRINTED_AND_RIGHT
     literally = differ and verdict is Verdict.CONVENTION
     named = dict(zip(READ_AND_RIGHT if literally else cost.names, values, strict=True))
     if differ:
         named["off by"] = abs(values[0] - values[1])
-    texts = (f"{name} {_round(value, cost)}{unit}" for name, value in named.items())
-    return f"{cost.where}: {', '.join(texts)}"
+    rounded = {name: str(_round(value, cost.decimals)) for name, value in named.items()}
+    return LedgerCost(cost.where, rounded, cost.unit)
 
 
 def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
@@ -165,24 +232,24 @@ def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
     raise ValueError(f"row {row.number!r}: a cost of it has to state both of its values")
 
 
-def _value(side: sp.Expr, cost: Cost, domain: Domain) -> balls.Ball:
-    if cost.unit not in UNITS:
-        raise ValueError(f"{cost.where}: unit = {cost.unit!r}: allowed are {', '.join(UNITS)}")
-    placed = domain.resolve(side).subs(cost.at, simultaneous=True)
+def _value(
+    side: sp.Expr, at: Mapping[sp.Basic, sp.Expr], unit: str, where: str, domain: Domain
+) -> balls.Ball:
+    if unit not in UNITS:
+        raise ValueError(f"{where}: unit = {unit!r}: allowed are {', '.join(UNITS)}")
+    placed = domain.resolve(side).subs(at, simultaneous=True)
     if placed.free_symbols:
-        raise ValueError(
-            f"{cost.where}: no size is given for {sorted(map(str, placed.free_symbols))}"
-        )
-    value = balls.evaluate_until(UNITS[cost.unit] * placed, {}, _BITS)
+        raise ValueError(f"{where}: no size is given for {sorted(map(str, placed.free_symbols))}")
+    value = balls.evaluate_until(UNITS[unit] * placed, {}, _BITS)
     if not value.is_finite():
-        raise ValueError(f"{cost.where}: {side} has no value there")
+        raise ValueError(f"{where}: {side} has no value there")
     return value
 
 
-def _round(value: balls.Ball, cost: Cost) -> Decimal:
+def _round(value: balls.Ball, decimals: int) -> Decimal:
     """Round the middle of a ball that is far smaller than the last place."""
     middle = Decimal(value.mid().str(40, radius=False))
-    return middle.quantize(Decimal(1).scaleb(-cost.decimals))
+    return middle.quantize(Decimal(1).scaleb(-decimals))
 
 
 def _find(rows: Mapping[str, Row], number: str) -> Row:

@@ -63,6 +63,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         corrected_latex=row.corrected.latex if row.corrected else "",
         corrected_by=answer.corrected_by,
         compared_with=write_compared(row.statement, paper.variables),
+        cites=row.cites,
     )
 
 

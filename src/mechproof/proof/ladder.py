@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -10,14 +10,17 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof import bisection, taylor
+from mechproof.proof import bisection, newton, taylor
 from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.bisection import holds_on_interval
-from mechproof.proof.cases import decide_by_pieces, decide_by_values
+from mechproof.proof.cases import decide_by_pieces, decide_by_values, write_pieces
 from mechproof.proof.definedness import list_unshown, need_the_same, tell
 from mechproof.proof.domain import Domain
+from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.limits import settle_limits
+from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.preparation import prepare, take_values
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.refutation import (
@@ -41,15 +44,27 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    NotCheckable,
     PrintedNumber,
     Slack,
     Statement,
+    Unwritten,
 )
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.relations import find_slack
-from mechproof.record.substitution import substitute
+from mechproof.record.substitution import substitute, write_steps
 
 IDENTICAL = "identical"
+SIGN = "sign in positive coordinates"
+UNCOMPARED = "nothing to compare with"
+# The rungs of two scalars, cheapest first.
+_EQUAL = (
+    decide_equal,
+    decide_by_argument,
+    decide_by_derivative,
+    decide_by_logarithms,
+    decide_by_induction,
+)
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 # Characters of an expression that a reason names.
@@ -105,12 +120,21 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     rung = f"entrywise, {_join([answer.rung for answer in told.values()])}"
     if verdict is Verdict.PROVED:
         return Answer(verdict, rung, f"all {len(told)} entries agree")
-    named = [(f"entry ({row + 1}, {column + 1})", a) for (row, column), a in told.items()]
+    named = {f"entry ({row + 1}, {column + 1})": a for (row, column), a in told.items()}
+    return _tell_all(named, rung)
+
+
+def _tell_all(failed: Mapping[str, Answer], rung: str = "") -> Answer:
+    """Return the worst verdict of parts that fail, with what is said of each of them."""
+    order = [*_WORST_FIRST, *Verdict]
+    named = sorted(failed.items(), key=lambda item: order.index(item[1].verdict))
     reason = "; ".join(f"{name}: {answer.reason}" for name, answer in named)
+    worst = named[0][1]
     if len(named) == 1:
-        return Answer(verdict, rung, reason, named[0][1].evidence)
+        return replace(worst, rung=rung or worst.rung, reason=reason)
     evidence = [replace(e, what=f"{name}: {e.what}") for name, a in named for e in a.evidence]
-    return Answer(verdict, rung, reason, tuple(evidence))
+    rung = rung or _join([a.rung for _, a in named if a.verdict is worst.verdict])
+    return replace(worst, rung=rung, reason=reason, evidence=tuple(evidence))
 
 
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
@@ -141,15 +165,22 @@ def _tell_needs(needs: Sequence[list[Slack]]) -> str:
 
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
-    printed, rebuilt = take_values(printed), take_values(rebuilt)
+    printed, rebuilt = (write_steps(take_values(side)) for side in (printed, rebuilt))
     if printed == rebuilt:
         return IDENTICAL
     if printed.has(sp.Piecewise) or rebuilt.has(sp.Piecewise):
         return decide_by_pieces((printed, rebuilt), domain, _prove_equal)
     printed, rebuilt = prepare(printed), prepare(rebuilt)
-    rungs = (decide_equal, decide_by_argument, decide_by_derivative)
-    found = next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
-    return found or decide_by_values((printed, rebuilt), domain, _prove_equal)
+    found = next(filter(None, (rung(printed, rebuilt, domain) for rung in _EQUAL)), None)
+    found = found or decide_by_antiderivative(printed, rebuilt, domain, _prove_equal)
+    found = found or decide_by_values((printed, rebuilt), domain, _prove_equal)
+    return found or _prove_by_cases((printed, rebuilt), domain)
+
+
+def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
+    """Prove sides equal for each sign of what stands in moduli."""
+    one, other = map(write_pieces, sides)
+    return None if (one, other) == tuple(sides) else _prove_equal(one, other, domain)
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
@@ -205,13 +236,16 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return Answer(Verdict.PROVED, rung, f"true {where}")
     violation = find_violation(relation, domain)
     if violation:
-        return Answer(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
-    reason = f"{_explain_relation(relation)}; no violation at any point tried"
+        reason = newton.explain(relation, domain) or "a point violates it"
+        return Answer(Verdict.REFUTED, "separating balls", reason, (violation,))
+    reason = f"{_explain_relation(relation, domain)}; no violation at any point tried"
     return Answer(Verdict.UNDECIDED, "enclosure", reason)
 
 
-def _explain_relation(relation: sp.Basic) -> str:
-    """Name the sign that is not shown."""
+def _explain_relation(relation: sp.Basic, domain: Domain) -> str:
+    """Name the sign that is not shown, or what of a root is not."""
+    if told := newton.explain(relation, domain):
+        return told
     slack = find_slack(relation)
     return _clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
 
@@ -236,16 +270,33 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     values = [balls.evaluate(side, {}, 512) for side in sides]
     plain, enclosed = show_plainly(*values), balls.show_apart(*values)
     sign = f" {_SIGNS.get(sign, sign)} "
-    evidence = Evidence(f"{sign.join(enclosed)} {outcome}")
+    shown = {"printed": enclosed[0], "rebuilt": enclosed[1]} if holds is False else {}
+    evidence = Evidence(f"{sign.join(enclosed)} {outcome}", **shown)
     return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
 
 
 def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
+    if newton.converges(relation, domain):
+        return newton.RUNG
     if holds_near_zero(relation, domain):
         return taylor.RUNG
     if holds_on_interval(relation, domain):
         return bisection.RUNG
-    return "sign in positive coordinates" if _holds_by_sign(relation, domain) else None
+    return SIGN if _holds_by_sign(relation, domain) else _hold_by_cases(relation, domain)
+
+
+def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
+    """Prove an inequality for each sign of what stands in moduli."""
+    slack = find_slack(relation)
+    if slack is None or (written := write_pieces(slack.value)) == slack.value:
+        return None
+
+    def prove(value: sp.Expr, zero: sp.Expr, part: Domain) -> str | None:
+        if value.has(sp.Piecewise):
+            return decide_by_pieces((value, zero), part, prove)
+        return SIGN if is_shown(slack._replace(value=value), part) else None
+
+    return prove(written, sp.S.Zero, domain)
 
 
 def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
@@ -257,13 +308,13 @@ def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     answers = [decide(part, domain) for part in statement.parts]
-    failed = [
-        (d, f"part {number} of {len(answers)}: ")
+    failed = {
+        f"part {number} of {len(answers)}": d
         for number, d in enumerate(answers, start=1)
         if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)
-    ]
-    for answer, part in sorted(failed, key=lambda item: item[0].verdict is not Verdict.REFUTED):
-        return replace(answer, reason=f"{part if len(answers) > 1 else ''}{answer.reason}")
+    }
+    if failed:
+        return next(iter(failed.values())) if len(answers) == 1 else _tell_all(failed)
     evidence = tuple(item for answer in answers for item in answer.evidence)
     reason = f"all {len(answers)} parts hold"
     only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
@@ -302,6 +353,10 @@ def _define(statement: Definition, domain: Domain) -> Answer:
     return Answer(Verdict.DEFINITION, "definition", reason)
 
 
+def _refuse(statement: Unwritten, domain: Domain) -> Answer:
+    return Answer(Verdict.UNDECIDED, "none", statement.reason)
+
+
 def _join(rungs: list[str]) -> str:
     return ", ".join(dict.fromkeys(rungs))
 
@@ -316,4 +371,8 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     Definition: _define,
     Conjunction: _decide_conjunction,
     Completions: _decide_completions,
+    NotCheckable: lambda statement, domain: Answer(
+        Verdict.NOT_CHECKABLE, UNCOMPARED, f"not checkable: {statement.lacks}"
+    ),
+    Unwritten: _refuse,
 }

@@ -5,16 +5,21 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from html import escape
 
 from mechproof.notebook import Displayed
+from mechproof.proof.cards import make_card
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
+from mechproof.record.findings import WEIGHTS
 
+# The `$id` of ledger.schema.json, which lies beside this module.
+SCHEMA = "urn:mechproof:ledger:1"
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
@@ -25,9 +30,11 @@ COUNTED = (*CLASSES.values(), OURS)
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
 INTRODUCTION = """# Ledger
 
-What is wrong, ambiguous or missing in print comes first, each cause once: the findings. Then every
-printed equation and every checkable claim of the papers, with the verdict that `mechproof verify`
-computes. This page is generated; the same findings and rows are in `ledger.json`. "Read as" is what
+What is wrong, ambiguous or missing in print comes first, each cause once and the gravest first: the
+findings. What their mends take out of a print is red, what they put in is green. Then every printed
+equation and every checkable claim of the papers, with the verdict that `mechproof verify` computes.
+This page is generated; the same findings and rows are in `ledger.json`, by the `id` that is also
+the anchor of a row here (`LEDGER.md#elliptic_planetary/eq-12`). "Read as" is what
 was read from the print and judged; rows marked *as typed* were typed by hand. A rung is the way in
 which a row was decided; the last section explains each. The formulas of what is proved, and what
 they were compared with, are folded away below each table.
@@ -35,6 +42,24 @@ they were compared with, are folded away below each table.
 Marks say what a row rests on; rows marked *ours* are counted apart:
 
 """
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What the rows of a paper were read from: its DOI, and the version of a transcription.
+
+    `sentences` is how many the transcription numbers; `aside` says why no row judges some of them.
+    """
+
+    doi: str = ""
+    transcription: str = ""
+    sentences: int = 0
+    aside: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, paper: Paper) -> Origin:
+        """Return that of a paper."""
+        return cls(paper.doi, paper.transcription, paper.sentences, dict(paper.aside))
 
 
 @dataclass(frozen=True)
@@ -53,6 +78,7 @@ class Ledger:
     shipped: frozenset[str] = frozenset()
     failures: tuple[str, ...] = ()
     left: tuple[Left, ...] = ()
+    origin: Origin = Origin()
 
     @property
     def outcomes(self) -> set[str]:
@@ -92,13 +118,29 @@ def _count(judgements: Sequence[Judgement]) -> str:
 
 
 def to_json(ledgers: Sequence[Ledger]) -> str:
-    """Return the findings and rows of ledgers as JSON, each on a line of its own."""
-    findings = [finding.as_dict() for ledger in ledgers for finding in ledger.findings]
-    rows = [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements]
-    tables = {"findings": findings, "rows": rows}
+    """Return papers, findings and rows of ledgers as JSON, each on a line of its own.
+
+    What each field means stands in `ledger.schema.json` beside this module.
+    """
+    tables: dict[str, list[dict[str, object]]] = {
+        "papers": [
+            {"system": ledger.system, "citation": ledger.citation, **asdict(ledger.origin)}
+            for ledger in ledgers
+        ],
+        "findings": [found.as_dict() for found in sort_findings(ledgers)],
+        "rows": [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements],
+    }
     if left := [row.as_dict() for ledger in ledgers for row in ledger.left]:
         tables["left"] = left
-    return "{\n" + ",\n".join(f'"{name}": [{_lines(t)}]' for name, t in tables.items()) + "\n}\n"
+    written = [f'"$schema": "{SCHEMA}"']
+    written += [f'"{name}": [{_lines(table)}]' for name, table in tables.items()]
+    return "{\n" + ",\n".join(written) + "\n}\n"
+
+
+def sort_findings(ledgers: Sequence[Ledger]) -> list[LedgerFinding]:
+    """Return the findings of all papers, the gravest first, else in the order of the papers."""
+    found = [finding for ledger in ledgers for finding in ledger.findings]
+    return sorted(found, key=lambda finding: finding.weight)
 
 
 def _lines(records: Sequence[dict[str, object]]) -> str:
@@ -110,7 +152,7 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
     """Return the ledger as a page; formulas are LaTeX between dollar signs."""
     marks = "\n".join(f"- *{mark}*: {meaning}" for mark, meaning in MARKS.items())
     parts = [f"{INTRODUCTION}{marks}\n", "\n## Findings\n"]
-    parts += [_finding(found) for ledger in ledgers for found in ledger.findings]
+    parts += [_finding(found) for found in sort_findings(ledgers)]
     for ledger in ledgers:
         parts += [_heading(ledger), _table(ledger.judgements)]
         parts.append(_list_compared(ledger.judgements))
@@ -120,14 +162,17 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
 
 
 def _finding(found: LedgerFinding) -> str:
-    paragraphs = [
-        f"### {found.system} {_escape(found.number)}: {found.verdict}{_show_marks(found.marks)}",
-        _formula(found.printed_latex),
-        _escape(found.wrong),
-        "\n".join(f"- {_escape(cost)}" for cost in found.costs),
-    ]
-    if found.corrected_latex:
-        paragraphs += [f"Right (proved: {found.corrected_by}):", _formula(found.corrected_latex)]
+    card, number = make_card(found), f"[{_escape(found.number)}](#{found.id})"
+    heading = f"### {found.system} {number}: {found.verdict}{_show_marks(found.marks)}"
+    paragraphs = [heading, f"*{WEIGHTS[found.weight]}*", _formula(card.printed)]
+    if card.mend:
+        paragraphs += [f"Right (proved: {card.mend_by}):", _formula(card.mend)]
+    if card.general:
+        paragraphs += [f"In general (proved: {card.general_by}):", _formula(card.general)]
+    paragraphs += [_escape(found.wrong)]
+    paragraphs += ["\n".join(f"- {_escape(str(cost))}" for cost in found.costs)]
+    paragraphs += [f"Check: {_escape(found.check)}" if found.check else ""]
+    paragraphs += [f"Figure: {found.figure}" if found.figure else ""]
     if found.follows:
         paragraphs.append(f"Follows from it: {_escape('; '.join(found.follows))}.")
     return "\n\n".join(filter(None, paragraphs)) + "\n"
@@ -147,7 +192,8 @@ def _table(judgements: Sequence[Judgement]) -> str:
     lines = ["| number | read as | verdict | reason | rung |", "|---|---|---|---|---|"]
     for j in judgements:
         cells = (f"{j.number}{_show_marks(j.marks)}", j.read_as, j.verdict.value, j.reason, j.rung)
-        lines.append("| " + " | ".join(_escape(cell) for cell in cells) + " |")
+        written = " | ".join(_escape(cell) for cell in cells)
+        lines.append(f'| <a id="{escape(j.id)}"></a>{written} |')
     return "\n".join(lines) + "\n"
 
 

@@ -16,6 +16,11 @@ RUNGS = {
     "derivative": "both sides have the same derivative",
     "constant": "both sides have the same value at one point",
     "continuity": "both sides are continuous over the whole domain, so no branch is lost",
+    "antiderivative": "the integral has the value of an antiderivative, which is proved to be one "
+    "and to be continuous up to both limits",
+    "logarithms and powers": "both sides are the same once powers of positive bases are written as "
+    "exponentials and logarithms of products as sums",
+    "induction": "both sides are equal for one term, and each further term adds the same to both",
     "sign in positive coordinates": "an inequality whose sign is read from the coefficients after "
     "a change to coordinates that are positive exactly on the domain",
     "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
@@ -23,6 +28,9 @@ RUNGS = {
     "Taylor series with its remainder in balls": "what is small near 0 is bounded by its series: "
     "the first coefficients vanish exactly, the others and the remainder add up to no more than "
     "the bound",
+    "Newton's method in balls": "a bracket has one root for all sizes, and Newton's steps from the "
+    "start end within the bound of it: shown on parts of the domain, by the signs at the ends, the "
+    "sign of the derivative, and Kantorovich's bound",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
@@ -31,6 +39,7 @@ RUNGS = {
     "enclosure": "no proof is found; the enclosures of both sides meet at every point tried",
     "entrywise": "a matrix is decided entry by entry, by the rungs that follow",
     "two completions": "a missing datum is completed in two ways, with opposite answers",
+    "nothing to compare with": "what the print says is decided by nothing that is printed",
     "definition": "the print introduces a symbol, so there is nothing to prove",
     "well-formedness": "the print has no value: a differential, an index or an argument is missing",
     "dimensions": "quantities of unlike dimension are added: the value changes with the units",

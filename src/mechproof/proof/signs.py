@@ -10,9 +10,11 @@ Yang (2005), who repeats it for every order of the symbols; here the domain stat
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.proof.coordinates import (
     Coordinates,
@@ -45,9 +47,54 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of the expression on the domain, or None if it is not shown."""
     expression = domain.resolve(expression)
     try:
-        return _find_sign_with_ends(expression, domain)
+        sign = _find_sign_with_ends(expression, domain)
+    except (NotImplementedError, sp.PolynomialError):
+        sign = None
+    if sign is not None and sign.strict:
+        return sign
+    return (
+        _find_sign_with_roots(expression, domain) or _find_sign_in_box(expression, domain) or sign
+    )
+
+
+def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Let square roots of what is positive be positive numbers of which no more is known."""
+    roots = {p.base for p in expression.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
+    known = {b for b in roots if b.free_symbols and b.is_Mul | b.is_Add and is_positive(b, domain)}
+    if not known:
+        return None
+    numbers = {base: sp.Dummy("root", positive=True) for base in known}
+    named = expression.replace(
+        lambda node: node.is_Pow and node.base in numbers and node.exp.is_Rational,
+        lambda node: numbers[node.base] ** (2 * node.exp),
+    )
+    sets = dict.fromkeys(numbers.values(), sp.Interval.open(0, sp.oo))
+    return find_sign(named, replace(domain, within={**domain.within, **sets}))
+
+
+def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Let the cosines, where no sine is left, be numbers up to one of which no more is known."""
+    if not expression.has(sp.sin, sp.cos) or expression.has(ExprWithLimits):
+        return None
+    if not is_workable(expression):
+        return None
+    try:
+        written, cosines = write_by_cosines(expression)
     except (NotImplementedError, sp.PolynomialError):
         return None
+    if not written.free_symbols <= expression.free_symbols | cosines.keys():
+        return None
+    above, below = sp.fraction(written)
+    within = dict(domain.within)
+    for cosine, angle in cosines.items():
+        least = 0 if _is_acute(angle, domain) else -1
+        if all(part.subs(cosine, -cosine).expand() == part.expand() for part in (above, below)):
+            square = sp.Dummy("q", nonnegative=True)
+            above, below = (p.expand().subs(cosine, sp.sqrt(square)) for p in (above, below))
+            within[square] = sp.Interval(0, 1, left_open=least == 0)
+        else:
+            within[cosine] = sp.Interval(least, 1, left_open=least == 0)
+    return find_sign(above / below, replace(domain, within=within))
 
 
 def is_positive(expression: sp.Expr, domain: Domain) -> bool:
@@ -122,7 +169,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
             break
     changed = name_absolute_values(changed, coordinates)
     sign = _sign_by_half_angles(changed, coordinates)
-    return sign if sign else sign_of_quotient(write_by_cosines(changed), coordinates)
+    return sign if sign else sign_of_quotient(write_by_cosines(changed)[0], coordinates)
 
 
 def _change_coordinates(expression: sp.Expr, domain: Domain) -> Coordinates:

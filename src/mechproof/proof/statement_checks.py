@@ -29,6 +29,7 @@ from mechproof.record import (
     Slack,
     Statement,
 )
+from mechproof.record.implicit import Implicit
 from mechproof.record.parts import find_free, find_parts
 
 Side = tuple[str, sp.Basic]
@@ -135,10 +136,12 @@ def _check_bound(name: str, side: sp.Basic, domain: Domain) -> None:
 
 
 def _facts_of_bound(node: ExprWithLimits, limits: list[sp.Expr], domain: Domain) -> Facts:
-    if not isinstance(node, sp.Integral):
+    if isinstance(node, sp.Sum | sp.Product):
         lower = limits[0] if limits else -sp.oo
         counts = ((lower - 1, sp.S.Naturals), (lower, sp.S.Naturals0))
         return facts_of(next((s for e, s in counts if _has_sign(e, 1, domain)), sp.S.Integers))
+    if isinstance(node, Implicit):
+        limits = list(node.ends)
     for direction, strict, where in _HALF_LINES:
         if limits and all(_has_sign(end, direction, domain, strict) for end in limits):
             return facts_of(where)

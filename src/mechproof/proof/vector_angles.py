@@ -3,17 +3,23 @@
 Where x1 and x2 are positive, the sum lies between -pi and pi and is the argument of the product
 of both vectors taken as complex numbers. Two arguments are equal exactly if their vectors point
 the same way: no cross product, a positive scalar product; where they point does not matter then.
+Arctangents of numbers may be added up any number of times.
 """
 
 from __future__ import annotations
 
+from math import lcm
+
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_positive
 
 RUNG = "arguments of vectors"
+# Work limit: so many times an angle is added.
+_MOST_TURNS = 24
 Vector = tuple[sp.Expr, sp.Expr]
 
 
@@ -22,6 +28,8 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     parted = [
         term.as_coeff_Mul(rational=True) for term in sp.Add.make_args(domain.resolve(left - right))
     ]
+    if all(node == sp.pi or _is_angle_of_number(node) for _, node in parted):
+        return RUNG if _is_nothing(parted, domain) else None
     sizes = {abs(factor) for factor, _ in parted}
     is_sum = all(isinstance(node, sp.atan | sp.atan2) for _, node in parted)
     if not is_sum or len(sizes) > 1 or len(parted) not in (2, 3):
@@ -36,6 +44,31 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     for sign, node in others:
         product = _multiply(product, _vector(node), -sign / factor)
     return RUNG if _same_direction(_vector(alone), product, domain) else None
+
+
+def _is_angle_of_number(node: sp.Expr) -> bool:
+    return isinstance(node, sp.atan | sp.atan2) and not node.free_symbols
+
+
+def _is_nothing(parted: list[tuple[sp.Rational, sp.Expr]], domain: Domain) -> bool:
+    """Tell whether angles add up to nothing: whole multiples of them point along the first axis.
+
+    That leaves whole turns, which balls exclude (as in Machin's formula for pi).
+    """
+    scale = lcm(*(int(factor.q) for factor, node in parted if node != sp.pi))
+    product: Vector = (sp.S.One, sp.S.Zero)
+    for factor, node in parted:
+        turns = scale * factor
+        if node == sp.pi:
+            product = _multiply(product, (sp.cos(turns * sp.pi), sp.sin(turns * sp.pi)), sp.S.One)
+            continue
+        if abs(turns) > _MOST_TURNS:
+            return False
+        for _ in range(abs(int(turns))):
+            product = _multiply(product, _vector(node), sp.sign(turns))
+    total = sp.Add(*(factor * node for factor, node in parted))
+    is_no_turn = balls.truth(sp.Lt(sp.Abs(scale * total), sp.pi, evaluate=False), {})
+    return is_no_turn is True and _same_direction((sp.S.One, sp.S.Zero), product, domain)
 
 
 def _vector(node: sp.Expr) -> Vector:

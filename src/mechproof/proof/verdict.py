@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
 
+from mechproof.latex.sentences import is_sentence
 from mechproof.notebook import Displayed
+from mechproof.proof.anchors import name_anchor
+from mechproof.proof.numbers import describe_number
 
 
 class Verdict(StrEnum):
@@ -21,6 +24,7 @@ class Verdict(StrEnum):
     DEFINITION = "DEFINITION"
     ENCLOSED = "ENCLOSED"
     UNDERDETERMINED = "UNDERDETERMINED"
+    NOT_CHECKABLE = "NOT_CHECKABLE"
     UNDECIDED = "UNDECIDED"
 
 
@@ -50,9 +54,24 @@ MEANINGS: Mapping[Verdict, str] = MappingProxyType(
         Verdict.ENCLOSED: "not proved: the difference is enclosed at stated points",
         Verdict.UNDERDETERMINED: "the paper lacks a named datum: two completions of it give "
         "opposite answers",
+        Verdict.NOT_CHECKABLE: "what it would be compared with, named here, is lost or not printed",
         Verdict.UNDECIDED: "none of the others, with what could not be shown",
     }
 )
+
+
+def name_row(system: str, number: str) -> str:
+    """Return the name by which a row can be cited: its paper and its number."""
+    return f"{system}/{name_anchor(number)}"
+
+
+def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
+    """Tell a print, which is verbatim, from a sentence, which a transcription gives in our words.
+
+    All that stands in a paper's own source is verbatim.
+    """
+    name = "paraphrase" if is_sentence(latex) and not is_source else "print"
+    return {"print": "", "paraphrase": "", name: latex}
 
 
 @dataclass(frozen=True)
@@ -84,7 +103,7 @@ class Left:
             "number": self.number,
             "place": str(self.place),
             "state": self.state.value,
-            "printed_latex": self.printed_latex,
+            **tell_print(self.printed_latex, is_source=True),
             "reason": self.reason,
             "remedy": self.remedy,
         }
@@ -92,17 +111,24 @@ class Left:
 
 @dataclass(frozen=True)
 class Evidence:
-    """What a verdict rests on: where, and the two sides as balls, or a witness in words."""
+    """What a verdict rests on: where, and the two sides as balls, or a witness in words.
+
+    `dimension` is that of both sides: angles are in radians.
+    """
 
     what: str
     at: dict[str, str] = field(default_factory=dict)
     printed: str = ""
     rebuilt: str = ""
+    dimension: str = ""
 
     def as_dict(self) -> dict[str, object]:
         """Return the record that goes into the ledger; empty fields are left out."""
-        fields = {"what": self.what, "at": self.at, "printed": self.printed}
-        fields["rebuilt"] = self.rebuilt
+        fields: dict[str, object] = {"what": self.what}
+        fields["at"] = {name: describe_number(value) for name, value in self.at.items()}
+        sides = {"printed": self.printed, "rebuilt": self.rebuilt}
+        fields |= {name: describe_number(text) for name, text in sides.items() if text}
+        fields["dimension"] = self.dimension
         return {name: value for name, value in fields.items() if value}
 
 
@@ -121,7 +147,8 @@ class Answer:
 class Judgement(Displayed):
     """One line of the ledger; `on` is the part of the paper's domain that it is said of.
 
-    `compared_with` is the LaTeX of the other side; `place` is where a paper's own source has it.
+    `compared_with` is the LaTeX of the other side; `cites` are the sentences of the transcription
+    that it judges; `place` is where a paper's own source has it.
     """
 
     system: str
@@ -139,7 +166,13 @@ class Judgement(Displayed):
     corrected_latex: str
     corrected_by: str
     compared_with: str
+    cites: tuple[str, ...] = ()
     place: Place | None = None
+
+    @property
+    def id(self) -> str:
+        """Return the name by which a row can be cited: its paper and its number."""
+        return name_row(self.system, self.number)
 
     @property
     def sides(self) -> tuple[str, str]:
@@ -149,15 +182,17 @@ class Judgement(Displayed):
     def as_dict(self) -> dict[str, object]:
         """Return the JSON row."""
         return {
+            "id": self.id,
             "system": self.system,
             "number": self.number,
             **({"place": str(self.place)} if self.place else {}),
+            "cites": list(self.cites),
             "kind": self.kind,
             "verdict": self.verdict.value,
             "reason": self.reason,
             "rung": self.rung,
             "marks": list(self.marks),
-            "printed_latex": self.printed_latex,
+            **tell_print(self.printed_latex, is_source=self.place is not None),
             "read_as": self.read_as,
             "compared_with": self.compared_with,
             "on": self.on,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.dimensions import is_angle
+from mechproof.proof.dimensions import DimensionError, infer_common, is_angle
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.verdict import Evidence
 
@@ -29,10 +29,23 @@ def describe(
 ) -> Evidence:
     """Return the evidence of two values at a point: where it is, whose sizes these are."""
     left, right = balls.show_apart(*values)
-    if is_angle(sides, domain.dimensions):
+    dimension = _tell_dimension(sides, domain)
+    if dimension == "angle":
         degrees = show_plainly(*(value * 180 / balls.to_ball(sp.pi) for value in values))
         left, right = (f"{b} ({d}°)" for b, d in zip((left, right), degrees, strict=True))
-    return Evidence(f"{what}{_tell_sources(point, domain)}", show_point(point, domain), left, right)
+    told = f"{what}{_tell_sources(point, domain)}"
+    return Evidence(told, show_point(point, domain), left, right, dimension)
+
+
+def _tell_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
+    """Tell the dimension that both sides have; of what has none, or two, nothing."""
+    if is_angle(sides, domain.dimensions):
+        return "angle"
+    try:
+        found = infer_common(sides, domain.dimensions)
+    except DimensionError:
+        return ""
+    return "" if found is None else str(found)
 
 
 def show_plainly(*values: balls.Ball) -> tuple[str, ...]:

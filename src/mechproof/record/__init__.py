@@ -13,8 +13,9 @@ from mechproof.record.expressions import (
     ValueWhere,
     sum_distinct,
 )
-from mechproof.record.findings import Cost, Finding, Follower
+from mechproof.record.findings import Check, Cost, Finding, Follower, Weight
 from mechproof.record.forms import Chart, Form, Peer, Written
+from mechproof.record.implicit import Root
 from mechproof.record.needs import list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
@@ -46,8 +47,10 @@ from mechproof.record.statements import (
     Distinct,
     Equality,
     Holds,
+    NotCheckable,
     PrintedNumber,
     Statement,
+    Unwritten,
 )
 from mechproof.record.variables import Notation, Part, Scope, Variable, family_of, list_given
 
@@ -63,6 +66,7 @@ __all__ = [
     "Argument",
     "ChainLink",
     "Chart",
+    "Check",
     "Claim",
     "Completion",
     "Completions",
@@ -82,6 +86,7 @@ __all__ = [
     "FunctionWithoutArgument",
     "Holds",
     "IntegralWithoutDifferential",
+    "NotCheckable",
     "Notation",
     "Paper",
     "Part",
@@ -93,6 +98,7 @@ __all__ = [
     "Reading",
     "RecordError",
     "Repeats",
+    "Root",
     "Row",
     "Scale",
     "Scope",
@@ -101,8 +107,10 @@ __all__ = [
     "Statement",
     "Together",
     "Toleranced",
+    "Unwritten",
     "ValueWhere",
     "Variable",
+    "Weight",
     "Written",
     "family_of",
     "list_given",

@@ -4,9 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import IntEnum
 from types import MappingProxyType
 
 import sympy as sp
+
+
+class Weight(IntEnum):
+    """What a finding changes for a reader, the gravest first."""
+
+    CONCLUSION = 0
+    NUMBER = 1
+    FORMULA = 2
+    WORDING = 3
+
+
+WEIGHTS: Mapping[Weight, str] = MappingProxyType(
+    {
+        Weight.CONCLUSION: "changes a conclusion",
+        Weight.NUMBER: "changes a number that a reader would use",
+        Weight.FORMULA: "a formula cannot be evaluated as printed",
+        Weight.WORDING: "the wording misleads",
+    }
+)
+
+
+@dataclass(frozen=True)
+class Check:
+    """A check for a pocket calculator: a sentence with its numbers as {0}, {1}, ... computed.
+
+    The values are exact; they are shown in the unit, rounded to so many decimals.
+    """
+
+    text: str
+    values: tuple[sp.Expr, ...] = ()
+    decimals: int = 3
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -45,6 +78,8 @@ class Follower:
 class Finding:
     """A root cause: the row that shows it, what is wrong in a plain sentence, and what it costs.
 
+    `mend` is the number of a proved row whose print is the smallest mend, where that is less than
+    the correction of the row; `figure` is the name of a picture that shows the fault.
     `follows` are the rows that are wrong for this reason alone: with the correction of the root in
     the place of its print each of them is proved, which is a row of the ledger.
     """
@@ -53,6 +88,10 @@ class Finding:
     wrong: str
     costs: tuple[Cost, ...] = ()
     follows: tuple[str | Follower, ...] = ()
+    weight: Weight = Weight.NUMBER
+    mend: str = ""
+    check: Check | None = None
+    figure: str = ""
 
     @property
     def followers(self) -> tuple[Follower, ...]:

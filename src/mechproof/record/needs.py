@@ -21,7 +21,7 @@ _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
     sp.atanh: lambda x: (Slack(1 - x, True), Slack(1 + x, True)),
 }
 # Denominators of these may be zero on whole intervals.
-_KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Piecewise)
+_KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
 
 
 def list_partial(expression: sp.Basic) -> Iterator[sp.Expr]:

@@ -47,7 +47,9 @@ class Paper(Displayed):
 
     `usual` are sizes as in practice of symbols that have no printed one: they decide nothing, but
     a difference is shown at them first. `print` is the file of the paper's own source: what it has
-    besides the rows is judged as far as that needs no mechanics.
+    besides the rows is judged as far as that needs no mechanics. `transcription` is the version of
+    the transcription that the rows were read from, a date or a number, and `sentences` how many it
+    numbers (S1, S2, ...); those that no row judges stand in `aside`, with the reason.
     """
 
     system: str
@@ -63,6 +65,10 @@ class Paper(Displayed):
     notation: Notation = field(default_factory=Notation)
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
     print: Path | None = None
+    doi: str = ""
+    transcription: str = ""
+    sentences: int = 0
+    aside: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         check_name("paper: system", self.system)
@@ -80,8 +86,14 @@ class Paper(Displayed):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
+        _check_sentences(self)
         for together in self.together:
             _check_together(self, together)
+
+    @property
+    def reference(self) -> str:
+        """Return the citation with the DOI."""
+        return f"{self.citation}, doi {self.doi}" if self.doi else self.citation
 
     @property
     def given(self) -> dict[sp.Symbol, sp.Expr]:
@@ -91,6 +103,17 @@ class Paper(Displayed):
     def list_relations(self, *parts: Part | None) -> tuple[sp.Basic, ...]:
         """List the relations that hold wherever the paper and all parts of its domain speak."""
         return self.where + tuple(r for part in parts if part for r in part.where)
+
+
+def _check_sentences(paper: Paper) -> None:
+    """Refuse numbers of sentences that the transcription does not have, or that are aside, too."""
+    cited = {name for row in paper.rows for name in row.cites}
+    known = {f"S{number}" for number in range(1, paper.sentences + 1)}
+    where = f"paper {paper.system!r}"
+    if unknown := sorted((cited | paper.aside.keys()) - known):
+        raise ValueError(f"{where}: sentences = {paper.sentences}: there are no {unknown}")
+    if both := sorted(cited & paper.aside.keys()):
+        raise ValueError(f"{where}: aside: rows judge {both}")
 
 
 def _check_together(paper: Paper, together: Together) -> None:

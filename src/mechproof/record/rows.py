@@ -23,6 +23,7 @@ MARKS = {
     "calibrated": "rests on a number that the paper does not print and that was reconstructed",
     "fitted": "rests on a number that was fitted to this very print, which is no confirmation",
     "ours": "not printed in the paper: a result that other rows or the kernels rest on",
+    "consequence": "what follows from the rows for the paper's own numbers and conclusions",
 }
 
 
@@ -87,7 +88,8 @@ class Row:
     the place of the declared value. `residual` is what they give for left - right of an equation
     between independent symbols. `substituted` is put into both members before they are compared
     (tg(x/2) -> U). `defines` are symbols that the print introduces. `links` has by number, from
-    1 on, what one relation has instead. `read_as` is filled in by the reader.
+    1 on, what one relation has instead. `cites` are the sentences of the transcription that the
+    row judges, by their numbers (S52). `read_as` is filled in by the reader.
     """
 
     kind: ClassVar[Literal["equation", "claim", "datum"]]
@@ -107,6 +109,7 @@ class Row:
     substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
     defines: tuple[sp.Basic, ...] = ()
     links: Mapping[int, ChainLink] = field(default_factory=lambda: MappingProxyType({}))
+    cites: tuple[str, ...] = ()
     read_as: str = ""
 
     def __post_init__(self) -> None:

@@ -132,7 +132,35 @@ class Completions:
             raise RecordError("Completions: name what is missing, and complete it in two ways")
 
 
-Statement = Equality | Distinct | Holds | PrintedNumber | Definition | Conjunction | Completions
+@dataclass(frozen=True)
+class NotCheckable:
+    """The print asserts something, and what it would be compared with is lost or not printed."""
+
+    lacks: str
+
+    def __post_init__(self) -> None:
+        if not self.lacks.strip():
+            raise RecordError("NotCheckable: name what is lost or not printed")
+
+
+@dataclass(frozen=True)
+class Unwritten:
+    """No kernel is written of a quantity: why, and what would mend that. It is never proved."""
+
+    reason: str
+
+
+Statement = (
+    Equality
+    | Distinct
+    | Holds
+    | PrintedNumber
+    | Definition
+    | Conjunction
+    | Completions
+    | NotCheckable
+    | Unwritten
+)
 
 
 def check_statement(says: object) -> None:

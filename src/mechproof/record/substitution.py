@@ -1,11 +1,12 @@
 """Substitution that captures nothing: a bound symbol gives way to a free one of the same name.
 
-Sums of a few terms are written out here, too.
+Sums of a few terms are written out here, too, and steps.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -56,6 +57,24 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
             inner = [(b, *(end.subs(bound, fresh) for end in es)) for b, *es in limits[:place]]
             limits = [*inner, (fresh, *ends), *limits[place + 1 :]]
     return [body, *(sp.Tuple(*limit) for limit in limits)]
+
+
+def write_steps(expression: sp.Basic) -> sp.Basic:
+    """Write what jumps by floors and by pieces."""
+    for kind, write in STEPS.items():
+        if expression.has(kind):
+            expression = expression.replace(kind, write)
+    return expression
+
+
+def _write_step(number: sp.Expr, at_zero: sp.Expr) -> sp.Expr:
+    above = sp.Piecewise((1, number > 0), (at_zero, True))
+    return sp.Piecewise((0, number < 0), (above, True))
+
+
+STEPS: Mapping[type[sp.Basic], Callable[..., sp.Expr]] = MappingProxyType(
+    {sp.ceiling: lambda number: -sp.floor(-number), sp.Heaviside: _write_step}
+)
 
 
 def write_sums_out(

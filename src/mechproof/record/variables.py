@@ -61,7 +61,8 @@ class Notation:
     are letters that depend on another: that one, and the symbols of their derivatives by it, the
     first one first. `name_unit` returns the unit that is printed so, nothing for what is none:
     units are read behind numbers then. `phases` are pairs of letters whose product is an angle: a
-    function without brackets takes both, `\cos\omega t`.
+    function without brackets takes both, `\cos\omega t`. `dimensions` are those of letters with a
+    unit: they tell the brackets that multiply one from those that hold an argument.
     """
 
     factors: tuple[str, ...] = ()
@@ -77,6 +78,7 @@ class Notation:
     )
     name_unit: Callable[[str], str] | None = None
     phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()
+    dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=lambda: MappingProxyType({}))
 
 
 @dataclass(frozen=True)

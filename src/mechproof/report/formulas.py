@@ -7,14 +7,13 @@ from collections.abc import Iterator
 
 from markupsafe import Markup, escape
 
+from mechproof.latex.sentences import is_sentence, list_parts, walk_outside
 from mechproof.report.mathml import read_text, write_formula
 
 # Formulas within words are broken at their commas if they have more letters than a line.
 LONG = 40
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
-# Text that is read as words; shorter pieces are names and units within a formula.
-WORDS = re.compile(r"[^\W\d_]{4}|[^\W\d_]{2}.* |^ .*[^\W\d_]{2}|^ ")
 
 
 def write_print(latex: str) -> Markup:
@@ -35,16 +34,11 @@ def write_lines(latex: str) -> Markup:
     return Markup("").join(map(write_print, dict.fromkeys(_split(latex, GAP))))
 
 
-def is_sentence(latex: str) -> bool:
-    """Return whether words stand in it outside every group and every bracket."""
-    return any(is_text and WORDS.search(part) for is_text, part in _list_parts(latex))
-
-
 def write_sentence(latex: str) -> Markup:
     """Write words as words, and the formulas between them as such."""
     parts = (
         Markup(escape(read_text(part))) if is_text else _write_within(part)
-        for is_text, part in _list_parts(latex)
+        for is_text, part in list_parts(latex)
     )
     return Markup("").join(parts)
 
@@ -62,48 +56,8 @@ def _write_inline(latex: str) -> Markup:
     return Markup('<span class="long">{}</span>').format(math) if len(latex) > LONG else math
 
 
-def _list_parts(latex: str) -> Iterator[tuple[bool, str]]:
-    r"""Yield what lies in \text{...} outside of groups, and what lies between."""
-    start = 0
-    for begin, end in _find_texts(latex):
-        if latex[start:begin].strip():
-            yield False, latex[start:begin]
-        yield True, latex[begin + len(r"\text{") : end]
-        start = end + 1
-    if latex[start:].strip():
-        yield False, latex[start:]
-
-
-def _find_texts(latex: str) -> Iterator[tuple[int, int]]:
-    for place in _walk_outside(latex):
-        if latex.startswith(r"\text{", place):
-            end = _find_end(latex, place + len(r"\text{"))
-            if end < len(latex):
-                yield place, end
-
-
-def _walk_outside(latex: str) -> Iterator[int]:
-    r"""Yield the places that lie in no group, no \left...\right and no environment."""
-    depth = 0
-    for token in re.finditer(r"\\[A-Za-z]+|\\.|.", latex, re.DOTALL):
-        closes = token[0] in ("}", r"\right", r"\end")
-        opens = token[0] in ("{", r"\left", r"\begin")
-        if depth == 0:
-            yield token.start()
-        depth = max(depth + opens - closes, 0)
-
-
-def _find_end(latex: str, start: int) -> int:
-    depth = 1
-    for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
-        depth += {"{": 1, "}": -1}.get(token[0], 0)
-        if depth == 0:
-            return start + token.start()
-    return len(latex)
-
-
 def _split(latex: str, gap: re.Pattern[str]) -> Iterator[str]:
-    outside = set(_walk_outside(latex))
+    outside = set(walk_outside(latex))
     places = [m.span() for m in gap.finditer(latex) if m.start() in outside]
     edges = [0, *(edge for span in places for edge in span), len(latex)]
     return (latex[low:high] for low, high in zip(edges[::2], edges[1::2], strict=True))

@@ -11,10 +11,10 @@ from typing import Any
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import write_svg
 from mechproof.plot.motion import motion
+from mechproof.proof.anchors import name_anchors
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.report.anchors import name_anchors
 from mechproof.report.layout import read_stylesheet, render
 from mechproof.report.papers import count_totals, describe_finding, list_prints
 from mechproof.report.pictures import Picture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
@@ -11,7 +12,7 @@ from itertools import cycle
 import jinja2
 from markupsafe import Markup, escape
 
-from mechproof.report.anchors import slugify
+from mechproof.proof.anchors import slugify
 from mechproof.report.rows import MARKED
 from mechproof.report.words import set_prose
 
@@ -28,6 +29,14 @@ def render(template: str, **data: object) -> str:
 def read_stylesheet() -> str:
     """Return the one stylesheet."""
     return files("mechproof.report").joinpath("templates", STYLESHEET).read_text(encoding="utf-8")
+
+
+def read_font() -> str:
+    """Return the rule of the stylesheet that holds the font of formulas."""
+    font = files("mechproof.report").joinpath("font", "mechproof-math.woff2").read_bytes()
+    data = b64encode(font).decode("ascii")
+    source = f"url(data:font/woff2;base64,{data}) format('woff2')"
+    return f'@font-face {{ font-family: "Mechproof Math"; src: {source}; }}\n'
 
 
 @cache

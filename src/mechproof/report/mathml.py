@@ -25,6 +25,8 @@ ESCAPED = re.compile(r"\\([_%#&$ ])")
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
 # What SymPy calls a variable of integration so that it is no other: its name and a line.
 DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
+# The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
+MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
 PRIMES = ("′", "″", "‴")
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
@@ -59,7 +61,10 @@ def _as_letter(name: re.Match[str]) -> str:
 def _mend(element: Element) -> None:
     """Read entities, drop what is not allowed, and say what the library leaves to the browser."""
     element.text = unescape(element.text) if element.text else element.text
+    colour = element.attrib.get("mathcolor", "")
     element.attrib = {k: v for k, v in element.attrib.items() if k in ATTRIBUTES}
+    if colour in MARKS:
+        element.set("class", MARKS[colour])
     if element.tag == "mtext" and element.text:
         element.text = read_text(element.text)
     if element.tag == "mover" and element[-1].tag == "mo":

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
+from mechproof.proof.anchors import find_equation, name_anchors, name_equation
+from mechproof.proof.cards import make_card
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Left
-from mechproof.record import Paper, Row, Variable
-from mechproof.report.anchors import find_equation, name_anchors, name_equation
+from mechproof.record import Paper, Row, Variable, Weight
+from mechproof.record.findings import WEIGHTS
 from mechproof.report.formulas import write_print
 from mechproof.report.mathml import write_formula
 from mechproof.report.rows import (
@@ -27,10 +29,12 @@ from mechproof.report.rows import (
 from mechproof.report.sources import Source
 from mechproof.report.words import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
 
+CONSEQUENCE = "consequence"
+
 
 @dataclass(frozen=True)
 class FindingView:
-    """A finding, with where the row stands that shows it and where those stand that follow."""
+    """The card of a finding, with where the rows stand that show it and that follow."""
 
     system: str
     number: str
@@ -38,11 +42,21 @@ class FindingView:
     look: VerdictStyle
     marks: tuple[str, ...]
     printed: Markup
+    weight: Weight
+    mend: Markup
+    mend_by: str
+    general: Markup
+    general_by: str
     wrong: Markup
     costs: tuple[Markup, ...]
-    corrected: Markup
-    corrected_by: str
+    check: Markup
+    figure: str
     follows: tuple[tuple[str, str], ...]
+
+    @property
+    def matter(self) -> str:
+        """Return what it changes for a reader."""
+        return WEIGHTS[self.weight]
 
 
 @dataclass(frozen=True)
@@ -104,8 +118,9 @@ class Section:
 class PaperView:
     """The page of a paper; `loose` are figures that stand after no row.
 
-    `found` counts the verdicts of what is printed, `ours` those of our own rows, `left` the rows
-    of a paper's own source that have none.
+    `found` counts the verdicts of what is printed, `ours` those of our own rows on the page (those
+    of kernels stand on the pages of their quantities), `left` the rows of a paper's own source that
+    have none.
     """
 
     system: str
@@ -131,13 +146,15 @@ def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
     anchors = _name_all(ledger)
     sections = tuple(_list_sections(source, anchors, figures))
     shown = {name for section in sections for entry in section.entries for name in entry.figures}
+    on_page = {entry.row.number for section in sections for entry in section.entries}
+    shown_rows = [row for row in ledger.judgements if row.number in on_page]
     return PaperView(
         system=paper.system,
-        citation=paper.citation,
+        citation=paper.reference,
         conventions=paper.conventions,
         totals=tuple(count_totals(ledger.judgements)),
         found=count_verdicts([row for row in ledger.judgements if classify(row) != OURS]),
-        ours=count_verdicts([row for row in ledger.judgements if classify(row) == OURS]),
+        ours=count_verdicts([row for row in shown_rows if classify(row) == OURS]),
         left=count_left(ledger.left),
         findings=tuple(describe_finding(found, anchors) for found in ledger.findings),
         failures=tuple(_strip_failures(source)),
@@ -157,17 +174,23 @@ def _name_all(ledger: JudgedPaper) -> dict[str, str]:
 
 def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> FindingView:
     """Describe a finding by the anchors of its paper's rows."""
+    card = make_card(found)
     return FindingView(
         system=found.system,
         number=found.number,
         anchor=anchors[found.number],
         look=look_of(found.verdict),
         marks=found.marks,
-        printed=write_print(found.printed_latex),
+        printed=write_print(card.printed),
+        weight=found.weight,
+        mend=write_print(card.mend),
+        mend_by=card.mend_by,
+        general=write_print(card.general),
+        general_by=card.general_by,
         wrong=set_prose(found.wrong),
-        costs=tuple(map(set_prose, found.costs)),
-        corrected=write_print(found.corrected_latex),
-        corrected_by=found.corrected_by,
+        costs=tuple(set_prose(str(cost)) for cost in found.costs),
+        check=set_prose(found.check),
+        figure=found.figure,
         follows=tuple((number, anchors[number]) for number in found.follows),
     )
 
@@ -199,34 +222,31 @@ def _list_sections(
 ) -> Iterator[Section]:
     paper, judged = source.ledger.paper, {j.number: j for j in source.ledger.judgements}
     own = {row.number for row in paper.rows}
+    follows = {row.number for row in paper.rows if CONSEQUENCE in row.marks}
     again = {
         f"{follower.row}, with {finding.row} corrected"
         for finding in paper.findings
         for follower in finding.followers
     }
     views = _view_rows(source, anchors)
+    printed = [view for view in views if view.number not in follows]
     yield Section(
-        "rows", "The paper, row by row", "", tuple(_place(views, figures, mark_equations=True))
+        "rows", "The paper, row by row", "", tuple(_place(printed, figures, mark_equations=True))
+    )
+    yield Section(
+        "consequences",
+        "Consequences",
+        "What the rows mean for the paper's own numbers and conclusions, computed by the kernels.",
+        tuple(_place([view for view in views if view.number in follows], figures)),
     )
     symbols = name_symbols(paper)
-    others = [row for number, row in judged.items() if number not in own]
-    for key, title, says, rows in (
-        (
-            "corrected",
-            "With the correction inserted",
-            "What follows from a finding is true with its correction in the place of the print.",
-            [row for row in others if row.number in again],
-        ),
-        (
-            "code",
-            "What the source of the kernels computes",
-            "Every form was read back from the source that was emitted, and compared with the "
-            "definition of its quantity.",
-            [row for row in others if row.number not in again],
-        ),
-    ):
-        shown = [describe_row(row, anchors[row.number], symbols) for row in rows]
-        yield Section(key, title, says, tuple(_place(shown, figures)))
+    others = [row for number, row in judged.items() if number in again - own]
+    yield Section(
+        "corrected",
+        "With the correction inserted",
+        "What follows from a finding is true with its correction in the place of the print.",
+        tuple(_place([describe_row(r, anchors[r.number], symbols) for r in others], figures)),
+    )
 
 
 def _view_rows(source: Source, anchors: Mapping[str, str]) -> list[RowView]:

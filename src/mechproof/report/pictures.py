@@ -5,19 +5,23 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import partial
+from importlib.resources import files
 from pathlib import Path
 
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
+from mechproof.cache import Store, make_key
+from mechproof.json_rows import write_lines
 from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
 from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
-from mechproof.measured import Record
+from mechproof.measured import KERNELS, Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
 from mechproof.processes import WorkerError, run_tasks
+from mechproof.reads import HERE, list_program
 
 # Seconds for a picture; beyond, something hangs.
 LIMIT = 300.0
@@ -25,6 +29,12 @@ SMALL = 7.5
 # Points; a column has 241.
 NARROW = 300.0
 OVERVIEW = "overview"
+KEPT = Store("pictures.json")
+MOST_KEPT = 400
+PACKAGES = ("matplotlib", "numpy")
+# What charts are drawn by, and what no figure shows.
+CHART_SOURCES = ("lab", "plot", "measured.py")
+UNSEEN = ("cli", "report", "document", "latex", "improvement", "certification.py", "pasted.py")
 
 
 @dataclass(frozen=True)
@@ -51,27 +61,35 @@ class Picture:
 
 @dataclass(frozen=True)
 class PictureTask:
-    """A picture that is to be drawn, and what stands in its place if it hangs or crashes."""
+    """A picture that is to be drawn, and what stands in its place if it hangs or crashes.
+
+    `key` is the digest of what it shows and of what draws it.
+    """
 
     draw: Callable[[], Picture]
     blank: Picture
+    key: str
 
 
 def draw_pictures(
     tasks: Mapping[str, PictureTask],
     report: Callable[[str], None] = lambda text: None,
 ) -> dict[str, Picture]:
-    """Draw on all processors; what fails is a picture with its failure."""
-    names = list(tasks)
-    drawn: dict[str, Picture] = {}
-    calls = [task.draw for task in tasks.values()]
+    """Draw on all processors what is not kept; what fails is a picture with its failure."""
+    kept = KEPT.read()
+    drawn = {name: Picture(**kept[t.key]) for name, t in tasks.items() if t.key in kept}
+    names = [name for name in tasks if name not in drawn]
+    calls = [tasks[name].draw for name in names]
     for number, picture in run_tasks(_call, calls, limit=LIMIT):
         name = names[number]
         if isinstance(picture, WorkerError):
             picture = replace(tasks[name].blank, failure=str(picture))
         drawn[name] = picture
-        report(f"{len(drawn)} of {len(names)} pictures: {name}")
-    return {name: drawn[name] for name in names}
+        report(f"{len(drawn)} of {len(tasks)} pictures: {name}")
+    if names:
+        new = {tasks[n].key: asdict(p) for n, p in drawn.items() if not p.failure}
+        KEPT.write(dict(list({**kept, **new}.items())[-MOST_KEPT:]))
+    return {name: drawn[name] for name in tasks}
 
 
 def _call(draw: Callable[[], Picture]) -> Picture:
@@ -82,7 +100,9 @@ def list_charts(record: Record) -> dict[str, PictureTask]:
     """List the charts of a quantity, one for each workload."""
     return {
         f"{record.quantity}, {workload}": PictureTask(
-            partial(chart, record, workload, count), Picture(record.quantity, workload, "")
+            partial(chart, record, workload, count),
+            Picture(record.quantity, workload, ""),
+            _key_of(CHART_SOURCES, workload, *write_lines(record)),
         )
         for workload, count in list_workloads(record)
     }
@@ -100,7 +120,11 @@ def list_overview(records: Sequence[Record]) -> dict[str, PictureTask]:
     """List the picture of all quantities where there are several."""
     if len(records) < 2:
         return {}
-    return {OVERVIEW: PictureTask(partial(overview, records), Picture("All quantities", "", ""))}
+    lines = [line for record in records for line in write_lines(record)]
+    key = _key_of(CHART_SOURCES, OVERVIEW, *lines)
+    return {
+        OVERVIEW: PictureTask(partial(overview, records), Picture("All quantities", "", ""), key)
+    }
 
 
 def overview(records: Sequence[Record]) -> Picture:
@@ -118,9 +142,25 @@ def list_figures(place: Path) -> dict[str, PictureTask]:
         for figure in find_figures(place)
     ]
     return {
-        f"{place.stem}, {blank.name}": PictureTask(partial(draw_figure, place, blank), blank)
+        f"{place.stem}, {blank.name}": PictureTask(
+            partial(draw_figure, place, blank), blank, _key_figure(place, blank)
+        )
         for blank in blanks
     }
+
+
+def _key_figure(place: Path, blank: Picture) -> str:
+    """Return the digest of all that a figure is drawn from: its folder, kernels, the runtime."""
+    folder = place if place.is_dir() else place.parent
+    program = [path for path in list_program() if path.relative_to(HERE).parts[0] not in UNSEEN]
+    own = [path for path in folder.rglob("*") if path.suffix in (".py", ".tex")]
+    kernels = sorted(Path(str(files(KERNELS))).rglob("*.py"))
+    return make_key([*program, *sorted(own), *kernels], PACKAGES, *map(str, asdict(blank).values()))
+
+
+def _key_of(sources: Sequence[str], *parts: str) -> str:
+    paths = [path for path in list_program() if path.relative_to(HERE).parts[0] in sources]
+    return make_key(paths, PACKAGES, *parts)
 
 
 def draw_figure(place: Path, blank: Picture) -> Picture:

@@ -18,15 +18,17 @@ from mechproof.codegen.docstrings import (
     tell_accuracy,
     tell_unit,
 )
-from mechproof.codegen.forms import number_form
-from mechproof.lab.chart_points import find_time, list_workloads
+from mechproof.codegen.forms import list_form_numbers, number_form
+from mechproof.lab.chart_points import find_time, find_usual_set, list_workloads
 from mechproof.measured import Record, Searched
-from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
+from mechproof.programs.kernel import Kernel, build_functions, input_names, shape_of
+from mechproof.proof.anchors import name_anchors
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
 from mechproof.report.formulas import write_lines
 from mechproof.report.mathml import write_formula
+from mechproof.report.rows import RowView, describe_row, name_symbols
 from mechproof.report.sources import Source
 from mechproof.report.words import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
 
@@ -46,27 +48,40 @@ class ArgumentView:
 
 
 @dataclass(frozen=True)
-class FormView:
-    """One way to compute: its name, what is proved of it, what it loses and what it costs.
+class Costs:
+    """What a way loses and costs, as written; empty where nothing was measured.
 
-    `error` and `time` are empty where nothing was measured.
+    `usual` is the error in usual calls, `absolute` the same in the unit of the quantity.
     """
+
+    error: str = ""
+    usual: str = ""
+    absolute: str = ""
+    time: str = ""
+    ratio: str = ""
+
+
+@dataclass(frozen=True)
+class FormView:
+    """One way to compute: its name, what is proved of it, what it loses and what it costs."""
 
     name: str
     is_shipped: bool
     look: VerdictStyle
     rung: str
-    error: str
-    time: str
-    ratio: str
     note: Markup
+    costs: Costs
 
 
 @dataclass(frozen=True)
 class Measured:
-    """What the record says of the quantity: the worst error found, where, when and on what."""
+    """What the record says of the quantity: the worst error found, where, when and on what.
+
+    `usual` says what usual calls are.
+    """
 
     worst: str
+    usual: Markup
     unit: str
     points: str
     searched: Markup
@@ -96,12 +111,13 @@ class QuantityView:
     forms: tuple[FormView, ...]
     calls: tuple[tuple[str, str, str], ...]
     charts: tuple[str, ...]
+    rows: tuple[RowView, ...]
 
 
 def describe_quantities(source: Source) -> Iterator[QuantityView]:
     """Describe every quantity of a paper."""
     paper = source.ledger.paper
-    kernels = {kernel.name: kernel for kernel in list_functions(paper)}
+    kernels = {kernel.name: kernel for kernel in build_functions(paper).kernels}
     header = _write_header(paper)
     told = {quantity.name: quantity for quantity in source.told.quantities}
     for quantity in paper.quantities:
@@ -115,7 +131,7 @@ def describe_quantities(source: Source) -> Iterator[QuantityView]:
             source=quantity.source,
             unit=tell_unit(quantity.unit),
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
-            formula=_write(quantity.definition, paper.variables),
+            formula=_write_definition(quantity, paper),
             given=tuple(_write_given(quantity, paper)),
             domain=set_prose(describe_domain(quantity, paper).replace("oo", "∞")),
             notes=tuple(_pick_notes(kernel, paper)),
@@ -125,6 +141,7 @@ def describe_quantities(source: Source) -> Iterator[QuantityView]:
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(_list_calls(quantity, source, header)),
             charts=tuple(_name_charts(record)) if record else (),
+            rows=tuple(_list_rows(quantity, source)),
         )
 
 
@@ -136,8 +153,27 @@ def _name_charts(record: Record) -> Iterator[str]:
     return (f"{record.quantity}, {workload}" for workload, _ in list_workloads(record))
 
 
-def _write(formula: sp.Basic, variables: Sequence[Variable]) -> Markup:
-    return write_lines(write_latex(formula, variables))
+def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
+    """Write the formula behind the letter that it gives, or the name of the function."""
+    definition, given = quantity.definition, paper.given
+    names = [symbol for symbol, value in given.items() if value == definition]
+    if definition in given:
+        names, definition = [definition], given[definition]
+    arguments = ",".join(
+        write_latex(symbol, paper.variables) for a in quantity.arguments for symbol in a.symbols
+    )
+    name = quantity.name.replace("_", r"\_")
+    left = write_latex(names[0], paper.variables) if names else rf"\mathrm{{{name}}}({arguments})"
+    return write_lines(f"{left}={write_latex(definition, paper.variables)}")
+
+
+def _list_rows(quantity: Quantity, source: Source) -> Iterator[RowView]:
+    """View the rows that say what the source of its forms computes."""
+    judged = {j.number: j for j in source.ledger.judgements}
+    anchors, symbols = name_anchors(judged), name_symbols(source.ledger.paper)
+    for number in list_form_numbers(quantity):
+        if number in judged:
+            yield describe_row(judged[number], anchors[number], symbols)
 
 
 def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
@@ -187,6 +223,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
     machine = record.machine
     return Measured(
         worst="none" if worst is None else f"{worst:.3g}",
+        usual=set_prose(find_usual_set(record)),
         unit=record.error_unit,
         points=f"{sum(row.points - row.undecided for row in rows):,}",
         searched=set_prose(searched),
@@ -225,8 +262,9 @@ def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> It
     for number, way in enumerate(record.ways if record else ()):
         if way.name not in known:
             look = MEASURED if way.kind == "peer" else look_of(way.verdict)
+            note = set_prose(way.note)
             costs = _find_costs(record, way.name)
-            yield FormView(way.name, number == 0, look, way.rung, *costs, set_prose(way.note))
+            yield FormView(way.name, number == 0, look, way.rung, note, costs)
 
 
 def _view_form(
@@ -244,22 +282,29 @@ def _view_form(
         if value is not None
     ]
     note = Markup("; ").join([*parts, *filter(None, (set_prose(form.note),))])
-    return FormView(
-        form.name, shipped, look, row.rung if row else "", *_find_costs(record, way), note
+    rung = row.rung if row else ""
+    return FormView(form.name, shipped, look, rung, note, _find_costs(record, way))
+
+
+def _find_costs(record: Record | None, way: str) -> Costs:
+    """Return the errors, the time per point of the first workload, and its ratio, as written."""
+    if record is None:
+        return Costs()
+    usual = next((e for e in record.errors_of(way) if e.set == find_usual_set(record)), None)
+    timing = find_time(record, way, *list_workloads(record)[0])
+    return Costs(
+        error=_write_found(record.worst_of(way)),
+        usual=_write_found(usual.worst_scaled if usual else None),
+        absolute=_write_found(usual.worst_absolute if usual else None),
+        time=_write_found(timing.median if timing else None),
+        ratio=_write_found(timing.ratio if timing else None),
     )
 
 
-def _find_costs(record: Record | None, way: str) -> tuple[str, str, str]:
-    """Return the worst error, the time per point of the first workload, and its ratio."""
-    if record is None:
-        return "", "", ""
-    worst = record.worst_of(way)
-    error = "" if worst is None else "none right" if worst == float("inf") else f"{worst:.3g}"
-    timing = find_time(record, way, *list_workloads(record)[0])
-    if timing is None:
-        return set_numbers(error), "", ""
-    ratio = "" if timing.ratio is None else f"{timing.ratio:.2g}"
-    return set_numbers(error), set_numbers(f"{timing.median:.3g}"), set_numbers(ratio)
+def _write_found(value: float | None) -> str:
+    if value is None:
+        return ""
+    return "none right" if value == float("inf") else set_numbers(f"{value:.3g}")
 
 
 def _write_header(paper: Paper) -> str:

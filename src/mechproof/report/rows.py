@@ -25,6 +25,8 @@ from mechproof.report.words import (
 # Evidence beyond so many items is folded away.
 SHOWN = 4
 NOTHING = Markup()
+# Letters of LaTeX beyond which a formula is folded away, and beyond which it is no more set.
+LONG, LONGEST = 500, 3000
 MARKED = {**MARKS, "as typed": "its statement was typed by hand, not read from the print"}
 
 
@@ -54,6 +56,7 @@ class RowView:
     read_as: str = ""
     reason: Markup = NOTHING
     compared: Markup = NOTHING
+    compared_is_long: bool = False
     evidence: tuple[Witness, ...] = ()
     more_evidence: tuple[Witness, ...] = ()
     corrected: Markup = NOTHING
@@ -84,7 +87,8 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         printed=write_print(row.printed_latex),
         read_as=row.read_as,
         reason=set_prose(row.reason),
-        compared=write_lines(row.compared_with),
+        compared=_write_compared(row.compared_with),
+        compared_is_long=len(row.compared_with) > LONG,
         evidence=witnesses[:SHOWN],
         more_evidence=witnesses[SHOWN:],
         corrected=write_print(row.corrected_latex),
@@ -112,6 +116,12 @@ def describe_left(row: Left, anchor: str) -> RowView:
     return RowView(
         anchor, row.number, look, False, (), printed, failure=says, place=_say_place(row.place)
     )
+
+
+def _write_compared(latex: str) -> Markup:
+    if len(latex) > LONGEST:
+        return Markup('<code class="latex">{}</code>').format(latex)
+    return write_lines(latex)
 
 
 def _say_place(place: Place | None) -> str:

@@ -9,8 +9,8 @@ from pathlib import Path
 from mechproof.made import STAGED, ForeignFileError, Made
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.rungs import RUNGS
-from mechproof.report.layout import STYLESHEET, read_stylesheet, render
-from mechproof.report.papers import PaperView, count_totals, describe_paper
+from mechproof.report.layout import STYLESHEET, read_font, read_stylesheet, render
+from mechproof.report.papers import FindingView, PaperView, count_totals, describe_paper
 from mechproof.report.pictures import (
     OVERVIEW,
     Picture,
@@ -65,7 +65,7 @@ def build_site(
     quantities = [tuple(describe_quantities(source)) for source in sources]
     found = {
         INDEX: _render_index(papers, sum(quantities, ()), sources, pictures.get(OVERVIEW)),
-        STYLESHEET: read_stylesheet(),
+        STYLESHEET: read_font() + read_stylesheet(),
     }
     for paper, computed in zip(papers, quantities, strict=True):
         about = {"up": "../", "systems": systems, "system": paper.system, "pictures": pictures}
@@ -74,7 +74,7 @@ def build_site(
         )
         for quantity in computed:
             found[f"quantities/{quantity.system}.{quantity.name}.html"] = render(
-                "quantity", **about, is_paper=False, quantity=quantity
+                "quantity", **about, is_paper=False, quantity=quantity, glossary=f"../{INDEX}"
             )
     failures = (
         f"{name}: {picture.failure}" for name, picture in pictures.items() if picture.failure
@@ -112,15 +112,23 @@ def _render_index(
         system="",
         is_paper=False,
         papers=papers,
+        findings=_sort_findings(papers),
         totals=tuple(count_totals(judgements)),
         overview=picture,
         legend=_find_legend(papers, quantities),
     )
 
 
+def _sort_findings(papers: Sequence[PaperView]) -> list[FindingView]:
+    """Return the findings of all papers, the gravest first, else in the order of the papers."""
+    found = [finding for paper in papers for finding in paper.findings]
+    return sorted(found, key=lambda finding: finding.weight)
+
+
 def _find_legend(papers: Sequence[PaperView], quantities: Sequence[QuantityView]) -> Legend:
     """Find what occurs in the rows of the papers and in the forms of their quantities."""
     rows = [e.row for paper in papers for section in paper.sections for e in section.entries]
+    rows += [row for quantity in quantities for row in quantity.rows]
     forms = [form for quantity in quantities for form in quantity.forms]
     looks = {row.look for row in rows} | {form.look for form in forms}
     marks = {mark for row in rows for mark in row.marks}

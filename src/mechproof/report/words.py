@@ -28,6 +28,7 @@ _SHOWN = (
     (Verdict.ILL_FORMED, "ill-formed", "ill-formed", "∅"),
     (Verdict.UNDECIDED, "undecided", "undecided", "?"),
     (Verdict.UNDERDETERMINED, "underdetermined", "underdetermined", "…"),
+    (Verdict.NOT_CHECKABLE, "not-checkable", "not checkable", "⊘"),
     (Verdict.CONDITIONAL, "conditional", "true in part", "◐"),
     (Verdict.CONVENTION, "convention", "convention", "⇄"),
     (Verdict.ENCLOSED, "enclosed", "enclosed", "≈"),

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from mechproof.arithmetic.cover import Boxes
 from mechproof.arithmetic.intervals import EPS, Array, careful
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE
@@ -30,7 +31,7 @@ from mechproof.roundoff.compiled import COMPILED, WAY as COMPILED_WAY, list_expa
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
 from mechproof.roundoff.homogeneity import find_scaled
-from mechproof.roundoff.regions import Boxes, ChartRegion, express
+from mechproof.roundoff.regions import ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry

@@ -12,18 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from mechproof.arithmetic.balls import to_ball
+from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import ONE, PI, between, enclose_ball, exactly
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 
-Side = tuple[float, float]
-Box = tuple[Side, ...]
-# Many boxes: their sides, and of each the ends.
-Boxes = NDArray[np.float64]
 # Half a turn and a little: where the nearest number of turns is no matter of rounding.
 HALF_TURN = math.pi * (1 + 2.0**-40)
 # Turns that are told apart, fewer where a rest has coordinates; more are one region.

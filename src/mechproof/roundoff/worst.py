@@ -15,12 +15,13 @@ import sympy as sp
 from flint import arb
 
 from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.roundoff import climb
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.regions import Box, ChartRegion
+from mechproof.roundoff.regions import ChartRegion
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values
 
 Points = Mapping[str, Array]

@@ -19,7 +19,8 @@ from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import TaylorExpression, working
 from mechproof.derivation import find_systems, load_kernels, load_paper, packaged_directory
 from mechproof.mechanisms.facts import check_domain
-from mechproof.record import Paper, Quantity
+from mechproof.record import Paper, Quantity, Root
+from mechproof.record.substitution import resolve
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
 
@@ -194,6 +195,8 @@ def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
     if wanted not in possible:
         allowed = ", ".join(possible) or "none can be tailored"
         refuse("name", name, f"the quantity of {system} must be one of {allowed}")
+    if resolve(possible[wanted].definition, paper.given).has(Root):
+        refuse("name", name, "a root of an equation is not tailored: call its kernel")
     return paper, possible[wanted]
 
 

@@ -64,7 +64,7 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
         raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
     single = errors is not None
     file = f"{paper.system}_single" if single else paper.system
-    about = paper.citation, ACCURACY[single], paper.system
+    about = paper.reference, ACCURACY[single], paper.system
     notes = {k.name: _describe(k, paper, errors) for k in kernels}
     return render_c_kernels(file, kernels, about, notes, paper.together, single=single)
 

@@ -22,7 +22,7 @@ from mechproof.programs.elementary.formats import DIGITS, DOUBLE, Format
 
 # Beyond the ends, for the rounding of what is reduced to an interval.
 MARGIN = 2.0**-20
-PIECES, ORDER, BITS = 64, 24, 400
+PIECES, ORDER, BITS = 64, 24, 256
 # A piece whose rest is more than this is halved.
 REST = 2.0**-70
 # Of the variable (x - TAIL)/(x + TAIL): polynomials in it need the fewest terms near this.

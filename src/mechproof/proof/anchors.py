@@ -9,6 +9,15 @@ from collections.abc import Iterable
 EQUATION = re.compile(r"\((\w+)\)(?=$|[,\s])")
 
 
+def name_anchor(number: str) -> str:
+    """Name one row, whatever others are called."""
+    equation = find_equation(number)
+    if not equation:
+        return f"row-{slugify(number) or 'unnamed'}"
+    rest = slugify(EQUATION.sub("", number, count=1))
+    return "-".join(filter(None, (name_equation(equation), rest)))
+
+
 def name_anchors(numbers: Iterable[str]) -> dict[str, str]:
     """Name the rows: `eq-12` for (12), `eq-10-third-equals-sign`, `row-table-3-interval-3`.
 
@@ -17,7 +26,7 @@ def name_anchors(numbers: Iterable[str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for number in numbers:
         taken = set(found.values())
-        name = _name(number)
+        name = name_anchor(number)
         found[number] = next(n for n in _count_up(name) if n not in taken)
     return found
 
@@ -37,14 +46,6 @@ def slugify(text: str) -> str:
     """Keep letters of any script and digits in lower case, and hyphens between."""
     plain = unicodedata.normalize("NFKC", text).replace("'", "").casefold()
     return re.sub(r"[\W_]+", "-", plain).strip("-")
-
-
-def _name(number: str) -> str:
-    equation = find_equation(number)
-    if not equation:
-        return f"row-{slugify(number) or 'unnamed'}"
-    rest = slugify(EQUATION.sub("", number, count=1))
-    return "-".join(filter(None, (name_equation(equation), rest)))
 
 
 def _count_up(name: str) -> Iterable[str]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from mechproof.proof.anchors import find_equation, name_anchors, slugify
 from mechproof.proof.verdict import Verdict
-from mechproof.report.anchors import find_equation, name_anchors, slugify
 from mechproof.report.words import LOOKS, set_numbers, set_prose, set_value
 
 

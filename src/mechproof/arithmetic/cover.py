@@ -12,8 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.arithmetic.intervals import Array
-from mechproof.roundoff.regions import Box, Boxes
 
+Side = tuple[float, float]
+Box = tuple[Side, ...]
+# Many boxes: their sides, and of each the ends.
+Boxes = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-13

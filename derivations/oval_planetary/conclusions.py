@@ -1,0 +1,71 @@
+"""What the conclusions of paper 2 say beyond its formulas, and its acceleration by the model."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import Claim, Equality, NotCheckable, Row
+
+from .._relations import all_of
+from .mechanics import (
+    COS_4,
+    R4,
+    R5,
+    e,
+    e2,
+    phi1,
+    ratio_of_one,
+    ratio_with_cylinders_45,
+)
+
+DOUBLE = 2 * R4 / R5 * phi1
+
+CONCLUSION_ROWS: tuple[Row, ...] = (
+    Claim(
+        "conclusion 2, acceleration",
+        r"\text{the kinematic model allowed to obtain the law of motion of the output shaft: the "
+        r"position function, the analogues of the angular velocity and acceleration}",
+        NotCheckable(
+            "the text at hand prints no formula, graph or value of an acceleration; its abstract "
+            "names the analogue of the speed and the position function only"
+        ),
+        cites=("S54",),
+    ),
+    Claim(
+        "conclusion 2, required transfer functions",
+        r"\text{the analysis showed the realisability of the required transfer functions}",
+        NotCheckable("the text at hand requires no transfer function of the output"),
+        cites=("S55",),
+    ),
+    Claim(
+        "conclusion 1, compactness",
+        r"\text{as compared with linkages the planetary transmissions are characterised by "
+        r"compactness and ease of balancing}",
+        NotCheckable("the text at hand prints no size, mass or force of either mechanism"),
+        cites=("S53",),
+    ),
+    Claim(
+        "acceleration by the model",
+        r"\varphi_3''=\frac{4E(1-E^2)\sin2\varphi_1}{(1+E^2-2E\cos2\varphi_1)^2};\ \text{pair 4-5 "
+        r"cylindrical: }\varphi_3''=\frac{R_4^2}{R_5^2}\cdot"
+        r"\frac{4e_2(1-e_2^2)\sin x}{(1+e_2^2-2e_2\cos x)^2},\ x=2\tfrac{R_4}{R_5}\varphi_1",
+        all_of(
+            Equality(
+                4 * e * (1 - e**2) * sp.sin(2 * phi1) / (1 + e**2 - 2 * e * COS_4) ** 2,
+                sp.diff(ratio_of_one(e), phi1),
+            ),
+            Equality(
+                (R4 / R5) ** 2
+                * 4
+                * e2
+                * (1 - e2**2)
+                * sp.sin(DOUBLE)
+                / (1 + e2**2 - 2 * e2 * sp.cos(DOUBLE)) ** 2,
+                sp.diff(ratio_with_cylinders_45, phi1),
+            ),
+        ),
+        note="For two oval pairs, E = (e1 + e2)/(1 + e1 e2), and for a cylindrical pair 4-5, the "
+        "output counted with the carrier.",
+        marks=("ours", "inferred"),
+    ),
+)

@@ -1,0 +1,163 @@
+"""What is wrong in paper 2: the causes, and what they cost at its own sizes."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import Check, Cost, Finding, Weight
+
+from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval
+from .equations import print_10
+from .mechanics import (
+    AXES_45,
+    E_SERIES,
+    R4,
+    R5,
+    a,
+    e2,
+    integrate,
+    oval_radius,
+    phi1,
+    position_45,
+    position_of_one,
+    ratio_of_one,
+    rho5,
+    rho6,
+)
+from .readings import LIMITS, READINGS
+from .variants import VARIANTS
+
+DEGREE = sp.pi / 180
+WITH_THE_CARRIER = position_of_one(E_SERIES)
+RATIO_1 = ratio_of_one(E_SERIES).subs(VARIANTS[1])
+HALF_DEGREE = DEGREE / 2
+SECANT = RATIO_1.subs(phi1, sp.pi / 4 + HALF_DEGREE) - RATIO_1.subs(phi1, sp.pi / 4 - HALF_DEGREE)
+# The output if (5) turns wheel 6 as far as the carrier, with the sign of the mechanics.
+AS_PRINTED = -integrate(
+    print_10.subs(AXES_45).subs(rho6, oval_radius(e2, sp.cos(2 * phi1)).subs(AXES_45))
+)
+
+
+def place(variant: int, degrees: int) -> dict[sp.Symbol, sp.Expr]:
+    """Return the sizes of a variant and an angle of the carrier."""
+    return {**VARIANTS[variant], phi1: degrees * DEGREE}
+
+
+FINDINGS = (
+    Finding(
+        INTERVAL,
+        "u by (14) and (15) is the uncertainty of the mean, so mean ± 2u is an interval of the "
+        'mean error; of the errors, or of "the measured quantities", it holds 11 to 12 %. Or the '
+        "printed u is the standard deviation s, to which (14) was not applied.",
+        costs=costs_of_interval(READINGS, (1, 3)),
+        weight=Weight.CONCLUSION,
+        check=check_of_interval(READINGS[1]),
+    ),
+    Finding(
+        ADEQUACY,
+        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's own "
+        "numbers the intervals of variants 1, 3 and 4 exclude an error of zero, and single errors "
+        "of variant 1 scatter by more than two encoders of 0.3 % of 360° allow, or u is no "
+        "uncertainty of the mean; then all four means are far from zero.",
+        costs=(
+            *(
+                Cost(
+                    f"variant {variant}",
+                    {},
+                    "°",
+                    decimals=2,
+                    printed=abs(READINGS[variant].mean) * DEGREE,
+                    right=2 * READINGS[variant].uncertainty * DEGREE,
+                    names=("mean error", "2u"),
+                )
+                for variant in (1, 3, 4)
+            ),
+            Cost(
+                "variant 1",
+                {},
+                "°",
+                decimals=3,
+                printed=READINGS[1].least_scatter * DEGREE,
+                right=READINGS[1].scatter_within(LIMITS[1]) * DEGREE,
+                names=("scatter u√n at least", "two encoders at most"),
+            ),
+        ),
+        weight=Weight.CONCLUSION,
+        check=Check(
+            "Mean error by u: 0.777/0.18 = {0}, 1.280/0.11 = {1}, 0.540/0.15 = {2}; more than 2.",
+            tuple(abs(READINGS[v].mean) / READINGS[v].uncertainty for v in (1, 3, 4)),
+            1,
+        ),
+    ),
+    Finding(
+        "conclusion 2, acceleration",
+        "Conclusion 2 counts the analogue of the acceleration among the results; the text at hand "
+        "has no formula, graph or value of it, and its abstract names speed and position only.",
+        weight=Weight.CONCLUSION,
+        mend="acceleration by the model",
+        check=Check(
+            "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E "
+            "(1 - E²)/(1 + E²)² = {0}; the ratio 1 - (1 - E²)/(1 + E² - 2 E cos 2φ_1) at 45.5° and "
+            "44.5° differs by {1} in one degree, by {2} a radian.",
+            (
+                sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE),
+                SECANT,
+                SECANT / DEGREE,
+            ),
+            4,
+        ),
+    ),
+    Finding(
+        "special case, angle of wheel 6",
+        "For a cylindrical pair 4-5 only the radii are said to become numbers. (5), left as "
+        "printed with e_1 = 0, turns wheel 6 as far as the carrier; without slip it turns R_4/R_5 "
+        "times as far, and variant 3 rests three times in a turn, not twice.",
+        costs=tuple(
+            Cost(
+                f"output of variant {variant}, 60° of the carrier",
+                place(variant, 60),
+                "°",
+                printed=AS_PRINTED,
+                right=position_45,
+            )
+            for variant in (3, 4)
+        ),
+        weight=Weight.NUMBER,
+        check=Check(
+            "A wheel of R_5 = 20 mm that rolls on R_4 = 30 mm turns {0} times as far as the "
+            "carrier, one of 18 mm on 32 mm {1} times; (5) with e_1 = 0 has {2}.",
+            (
+                (R4 / R5).subs(VARIANTS[3]),
+                (R4 / R5).subs(VARIANTS[4]),
+                sp.S.One,
+            ),
+        ),
+    ),
+    Finding(
+        "(10)",
+        "(7) and (10) count the output against the carrier's direction of rotation, and the text "
+        "at hand does not say so: read in one direction, the output turns the wrong way.",
+        costs=tuple(
+            Cost(
+                f"variant 1, {degrees}° of the carrier",
+                place(1, degrees),
+                "°",
+                printed=-WITH_THE_CARRIER,
+                right=WITH_THE_CARRIER,
+            )
+            for degrees in (30, 60)
+        ),
+        weight=Weight.WORDING,
+        check=Check(
+            "Variant 1 at φ_1 = 0, CD = 1.2 a and BC = 0.8 a, so (10) gives "
+            "{0}; with the carrier held, wheel 3 turns (1.2/0.8)² = 2.25 times as far as the sun, "
+            "which is 1 - 2.25 = {1} with the sun held.",
+            (
+                print_10.subs({rho6: sp.Rational("1.2") * a, rho5: sp.Rational("0.8") * a}),
+                RATIO_1.subs(phi1, 0),
+            ),
+            2,
+        ),
+        figure="fig-2",
+    ),
+)

@@ -1,0 +1,166 @@
+"""What follows from the rows for the sizes of Table 1; none of it is printed in the paper."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import Claim, Conjunction, PrintedNumber, Row, Statement
+
+from .mechanics import FIVE_ERRORS, first_order_remainder
+from .symbols import (
+    PRINTED_16,
+    PRINTED_K,
+    PRINTED_VALUES,
+    amplitude,
+    elastic,
+    form,
+    mounting,
+    periods,
+    phi,
+    radius,
+)
+from .table import SUM_OF_PRINTED_SQUARES, total_by_printed_sum
+
+MARKS = ("ours", "consequence")
+SQUARES = {error: PRINTED_VALUES[error] ** 2 for error in FIVE_ERRORS}
+FARTHEST = (radius + amplitude).subs(PRINTED_VALUES)
+TURNS = PRINTED_K.subs(PRINTED_VALUES)
+LARGEST_HEIGHT_ERROR = FARTHEST * sp.sqrt(TURNS[0, 2] ** 2 + TURNS[1, 2] ** 2)
+UNIFORM = sp.Integer(3)  # the square of the coefficient of a uniform law
+HALF = sp.Rational(1, 2)
+
+
+def gain(
+    error: sp.Symbol,
+    left: sp.Expr = sp.S.Zero,
+    own: sp.Expr = sp.S.One,
+    others: sp.Expr = sp.S.One,
+) -> sp.Expr:
+    """Fall of the total, in %, when this part of an error is left; K squared of it and the rest.
+
+    It is the same for a temperature error of either kind that stays the same share of the total.
+    """
+    rest = others * (SUM_OF_PRINTED_SQUARES - SQUARES[error])
+    before, after = (rest + own * part**2 * SQUARES[error] for part in (sp.S.One, left))
+    return 100 * (1 - sp.sqrt(after / before))
+
+
+def gain_by_printed_sum(error: sp.Symbol) -> sp.Expr:
+    """Fall of the total by (6) as printed, in mm, when an error vanishes, in %."""
+    before, after = (
+        total_by_printed_sum(sp.S.One, SUM_OF_PRINTED_SQUARES - part)
+        for part in (sp.S.Zero, SQUARES[error])
+    )
+    return 100 * (1 - after / before)
+
+
+def share_of(error: sp.Symbol) -> sp.Expr:
+    """Share of an error in the squared total of the five, in %."""
+    return 100 * SQUARES[error] / SUM_OF_PRINTED_SQUARES
+
+
+def radius_of_curvature(count: int, phase: sp.Expr) -> sp.Expr:
+    """Radius of curvature, in mm, of the track with so many periods, as a size."""
+    x, y = (c.subs({**PRINTED_VALUES, periods: count}) for c in PRINTED_16[:2])
+    at = phase / count
+    (dx, dy), (ddx, ddy) = ([c.diff(phi, order).subs(phi, at) for c in (x, y)] for order in (1, 2))
+    return sp.Abs(sp.sqrt(dx**2 + dy**2) ** 3 / (dx * ddy - dy * ddx))
+
+
+def numbers(*pairs: tuple[str, sp.Expr]) -> Statement:
+    """State that each value rounds to its number."""
+    return Conjunction(tuple(PrintedNumber(number, value) for number, value in pairs))
+
+
+CONSEQUENCES: tuple[Row, ...] = (
+    Claim(
+        "Consequences, shares of the errors",
+        r"\Delta_y:49.4\,\%,\ \Delta_\delta:34.9\,\%,\ \Delta_u:8.7\,\%,\ \Delta_\phi:5.1\,\%,\ "
+        r"\Delta_n:2.0\,\%\text{ of }q=\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2"
+        r"+\Delta_u^2",
+        numbers(
+            *zip(
+                ("5.1", "49.4", "34.9", "2.0", "8.7"),
+                map(share_of, FIVE_ERRORS),
+                strict=True,
+            )
+        ),
+        note="Mounting and elastic deformations make five sixths of the squared total, all "
+        "coefficients 1. A random temperature error of 15 % of the total takes 2.25 % of it and "
+        "leaves these shares of the rest.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Fig. 5, largest possible gain",
+        r"1-\sqrt{(q-\Delta_\delta^2)/q}\approx19.3\,\%,\ "
+        r"q=\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2+\Delta_u^2",
+        PrintedNumber("19.3", gain(elastic)),
+        note="With the other errors of Table 1 unchanged and errors of one law, even a vanishing "
+        "elastic error lowers the total by no more, be the temperature error random or systematic.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, gain by other laws",
+        r"38.0\,\%\text{ if }\Delta_\delta\text{ alone has }K_i=\sqrt3,\ 7.9\,\%\text{ if all"
+        r" others have};\ 5.0\,\%\text{ by (6) as printed, in mm}",
+        numbers(
+            ("38.0", gain(elastic, own=UNIFORM)),
+            ("7.9", gain(elastic, others=UNIFORM)),
+            ("5.0", gain_by_printed_sum(elastic)),
+        ),
+        note="How far the bound of 19.3 % moves with what is not printed: normal laws have "
+        "K_i = 1, uniform ones the square root of 3.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, half the mounting error",
+        r"\Delta_y/2\text{ in the place of }\Delta_y\text{: }20.7\,\%\text{ less}",
+        PrintedNumber("20.7", gain(mounting, left=HALF)),
+        note="To halve the mounting error lowers the total by more than to have no elastic error "
+        "at all.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, no form error",
+        r"\Delta_\phi=0\text{: }2.6\,\%\text{ less}",
+        PrintedNumber("2.6", gain(form)),
+        note="In finish milling by Table 1 the form error of the base surface is worth no more.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, turns alone",
+        r"\max_{|p|\le R+A}|\Delta z_0|=0.0659\text{ mm at }z_{13}=0;\ "
+        r"\Delta_\Sigma^{XY}=0.00146\,z_{13}\text{ on the axis}",
+        numbers(
+            ("0.0659", LARGEST_HEIGHT_ERROR),
+            ("0.00146", sp.sqrt(TURNS[2, 0] ** 2 + TURNS[2, 1] ** 2)),
+        ),
+        note="By (15), a = b = c = 0. In height the two turns of Table 1 alone can move a point of "
+        "the track by nearly as much as all errors of (6) together (0.072 mm); in the plane they "
+        "act by the height over O_1, 1.46 µm for each millimetre.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, first order",
+        r"\tfrac12(R+A)(|\alpha|+|\beta|+|\gamma|)^2=0.000096\text{ mm}",
+        PrintedNumber("0.000096", first_order_remainder(radius + amplitude).subs(PRINTED_VALUES)),
+        note="At points with z_13 = 0 the shift plus the vector product of (alpha, beta, gamma) "
+        "and the point is all of (15) but for 0.1 µm. Neither the order of the turns nor the name "
+        "rotation vector matters at these sizes.",
+        marks=MARKS,
+    ),
+    Claim(
+        "Consequences, number of periods",
+        r"\text{radius of curvature at a crest: }8.3\text{ mm for }z=7,\ 6.7\text{ mm for }"
+        r"z=8;\text{ at a root for }z=7\text{: }11.0\text{ mm}",
+        numbers(
+            ("8.3", radius_of_curvature(7, sp.S.Zero)),
+            ("6.7", radius_of_curvature(8, sp.S.Zero)),
+            ("11.0", radius_of_curvature(7, sp.pi)),
+        ),
+        note="For R and A of Table 1. If (16) is the path of the centres of the balls, of radius "
+        "7.5 mm, eight periods undercut the groove at the crests; seven do not, there or at the "
+        "roots.",
+        marks=MARKS,
+    ),
+)

@@ -1,0 +1,98 @@
+"""Rows of paper 4 on the chain that substitution gives, and on the one place that it lacks."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import pi
+
+from mechproof.record import Claim, Conjunction, Correction, Equality, Part, PrintedNumber
+
+from .._relations import less
+from .boundaries import upright_at, upright_wedge
+from .chain import PUSHED_IN_PRINT
+from .group_rows import ONE_FORM
+from .mechanics import (
+    BEFORE_PIVOT,
+    FIRST_QUADRANT,
+    SECOND_QUADRANT,
+    cosine_of_sigma,
+    cosine_of_tau,
+    direction_sigma,
+    direction_tau,
+    half_7,
+    lever_angle,
+    rod,
+    upright,
+    wedge,
+)
+from .proofs import push_by
+from .sizes import SETS
+from .symbols import (
+    POSITIVE,
+    R,
+    alpha_KL,
+    kappa,
+    l_KL,
+    print_1,
+    print_3,
+    print_7,
+    print_8,
+    print_10,
+    tau,
+)
+
+SUBSTITUTED = "(1), (3), (4), (7), (8), (10), substituted"
+SUBSTITUTION_ROWS = (
+    Claim(
+        "(7) and (8), at R = 0",
+        r"\varphi_7=\tfrac\pi2-\alpha_{KL}\text{ for }R=0",
+        Equality(pi / 2 - alpha_KL, direction_tau.subs(tau, 1) - alpha_KL),
+        note="KL is upright: tau = 1. Both (7) and (8) tend to it.",
+        marks=("ours",),
+    ),
+    Claim(
+        "(7) and (8), where R = 0",
+        r"R=0\text{ at }x_1=-15.7\ (-14.8;\ -14.9)~\mathrm{mm},\quad y_9=-45.1~\mathrm{mm}",
+        Conjunction(
+            (
+                *(
+                    PrintedNumber(number, upright_at(table))
+                    for number, table in zip(("-15.7", "-14.8", "-14.9"), SETS, strict=True)
+                ),
+                *(PrintedNumber("-45.1", upright_wedge(table)) for table in SETS),
+            )
+        ),
+        note="First, second and third reconstructed set; the place where KL is upright, in the "
+        "middle of Fig. 4. The position of the wedge there rests on l_KL, l_LM and their angles.",
+        marks=("ours", "consequence", "calibrated"),
+    ),
+    Claim(
+        SUBSTITUTED,
+        r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
+        Conjunction(
+            (
+                Equality(print_1, lever_angle),
+                Equality(print_3, rod),
+                *push_by(PUSHED_IN_PRINT),
+                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+                Equality(print_10, wedge),
+                less(sp.S.Zero, cosine_of_tau),
+            )
+        ),
+        corrected=Correction(
+            ONE_FORM,
+            Equality(upright(2 * sp.atan(half_7)), 2 * sp.atan(tau) - 2 * sp.atan(kappa)),
+        ),
+        note="Each stage against its group, and that R is not 0: the arctangents of (7) and (8) "
+        "divide by it. The correction takes their place.",
+        on=Part(
+            f"{BEFORE_PIVOT.text}; R >= 0, upwards, or R < 0",
+            {kappa: POSITIVE, tau: sp.Interval(0, 1), **SECOND_QUADRANT.within},
+            BEFORE_PIVOT.where,
+        ),
+        holds_on=Part("R > 0 for (7), R < 0 for (8)", FIRST_QUADRANT.within),
+        marks=("rebuilt", "uncertain"),
+        cites=("S32",),
+    ),
+)

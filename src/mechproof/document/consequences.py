@@ -1,0 +1,72 @@
+"""What becomes of an equation beside the constraints of its paper, which are taken as given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from mechproof.document.constraints import find_combination, find_multiple
+from mechproof.document.tasks import Task
+from mechproof.document.witnesses import hold_together
+from mechproof.proof.domain import Domain
+from mechproof.proof.verdict import Verdict
+
+MULTIPLE = "multiple of a constraint"
+COMBINATION = "combination of constraints"
+GIVEN = "definition"
+
+
+def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, str] | None:
+    """Judge a row by the constraints that it follows from, or cannot hold together with.
+
+    Only constraints that hold together somewhere on the domain prove anything.
+    """
+    domain = Domain.of(task.paper, task.row.on)
+    for other in others:
+        name = other.row.number
+        multiple = find_multiple(task.residual, other.residual, domain)
+        if multiple is None:
+            continue
+        factor, rest = multiple
+        reason = f"left - right is that of {name} times {factor}"
+        if rest != 0:
+            reason = f"cannot hold together with {name}: {reason}, plus {rest}"
+            return Verdict.DEFINITION, GIVEN, reason
+        if hold_together([other.residual], domain):
+            return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
+    return _combine(task, others, domain)
+
+
+def list_letters(task: Task) -> set[sp.Basic]:
+    """Return the letters of the residual of a row."""
+    return set() if task.residual is None else set(task.residual.free_symbols)
+
+
+def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
+    """Return that a row follows from several constraints, or from the derivative of some."""
+    alone = [other for other in others if other.row.on is None and other.residual is not None]
+    given = {other.row.number: other.residual for other in alone}
+    for known in (given, *_list_rates(task, alone)):
+        multipliers = find_combination(task.residual, list(known.values()), domain)
+        used = {n: m for n, m in zip(known, multipliers or (), strict=False) if m != 0}
+        if used and hold_together([known[name] for name in used], domain):
+            parts = ", plus ".join(f"{name} times {m}" for name, m in used.items())
+            reason = f"follows from constraints, taken as given: left - right is {parts}"
+            return Verdict.PROVED, COMBINATION, reason
+    return None
+
+
+def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
+    """Yield the first derivatives of constraints, and with them the second ones."""
+    found: dict[str, sp.Expr] = {}
+    for order, name in enumerate(("the derivative", "the second derivative")):
+        new = {
+            f"{name} of {other.row.number}": other.rates[order]
+            for other in others
+            if len(other.rates) > order
+            and other.rates[order].free_symbols & list_letters(task) - list_letters(other)
+        }
+        if new:
+            found |= new
+            yield found

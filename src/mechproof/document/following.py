@@ -1,0 +1,196 @@
+"""An equation that a paper says to follow from others: these are solved, and put in.
+
+Each of the others is solved for a letter of which nothing else is said and of which it is a linear
+function; what remains of the equation then must be true by itself. Where it is not, the others
+hold and it does not. First the others alone are taken: a paper may say elsewhere of a letter what
+holds only before an approximation. Then what else defines letters is put in, but for those that
+the others define.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from mechproof.document.consequences import find_consequence
+from mechproof.document.tasks import Task
+from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
+from mechproof.proof.signs import is_nonzero
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Definition, Equality, Paper
+
+ELIMINATION = "elimination"
+_NO_NUMBERS = "only equations of numbers or of printed matrices are compared with others"
+_OPEN = (Verdict.REFUTED, Verdict.ENCLOSED, Verdict.UNDECIDED)
+
+
+def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
+    """Judge a row that is said to follow from other rows, or say why not."""
+    found = judge(task.row, task.paper)
+    if found.verdict not in _OPEN:
+        return found
+    given = [t for t in tasks if _is_named(t, task.follows)]
+    letters = {v.symbol for v in task.paper.variables}
+    answer: Judgement | str = ""
+    for kept in (letters, {t.sign.letter for t in given}):
+        others = [entry for t in given for entry in _list_entries(t, kept)]
+        answers = [_compare(entry, others, found) for entry in _list_entries(task, kept)]
+        answer = min(answers, key=_weigh, default=_NO_NUMBERS)
+        if isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED:
+            break
+    return answer
+
+
+def _weigh(answer: Judgement | str) -> int:
+    """Return which answer of several entries is that of all: a misprint first, a proof last."""
+    if isinstance(answer, str):
+        return 1
+    return {Verdict.REFUTED: 0, Verdict.PROVED: 3}.get(answer.verdict, 2)
+
+
+def _is_named(task: Task, names: Sequence[str]) -> bool:
+    return any(task.row.number == name or task.row.number.startswith(f"{name},") for name in names)
+
+
+def _list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
+    """Return the entries of a row, in which such letters stand as printed, whatever defines them.
+
+    A row that is no equation has none.
+    """
+    says = task.row.says
+    if not isinstance(says, Definition | Equality):
+        return []
+    one, other = says.printed, says.symbol if isinstance(says, Definition) else says.rebuilt
+    if isinstance(one, sp.MatrixBase | sp.MatrixExpr) or isinstance(other, sp.MatrixExpr):
+        one, other = (sp.sympify(side).doit() for side in (one, other))
+        if isinstance(other, sp.MatrixSymbol):
+            other = other.as_explicit()
+        if not (isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase)):
+            return []
+    rest = other - one
+    variables = tuple(
+        replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables
+    )
+    values = {v.symbol: v.given for v in variables if v.given is not None}
+    paper = replace(task.paper, variables=variables)
+    return [
+        replace(task, residual=residual, paper=paper)
+        for entry in (rest if isinstance(rest, sp.MatrixBase) else [rest])
+        if not (residual := _settle(entry, values)).has(sp.MatrixSymbol)
+    ]
+
+
+def _settle(expression: sp.Expr, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
+    for _ in values:
+        expression = sp.sympify(expression).xreplace(values)
+    return expression
+
+
+def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement | str:
+    """Judge an entry of a row beside others, or say why not."""
+    names = ", ".join(task.follows)
+    given = [other for other in given if sp.expand(other.residual) != 0]
+    if not given:
+        return f"{names}: no equation between letters is read there"
+    consequence = find_consequence(task, given)
+    if consequence and consequence[0] is Verdict.PROVED:
+        verdict, rung, reason = consequence
+        return replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())
+    residuals = [sp.sympify(t.residual) for t in (task, *given)]
+    domain = Domain.of(task.paper, task.row.on)
+    solution = _solve(residuals[1:], _list_free(task.paper), _Divisors.of(residuals, domain))
+    if solution is None:
+        return f"{names} cannot be solved for letters of which nothing else is said"
+    values, is_everywhere = solution
+    rest = sp.cancel(residuals[0].xreplace(values))
+    if rest.has(sp.nan, sp.zoo):
+        return f"{names} leave nothing of it"
+    left = judge(replace(task.row, says=Equality(rest, sp.S.Zero, "member")), task.paper)
+    solved = ", ".join(map(str, values))
+    if left.verdict is Verdict.PROVED and is_everywhere:
+        reason = f"follows from {names}, taken as given, which are solved for {solved}"
+        return replace(found, verdict=left.verdict, rung=ELIMINATION, reason=reason, evidence=())
+    if left.verdict is Verdict.PROVED:
+        return (
+            f"it follows from {names} where these can be solved for {solved}; elsewhere not shown"
+        )
+    if left.verdict is Verdict.REFUTED:
+        reason = (
+            f"does not follow from {names}: these are solved for {solved}, and then {left.reason}"
+        )
+        return replace(left, reason=reason)
+    return left
+
+
+def _list_free(paper: Paper) -> set[sp.Basic]:
+    """Return the letters that may have any value."""
+    said = set().union(*(relation.free_symbols for relation in paper.where))
+    return {
+        v.symbol
+        for v in paper.variables
+        if v.within == sp.S.Reals and v.given is None and v.symbol not in said
+    }
+
+
+@dataclass(frozen=True)
+class _Divisors:
+    """What may be divided by: it has no zero on the domain, or rows have no value there."""
+
+    below: frozenset[sp.Expr]
+    domain: Domain
+
+    @classmethod
+    def of(cls, residuals: Sequence[sp.Expr], domain: Domain) -> _Divisors:
+        below = [sp.fraction(sp.together(one))[1] for one in residuals]
+        return cls(frozenset(factor for one in below for factor in _list_factors(one)), domain)
+
+    def allow(self, expression: sp.Expr) -> bool:
+        """Return whether an expression is a product of such."""
+        return all(f in self.below or is_nonzero(f, self.domain) for f in _list_factors(expression))
+
+
+def _list_factors(expression: sp.Expr) -> list[sp.Expr]:
+    return [factor for factor, _ in sp.factor_list(expression)[1]]
+
+
+def _solve(
+    residuals: Sequence[sp.Expr], free: set[sp.Basic], divisors: _Divisors
+) -> tuple[dict[sp.Basic, sp.Expr], bool] | None:
+    """Return values of letters at which all residuals are zero, and whether there are no others.
+
+    None if none are found. Of others it is not known where what was divided by is zero.
+    """
+    values: dict[sp.Basic, sp.Expr] = {}
+    is_everywhere = True
+    for residual in residuals:
+        above = sp.expand(sp.fraction(sp.cancel(residual.xreplace(values)))[0])
+        if above == 0:
+            continue
+        found = _solve_one(above, free - values.keys(), divisors)
+        solved = min(found, key=lambda one: (*one[:3], str(one[3])), default=None)
+        if solved is None:
+            return None
+        is_number, is_in_part, _, symbol, value = solved
+        is_everywhere &= not (is_number or is_in_part)
+        values = {s: sp.cancel(old.xreplace({symbol: value})) for s, old in values.items()}
+        values[symbol] = value
+    has_values = all(sp.cancel(one.xreplace(values)) != 0 for one in divisors.below)
+    return (values, is_everywhere) if has_values else None
+
+
+def _solve_one(
+    above: sp.Expr, free: set[sp.Basic], divisors: _Divisors
+) -> Iterator[tuple[bool, bool, int, sp.Basic, sp.Expr]]:
+    """Yield letters with their values, and what speaks against them.
+
+    That is that the value is a number, that it is none everywhere, and what it is divided by.
+    """
+    for symbol in free & above.free_symbols:
+        slope = sp.diff(above, symbol)
+        if symbol not in slope.free_symbols:
+            value = sp.cancel(symbol - above / slope)
+            is_number = bool(value.is_number)
+            yield is_number, not divisors.allow(slope), slope.count_ops(), symbol, value

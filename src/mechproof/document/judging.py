@@ -1,0 +1,135 @@
+"""What worker processes are asked for: the judgement of a row of a paper that they have read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.consequences import GIVEN, find_consequence
+from mechproof.document.following import judge_following
+from mechproof.document.rows import Document
+from mechproof.document.sources import read_source
+from mechproof.document.tasks import Task
+from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.verdict import Judgement, Left, Verdict
+from mechproof.record import Equality, Holds, RecordError
+
+# How the row of one sign of a chain is called.
+_SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
+# Seconds for one equation.
+LIMIT = 60.0
+# Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
+# a process that was forked finds here what its parent had. SymPy would work relations out on their
+# way through a pipe.
+Key = tuple[str, str | None, frozenset[str]]
+opened: dict[Key, list[Task]] = {}
+
+
+def leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
+    """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
+    equations = {_SIGN.sub("", number) for number in elsewhere}
+    for one in rows:
+        row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
+        if not judged & {row.number, row.printed_latex}:
+            yield one
+
+
+def open_tasks(key: Key) -> list[Task]:
+    """Return the rows of a paper that are judged, read again where nobody else has."""
+    if key not in opened:
+        path, content, elsewhere = key
+        found = leave_out(Document(read_source(path, content)).read(LIMIT), elsewhere)
+        opened[key] = [one for one in found if isinstance(one, Task)]
+    return opened[key]
+
+
+def judge_row(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row by itself, or beside what it is said to follow from, or say why not."""
+    tasks = open_tasks(which[0])
+    task = tasks[which[1]]
+    if not task.follows:
+        return _judge_alone(task)
+    try:
+        return judge_following(task, tasks)
+    except (RecordError, ContradictionError) as error:
+        return str(error)
+
+
+def _judge_alone(task: Task) -> Judgement | str:
+    """Judge a row, or say why not; what asserts nothing is refuted only if it is true nowhere."""
+    try:
+        found = judge(task.row, task.paper)
+    except (RecordError, ContradictionError) as error:
+        return str(error)
+    if found.verdict is Verdict.REFUTED and task.is_rounded:
+        return "the two sides differ, but a decimal is a rounded number"
+    if found.verdict is Verdict.REFUTED and task.is_alone:
+        return f"another value than at the sizes: {found.reason}"
+    if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
+        reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
+        return replace(found, reason=reason)
+    if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
+        return found
+    if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
+        return replace(found, reason=f"it is true nowhere: {found.reason}")
+    return _take_as_given(task, found)
+
+
+def _is_nowhere_true(task: Task) -> bool:
+    says = task.row.says
+    domain = Domain.of(task.paper, task.row.on)
+    if isinstance(says, Equality) and task.residual is not None:
+        apart = Holds(sp.Ne(says.printed, says.rebuilt, evaluate=False))
+        return decide(apart, domain).verdict is Verdict.PROVED
+    if isinstance(says, Holds):
+        return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
+    return False
+
+
+def _take_as_given(task: Task, found: Judgement) -> Judgement:
+    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint between its letters"
+    reason = f"{what}, taken as given: it is not true for all values of its letters"
+    if found.verdict is not Verdict.REFUTED:
+        if task.is_either:
+            return found
+        reason = f"{what}, taken as given"
+    return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
+
+
+def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
+    """Judge a print by the members that stand: one is enough to prove it.
+
+    It is refuted by any of them, unless they differ themselves.
+    """
+    key, number, standing = which
+    task = open_tasks(key)[number]
+    names = [name for group in standing for name in group]
+    compared = [one for one in (task, *task.others) if one.sign.first in names]
+    answers = [(_judge_alone(one), one) for one in compared]
+    for wanted in (Verdict.PROVED, Verdict.REFUTED):
+        # A member behind a step that is not shown may be meant for a case: it accuses nobody.
+        alone = answers[:1] if wanted is Verdict.REFUTED and compared[0] is task else answers
+        for found, one in alone:
+            if isinstance(found, Judgement) and found.verdict is wanted:
+                if wanted is Verdict.REFUTED and len(standing) > 1:
+                    first = task.sign.first
+                    return f"it differs from members of {first}, which differ themselves"
+                reason = found.reason.removesuffix(f"; compared with {one.sign.first}")
+                return replace(found, reason=f"{reason}; compared with {one.sign.first}")
+    return answers[0][0]
+
+
+def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> tuple[Verdict, str, str] | str:
+    """Judge a row beside constraints, or say which of them might make it true."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    before = [tasks[other] for other in others if other < number]
+    if found := find_consequence(tasks[number], before):
+        return found
+    names = ", ".join(tasks[other].row.number for other in others)
+    return f"the two sides differ, unless {names} makes them equal, which is not decided"

@@ -1,0 +1,54 @@
+r"""Sentences in LaTeX: which prints are words with formulas between them, and their parts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+# Text that is read as words; shorter pieces are names and units within a formula.
+WORDS = re.compile(r"[^\W\d_]{4}|[^\W\d_]{2}.* |^ .*[^\W\d_]{2}|^ ")
+
+
+def is_sentence(latex: str) -> bool:
+    """Return whether words stand in it outside every group and every bracket."""
+    return any(is_text and WORDS.search(part) for is_text, part in list_parts(latex))
+
+
+def list_parts(latex: str) -> Iterator[tuple[bool, str]]:
+    r"""Yield what lies in \text{...} outside of groups, and what lies between."""
+    start = 0
+    for begin, end in _find_texts(latex):
+        if latex[start:begin].strip():
+            yield False, latex[start:begin]
+        yield True, latex[begin + len(r"\text{") : end]
+        start = end + 1
+    if latex[start:].strip():
+        yield False, latex[start:]
+
+
+def _find_texts(latex: str) -> Iterator[tuple[int, int]]:
+    for place in walk_outside(latex):
+        if latex.startswith(r"\text{", place):
+            end = _find_end(latex, place + len(r"\text{"))
+            if end < len(latex):
+                yield place, end
+
+
+def walk_outside(latex: str) -> Iterator[int]:
+    r"""Yield the places that lie in no group, no \left...\right and no environment."""
+    depth = 0
+    for token in re.finditer(r"\\[A-Za-z]+|\\.|.", latex, re.DOTALL):
+        closes = token[0] in ("}", r"\right", r"\end")
+        opens = token[0] in ("{", r"\left", r"\begin")
+        if depth == 0:
+            yield token.start()
+        depth = max(depth + opens - closes, 0)
+
+
+def _find_end(latex: str, start: int) -> int:
+    depth = 1
+    for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
+        depth += {"{": 1, "}": -1}.get(token[0], 0)
+        if depth == 0:
+            return start + token.start()
+    return len(latex)

@@ -1,0 +1,87 @@
+"""What a draft of letters proposes: names as they must be declared, and what words say of them."""
+
+from pathlib import Path
+
+import pytest
+
+import mechproof
+from mechproof.document.draft import draft_block
+from mechproof.document.sources import read_source
+
+
+def draft(text: str, name: str = "paper.tex") -> str:
+    return draft_block(read_source(name, text))
+
+
+@pytest.mark.parametrize(
+    ("display", "lines"),
+    [
+        (r"N=J_k\ddot\beta_k", [r"\beta_{k}(t) :"]),
+        (r"\dot{\mathbf s}=\begin{bmatrix}v\\w\end{bmatrix}", [r"\dot{\mathbf{s}} 2x1 :"]),
+        (r"h(\psi)=b\psi", [r"h(\psi) :"]),
+        ("W(p,q)=pq", ["W(p,q) :"]),
+        ("y=c(p+q)", ["factor c"]),
+        (r"\sum N_k=\mu b", [r"\sum N_k :"]),
+        (r"s_2=s_1+v\,\Delta t", [r"\Delta t :"]),
+        (r"\mathcal K=b-c", [r"\mathcal{K} :"]),
+        ("b=h+e", ["# a letter here, Euler's number elsewhere:", "e :"]),
+        (r"z=\begin{bmatrix}0&1\end{bmatrix}v", ["z :"]),
+        (r"z=\begin{bmatrix}0&1\end{bmatrix}", ["z 1x2 :"]),
+    ],
+)
+def test_letters_are_named_as_they_are_declared(display: str, lines: list[str]) -> None:
+    found = draft(rf"\begin{{equation}}{display}\end{{equation}}").splitlines()
+    assert not [line for line in found if "not listed" in line]
+    assert [line for line in lines if f"%% {line}" not in found] == []
+
+
+def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
+    found = draft(r"$$b=h+e$$ $$c=e^{-kt}$$")
+    assert "%% e :" not in found
+    assert "not listed" in found
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        ("where $b$ is the width of the belt [mm],", "b : width of the belt [mm]"),
+        ("* $b$ width of the belt\n", "b : width of the belt"),
+        ("- $b =$ width of the belt (at rest)\n", "b : width of the belt"),
+        ("- Width of the belt: $b$\n", "b : Width of the belt"),
+        ("| $b$ | width of the belt | mm |\n", "b : width of the belt [mm]"),
+        ("\\item $b$: width of the belt\n", "b : width of the belt"),
+        ("\\(b\\) ist die Breite des Riemens.\\newline\n", "b : ist die Breite des Riemens"),
+        ("$b$ & width of the belt & mm \\\\\n", "b : width of the belt [mm]"),
+    ],
+)
+def test_words_say_what_letters_mean(words: str, line: str) -> None:
+    name = "paper.md" if words.startswith(("*", "-", "|")) else "paper.tex"
+    assert f"%% {line}\n" in draft(f"\n{words}\n$$c=2b$$\n", name)
+
+
+SUBSTITUTED = r"""
+\begin{equation}N=kb\label{load}\end{equation}
+\begin{equation}b=2c\label{width}\end{equation}
+Putting \eqref{width} into \eqref{load} we have
+\begin{equation}N=2kc\label{sum}\end{equation}
+and, as \eqref{load} and \eqref{later} tell,
+\begin{equation}k=N/b\label{later}\end{equation}
+"""
+
+
+def test_words_ask_what_follows() -> None:
+    found = draft(SUBSTITUTED)
+    assert "%% # line 4 refers to these. Does it follow from them?" in found
+    assert "%% # follows (3): (2), (1)\n" in found
+    assert found.count("follows") == 1
+
+
+def test_what_a_draft_names_is_read(tmp_path: Path) -> None:
+    text = (
+        "$$\\sum N_k=\\mu b$$\n$$W(p,q)=pq$$\n$$s_2=s_1+v\\,\\Delta t$$\n$$\\mathcal K=b-c$$\n"
+        "$$h\\_k=b+c$$\n"
+    )
+    file = tmp_path / "paper.md"
+    file.write_text(text)
+    file.with_suffix(".letters").write_text(draft(text, "paper.md"))
+    assert {row.outcome for row in mechproof.check(file).rows} == {"DEFINITION"}

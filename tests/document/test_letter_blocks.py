@@ -1,0 +1,84 @@
+"""What a block says of prints that are no plain letters: other meanings in places, families."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.block import BlockError
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+LETTERS = r"""%% mechproof
+%% \alpha ; \beta : angles [rad]
+%% A : area [mm^2]
+%% r ; x ; y : lengths [mm]
+%% A_r 2x2 : rotation
+%% m_i (i) : masses [kg]
+%% x_i (i) : places [mm]
+%% x_1 : first place [mm]
+%% c_{ij} (i,j) : coefficients
+%% S ; M : sums
+%% n : their number
+%% natural n
+"""
+ROTATION = r"A=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}"
+AREA = r"A=\pi r^2"
+
+
+def outcomes(*equations: str, block: str = "") -> list[str]:
+    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    rows = check("paper.tex", f"{LETTERS}{block}%% end\n{lines}").rows
+    return [row.outcome for row in rows]
+
+
+def test_a_print_means_another_letter_in_a_range_of_equations() -> None:
+    equations = [
+        AREA,
+        ROTATION,
+        r"AA^T=\begin{pmatrix}1&0\\0&1\end{pmatrix}",
+        r"\det A=\cos\beta",
+        r"A=\pi r^2\cos^2\beta+\pi r^2\sin^2\beta",
+        r"A=\frac{\pi r^2}{4}",
+    ]
+    found = outcomes(*equations, block="%% in (2)-(4): A is A_r\n")
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION", "PROVED", "REFUTED"]
+    assert outcomes(*equations, block="%% in (2), (3), (4): A is A_r\n") == found
+    assert outcomes(*equations)[1:4] == ["not read"] * 3
+
+
+def test_labels_may_name_the_ends_of_a_range() -> None:
+    equations = [AREA, rf"\label{{eq:turn}}{ROTATION}", r"\label{eq:last}\det A=1", r"A=2\pi r^2"]
+    found = outcomes(*equations, block="%% in eq:turn - eq:last: A is A_r\n")
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
+
+
+FAMILIES = {
+    r"S=\sum_{i=1}^n m_ix_i^2": ["DEFINITION"],
+    r"S=\sum_{i=1}^n m_ix_i^2=\sum_{k=1}^n x_km_kx_k": ["DEFINITION", "PROVED"],
+    r"S=\sum_{i=1}^n m_ix_i^2=2\sum_{k=1}^n m_kx_k^2": ["DEFINITION", "REFUTED"],
+    r"S=\sum_{i=1}^n m_ix_i^2=\sum_{k=1}^n m_ix_k^2": ["DEFINITION", "ILL_FORMED"],
+    r"S=\sum_{i=1}^n\sum_{j=1}^n c_{ij}=\sum_{k=1}^n\sum_{j=1}^n c_{kj}": ["DEFINITION", "PROVED"],
+    r"M=x_1+x=x+x_1": ["DEFINITION", "PROVED"],
+    r"M=x_1+x=x+2x_1": ["DEFINITION", "REFUTED"],
+    r"M=x_i": ["ILL_FORMED"],
+}
+
+
+@pytest.mark.parametrize("latex", FAMILIES)
+def test_families_stand_beside_letters_and_members(latex: str) -> None:
+    assert outcomes(latex) == FAMILIES[latex]
+
+
+@pytest.mark.parametrize(
+    ("line", "error"),
+    [
+        ("in (9): A is A_r", ValueError),
+        ("in (1): A is B", ValueError),
+        ("in (1): A", BlockError),
+        ("in (1)", BlockError),
+    ],
+)
+def test_a_scope_that_cannot_be_meant_is_refused(line: str, error: type[Exception]) -> None:
+    with pytest.raises(error, match="in"):
+        outcomes(AREA, block=f"%% {line}\n")

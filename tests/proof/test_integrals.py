@@ -1,0 +1,78 @@
+"""Definite integrals: the value of an antiderivative that is proved to be one, and nothing else."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.proof import integrals
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality
+
+x, e = sp.symbols("x e", real=True)
+DOMAIN = Domain({e: sp.Interval.open(0, 1)}, (), {})
+TURN = 2 * sp.pi
+
+
+def integral(integrand: sp.Expr, lower: sp.Expr, upper: sp.Expr) -> sp.Integral:
+    return sp.Integral(integrand, (x, lower, upper))
+
+
+TRUE = {
+    "power": (integral(x**2, 0, 1), sp.Rational(1, 3)),
+    "square of a sine": (integral(sp.sin(x) ** 2, 0, TURN), sp.pi),
+    "logarithm": (integral(1 / x, 1, 2), sp.log(2)),
+    "quarter of a circle": (integral(sp.sqrt(1 - x**2), 0, 1), sp.pi / 4),
+    "orthogonal": (integral(sp.cos(3 * x) * sp.cos(2 * x), 0, sp.pi), sp.S.Zero),
+    "over the jump of the tangent": (integral(1 / (2 + sp.cos(x)), 0, TURN), TURN / sp.sqrt(3)),
+    "with a parameter": (integral(1 / (1 - e * sp.cos(x)), 0, TURN), TURN / sp.sqrt(1 - e**2)),
+    "within a formula": (e + e * integral(3 * x**2, -1, 1), 3 * e),
+}
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_a_true_integral_is_proved(name: str) -> None:
+    answer = decide(Equality(*TRUE[name]), DOMAIN)
+    assert answer.verdict is Verdict.PROVED
+    assert integrals.RUNG in answer.rung
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_its_wrong_neighbour_is_refuted(name: str) -> None:
+    left, right = TRUE[name]
+    answer = decide(Equality(left, right + sp.Rational(1, 100)), DOMAIN)
+    assert answer.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("value", "proposed"),
+    [
+        (integral(x, 0, 1), x**2),
+        (
+            integral(1 / (2 + sp.cos(x)), 0, TURN),
+            2 * sp.atan(sp.tan(x / 2) / sp.sqrt(3)) / sp.sqrt(3),
+        ),
+        (integral(1 / x**2, -1, 1), -1 / x),
+    ],
+    ids=["another derivative", "it jumps", "the integrand has a pole"],
+)
+def test_what_is_no_continuous_antiderivative_is_no_proof(
+    value: sp.Integral, proposed: sp.Expr, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(integrals, "_propose", lambda *_: [proposed])
+    _, (_, lower, upper) = value.args
+    told = proposed.subs(x, upper) - proposed.subs(x, lower)
+    prove = lambda left, right, domain: "equal" if left == right else None  # noqa: E731
+    assert integrals.decide_by_antiderivative(value, told, DOMAIN, prove) is None
+
+
+@pytest.mark.parametrize(
+    "value",
+    [integral(x, 1, 0), integral(sp.exp(-x), 0, sp.oo), integral(sp.sqrt(1 - e * sp.sin(x)), 0, 1)],
+    ids=["against the axis", "improper", "elliptic"],
+)
+def test_other_integrals_are_left(value: sp.Integral) -> None:
+    prove = lambda *_: "equal"  # noqa: E731
+    assert integrals.decide_by_antiderivative(value, value, DOMAIN, prove) is None
