@@ -270,8 +270,8 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     values = [balls.evaluate(side, {}, 512) for side in sides]
     plain, enclosed = show_plainly(*values), balls.show_apart(*values)
     sign = f" {_SIGNS.get(sign, sign)} "
-    shown = {"printed": enclosed[0], "rebuilt": enclosed[1]} if holds is False else {}
-    evidence = Evidence(f"{sign.join(enclosed)} {outcome}", **shown)
+    printed, rebuilt = enclosed if holds is False else ("", "")
+    evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
     return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
 
 
