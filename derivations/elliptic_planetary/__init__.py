@@ -27,6 +27,7 @@ PAPER = Paper(
         for number, sizes in VARIANTS.items()
     ),
     findings=FINDINGS,
+    transcription="2",
     sentences=60,
     aside=ASIDE,
     conventions=(

@@ -44,6 +44,7 @@ PAPER = Paper(
         PublishedSizes(f"variant {number}", sizes) for number, sizes in VARIANTS.items()
     ),
     findings=FINDINGS,
+    transcription="2",
     sentences=57,
     aside=ASIDE,
     conventions=(

@@ -271,6 +271,7 @@ PAPER = Paper(
         dh: Rational(20, 1000),
     },
     findings=FINDINGS,
+    transcription="2",
     sentences=49,
     aside=ASIDE,
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "

@@ -28,6 +28,7 @@ PAPER = Paper(
     notation=NOTATION,
     print=PRINT.file,
     rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS + CONSEQUENCES,
+    transcription="2",
     sentences=68,
     aside=ASIDE,
     quantities=QUANTITIES,

@@ -82,6 +82,7 @@ PAPER = Paper(
     published=(FIRST_SET, SECOND_SET),
     usual={error: sp.S.One, stage_ratio: sp.S.Half, own_error: sp.Rational(1, 5)},
     findings=FINDINGS,
+    transcription="2",
     sentences=52,
     aside=ASIDE,
     conventions=(
