@@ -1,7 +1,7 @@
 """Who may import whom, as one sentence: each layer what is below it, and no way leads back.
 
 tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < programs < proof,
-roundoff, emission < documents < loading < the runtime that proves < tailoring < laboratory,
+roundoff, emission < documents, Coq < loading < the runtime that proves < tailoring < laboratory,
 figures < report < pipeline < command line.
 """
 
@@ -33,7 +33,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"latex": ("latex",), "arithmetic": ("arithmetic",)},
     {"programs": ("programs",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
-    {"documents": ("document",)},
+    {"documents": ("document",), "Coq": ("coq",)},
     {"loading": ("chosen", "derivation")},
     {"tolerance": ("tolerance",)},
     {"mechanisms": ("mechanisms",)},

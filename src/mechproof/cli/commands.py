@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli.certify import certify
 from mechproof.cli.chart import chart
 from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
@@ -53,6 +54,7 @@ app.command()(new)
 app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
 app.command(epilog=RULE)(improve)
+app.command(epilog=RULE)(certify)
 app.add_typer(emit_app, name="emit")
 
 UNDECIDED = (Verdict.UNDECIDED.value, State.NOT_READ.value, State.NOT_JUDGED.value)

@@ -1,0 +1,94 @@
+"""The command that writes what is proved as scripts of Coq, and has Coq check them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
+from mechproof.cli.paths import (
+    DerivationsOption,
+    PapersArgument,
+    find_locations,
+    find_places,
+    read_out,
+)
+from mechproof.made import ForeignFileError
+from mechproof.verification import LIMIT, open_paper
+
+
+def certify(
+    papers: PapersArgument = None,
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),
+    ] = Path("coq"),
+    check: Annotated[
+        bool, typer.Option("--check", help="Have Coq check them, and write the coverage page.")
+    ] = False,
+    record: Annotated[
+        bool,
+        typer.Option(
+            "--record",
+            help="With --check: keep page and digests in DIR/../generated, and take over what "
+            "is recorded there and has not changed.",
+        ),
+    ] = False,
+    one_in: Annotated[
+        int,
+        typer.Option("--one-in", metavar="N", min=1, help="Have every N-th script checked alone."),
+    ] = 1,
+    derivations: DerivationsOption = None,
+    no_cache: NoCacheOption = False,
+    limit: LimitOption = LIMIT,
+) -> None:
+    """Write a Coq script for every row that is PROVED or REFUTED; `make` in FOLDER checks them.
+
+    Each states its row in the letters of the paper, with the domain as hypotheses, and is read
+    back from its text and compared with the row before it is written. With --check the scripts
+    that Coq does not accept are removed, and COQ.md says of every row which file it has, or why
+    it has none.
+
+    Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
+    does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
+    fails; 2: bad usage.
+    """
+    from mechproof.coq.checker import RECORD_LIMIT, CheckerError
+    from mechproof.coq.coverage import check_folder, keep_record, read_known
+    from mechproof.coq.folder import Certificate, write_certificates, write_folder
+
+    if record and (not check or one_in > 1 or papers):
+        refuse("--record: with --check, of all papers and all their scripts")
+    places = find_places(derivations, None)
+    locations = find_locations(papers or (), places)
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    refuse_failures(ledgers)
+    pairs = zip(locations, ledgers, strict=True)
+    opened = [open_paper(location, ledger.paper) for location, ledger in pairs]
+    certificates: list[Certificate] = []
+    with show_progress("writing scripts") as tell:
+        for ledger, paper in zip(ledgers, opened, strict=True):
+            rows = {row.number: row for row in paper.rows}
+            certificates += write_certificates(ledger, rows, tell)
+    try:
+        write_folder(out, certificates)
+        written = sum(bool(c.text) for c in certificates)
+        say(f"{out}: {written} scripts of {len(certificates)} rows; `make -C {out}` checks them")
+        if not check:
+            return
+        with show_progress("running Coq") as tell:
+            known = read_known(places.generated)
+            if record:
+                coverage = check_folder(out, certificates, tell, known=known, limit=RECORD_LIMIT)
+            else:
+                coverage = check_folder(out, certificates, tell, one_in=one_in)
+        if record:
+            keep_record(places.generated, coverage)
+    except (CheckerError, ForeignFileError, OSError) as error:
+        fail(str(error))
+    say(coverage.count())
+    if lost := [] if record else coverage.find_lost(known):
+        fail("\n".join(f"not as recorded: {line}" for line in lost))

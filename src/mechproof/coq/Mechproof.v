@@ -1,0 +1,87 @@
+(* What the proofs of all rows share: lemmas and tactics, and nothing that is assumed. *)
+From Coq Require Export Reals Lra Psatz.
+From Interval Require Export Tactic.
+Open Scope R_scope.
+
+Lemma square_of_sine (x : R) : sin x * sin x = 1 - cos x * cos x.
+Proof. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
+
+Lemma less_by (a b d : R) : b - a = d -> 0 < d -> a < b.
+Proof. lra. Qed.
+
+Lemma at_most_by (a b d : R) : b - a = d -> 0 <= d -> a <= b.
+Proof. lra. Qed.
+
+Lemma root_of_product (a m b : R) : 0 <= m -> 0 <= b -> a = m * m * b -> sqrt a = m * sqrt b.
+Proof. intros P N E. rewrite E, sqrt_mult_alt by nra. now rewrite sqrt_square. Qed.
+
+Lemma sine_of_right_angle : sin (1 / 2 * PI) = 1.
+Proof. replace (1 / 2 * PI) with (PI / 2) by field. apply sin_PI2. Qed.
+
+Lemma cosine_of_right_angle : cos (1 / 2 * PI) = 0.
+Proof. replace (1 / 2 * PI) with (PI / 2) by field. apply cos_PI2. Qed.
+
+(* A number differs from zero if another form of it does, which `same` shows, or by its size. *)
+Ltac differs same :=
+  solve
+    [ assumption
+    | lra
+    | match goal with
+      | H : ?D <> 0 |- ?E <> 0 =>
+          let F := fresh in intro F; apply H; first [ lra | rewrite <- F; same ]
+      end
+    | match goal with
+      | H : ?D <> 0 |- ?E <> 0 =>
+          let F := fresh in
+          intro F; apply H;
+          first
+            [ transitivity (- E); [ same | rewrite F; ring ]
+            | transitivity (2 * E); [ same | rewrite F; ring ]
+            | transitivity (- 2 * E); [ same | rewrite F; ring ]
+            | transitivity (E / 2); [ same | rewrite F; field ]
+            | transitivity (- E / 2); [ same | rewrite F; field ] ]
+      end
+    | nra
+    | apply Rgt_not_eq; interval with (i_prec 80)
+    | apply Rlt_not_eq; interval with (i_prec 80) ].
+
+Ltac nonzero := differs ltac:(ring).
+Ltac conditions same := repeat split; differs same.
+
+Ltac close :=
+  intros;
+  solve
+    [ assumption
+    | lra
+    | interval with (i_prec 60)
+    | interval with (i_prec 120)
+    | interval with (i_prec 300)
+    | nonzero
+    | field; conditions ltac:(ring) ].
+
+Ltac sign := solve [ assumption | lra | nra | interval | apply pow2_ge_0 ].
+
+(* A product or a quotient whose parts have the signs that are known. *)
+Ltac product_sign :=
+  unfold Rdiv;
+  repeat
+    first
+      [ assumption
+      | lra
+      | apply Rmult_lt_0_compat
+      | apply Rinv_0_lt_compat
+      | apply Rle_mult_inv_pos
+      | apply Rmult_le_pos
+      | apply pow2_ge_0
+      | apply Rlt_le; assumption ].
+
+Ltac scale_sign := first [ lra | nra | product_sign ].
+
+(* Facts about a point. *)
+Ltac at_point := repeat match goal with |- _ /\ _ => split end; close.
+
+(* Sines and cosines of sums by those of the summands. *)
+Ltac open_angles :=
+  repeat
+    rewrite ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sine_of_right_angle, ?cosine_of_right_angle
+    in *.

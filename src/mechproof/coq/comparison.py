@@ -1,0 +1,93 @@
+"""Scripts read back, compared with the theorems that they were written from.
+
+Structure is compared part by part: quantifier, number of variables, number and relation of every
+hypothesis and conclusion. Sides are compared in balls at points of the domain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.coq.reading import Joined, Read, ReadStatement, read_script
+from mechproof.coq.scripts import name_symbols
+from mechproof.coq.theorems import Theorem
+from mechproof.proof.domain import Point
+
+# Sides that differ do so in more than 2^-200 of their size, or are the same for every reader.
+_BITS = 256
+_JOINTS = {"/\\": sp.And, "\\/": sp.Or}
+
+
+class ReadBackError(ValueError):
+    """A script does not say what it was written from; the text says where."""
+
+
+def compare_script(text: str, theorems: Sequence[Theorem]) -> None:
+    """Raise `ReadBackError` unless a script states these theorems, each with its witness."""
+    try:
+        found = {statement.name: statement for statement in read_script(text)}
+    except ValueError as error:
+        raise ReadBackError(str(error)) from error
+    wanted = dict(_expect(theorems))
+    if list(found) != list(wanted):
+        raise ReadBackError(f"statements {list(found)} where {list(wanted)} were expected")
+    for name, statement in wanted.items():
+        _compare(found[name], statement)
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    theorem: Theorem
+    quantifier: str
+    hypotheses: tuple[sp.Basic, ...]
+    conclusions: tuple[sp.Basic, ...]
+
+
+def _expect(theorems: Sequence[Theorem]) -> Iterator[tuple[str, _Wanted]]:
+    """Yield the name of each statement and what it should say."""
+    for number, theorem in enumerate(theorems, start=1):
+        hypotheses, name = theorem.hypotheses, f"part_{number}"
+        if not theorem.of_all:
+            yield name, _Wanted(theorem, "exists", (), (*hypotheses, theorem.conclusion))
+            continue
+        if hypotheses:
+            yield f"{name}_inhabited", _Wanted(theorem, "exists", (), hypotheses)
+        yield name, _Wanted(theorem, "forall", hypotheses, (theorem.conclusion,))
+
+
+def _compare(read: ReadStatement, wanted: _Wanted) -> None:
+    theorem = wanted.theorem
+    names = name_symbols(theorem.symbols)
+    quantifier = wanted.quantifier if names else ""
+    if (read.quantifier, list(read.variables)) != (quantifier, list(names.values())):
+        raise ReadBackError(f"{read.name}: {read.quantifier} {' '.join(read.variables)}")
+    back = {sp.Symbol(name): symbol for symbol, name in names.items()}
+    pairs = [(read.hypotheses, wanted.hypotheses), (read.conclusions, wanted.conclusions)]
+    for ours, theirs in pairs:
+        if len(ours) != len(theirs):
+            raise ReadBackError(f"{read.name}: {len(ours)} relations where {len(theirs)} are meant")
+        for one, other in zip(ours, theirs, strict=True):
+            _compare_relations(read.name, one, other, back, theorem.points)
+
+
+def _compare_relations(
+    name: str, one: Read, other: sp.Basic, back: Point, points: Sequence[Point]
+) -> None:
+    if isinstance(one, Joined):
+        parts = sorted(other.args, key=sp.default_sort_key)
+        if other.func is not _JOINTS[one.sign] or len(parts) != len(one.parts):
+            raise ReadBackError(f"{name}: {one.sign} where {other.func.__name__} is meant")
+        for part, meant in zip(one.parts, parts, strict=True):
+            _compare_relations(name, part, meant, back, points)
+        return
+    if one.func is not other.func or len(one.args) != len(other.args):
+        raise ReadBackError(f"{name}: {one.func.__name__} where {other.func.__name__} is meant")
+    for side, meant in zip(one.args, other.args, strict=True):
+        told = side.xreplace(back)
+        for point in points:
+            if balls.truth(sp.Ne(told, meant, evaluate=False), point, _BITS):
+                raise ReadBackError(f"{name}: a side is not what is meant at {point}: {side}")

@@ -1,0 +1,201 @@
+"""Statements of Coq, read back from their text alone, and compared with what the ledger judged.
+
+The reader knows the terms and the precedences of Coq's real numbers; nothing of the writer.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import sympy as sp
+
+_TOKENS = re.compile(r"\s*(/\\|\\/|->|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
+_STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : (.*)\.\nProof\.", re.MULTILINE)
+_FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
+    "sin": sp.sin,
+    "cos": sp.cos,
+    "tan": sp.tan,
+    "atan": sp.atan,
+    "asin": sp.asin,
+    "acos": sp.acos,
+    "exp": sp.exp,
+    "ln": sp.log,
+    "sqrt": sp.sqrt,
+    "Rabs": sp.Abs,
+    "sinh": sp.sinh,
+    "cosh": sp.cosh,
+    "tanh": sp.tanh,
+    "Rmin": sp.Min,
+    "Rmax": sp.Max,
+}
+_TWO_ARGUMENTS = ("Rmin", "Rmax")
+_RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
+    "=": sp.Eq,
+    "<>": sp.Ne,
+    "<": sp.Lt,
+    "<=": sp.Le,
+    ">": sp.Gt,
+    ">=": sp.Ge,
+}
+
+
+@dataclass(frozen=True)
+class Joined:
+    """Relations with one sign between them, in their order."""
+
+    sign: str
+    parts: tuple[sp.Basic | Joined, ...]
+
+
+Read: TypeAlias = sp.Basic | Joined
+
+
+@dataclass(frozen=True)
+class ReadStatement:
+    """A statement as its text says: quantifier, variables, hypotheses, conclusions."""
+
+    name: str
+    quantifier: str
+    variables: tuple[str, ...]
+    hypotheses: tuple[Read, ...]
+    conclusions: tuple[Read, ...]
+
+
+def read_script(text: str) -> list[ReadStatement]:
+    """Read every theorem and lemma of a file. Raises ValueError for what it does not know."""
+    return [_read(name, body) for name, body in _STATEMENT.findall(text)]
+
+
+def _read(name: str, body: str) -> ReadStatement:
+    found = re.fullmatch(r"(forall|exists) ([\w' ]+) : R, (.*)", body)
+    quantifier, names, rest = found.groups() if found else ("", "", body)
+    variables = tuple(names.split())
+    parser = _Parser(rest, {variable: sp.Symbol(variable) for variable in variables})
+    *hypotheses, conclusion = parser.implications()
+    parser.end()
+    is_list = quantifier == "exists" and isinstance(conclusion, Joined)
+    parts = conclusion.parts if is_list else (conclusion,)
+    return ReadStatement(name, quantifier, variables, tuple(hypotheses), parts)
+
+
+class _Parser:
+    """Recursive descent, a method for each level of precedence."""
+
+    def __init__(self, text: str, letters: Mapping[str, sp.Expr]) -> None:
+        self.letters = letters
+        self.tokens = _TOKENS.findall(text)
+        if "".join(self.tokens) != re.sub(r"\s+", "", text):
+            raise ValueError(f"Coq text: a sign that is not known in {text[:60]!r}")
+        self.at = 0
+
+    @property
+    def next(self) -> str:
+        """Return the token that comes, or the empty string."""
+        return self.tokens[self.at] if self.at < len(self.tokens) else ""
+
+    def take(self, *expected: str) -> str:
+        """Step over a token, one of those expected if any are named."""
+        token = self.next
+        if not token or (expected and token not in expected):
+            raise ValueError(f"Coq text: {token!r} where {expected or 'a term'} was expected")
+        self.at += 1
+        return token
+
+    def end(self) -> None:
+        """Refuse what is left."""
+        if self.next:
+            raise ValueError(f"Coq text: {self.next!r} after the end")
+
+    def implications(self) -> list[Read]:
+        """Read relations joined by arrows."""
+        found = [self.relations()]
+        while self.next == "->":
+            self.take()
+            found.append(self.relations())
+        return found
+
+    def relations(self) -> Read:
+        """Read relations joined by one sign for and, or by one for or."""
+        found = [self.relation()]
+        sign = self.next if self.next in ("/\\", "\\/") else ""
+        while sign and self.next == sign:
+            self.take()
+            found.append(self.relation())
+        return Joined(sign, tuple(found)) if sign else found[0]
+
+    def relation(self) -> Read:
+        """Read two terms and the sign between them, or relations in parentheses."""
+        start = self.at
+        try:
+            left = self.sum()
+            relate = _RELATIONS[self.take(*_RELATIONS)]
+        except ValueError:
+            self.at = start
+            self.take("(")
+            inner = self.relations()
+            self.take(")")
+            return inner
+        return relate(left, self.sum(), evaluate=False)
+
+    def sum(self) -> sp.Expr:
+        """Read terms with plus and minus between them."""
+        total = self.product()
+        while self.next in ("+", "-"):
+            sign = self.take()
+            term = self.product()
+            total = sp.Add(total, term if sign == "+" else -term, evaluate=False)
+        return total
+
+    def product(self) -> sp.Expr:
+        """Read factors with times and over between them, from the left."""
+        total = self.signed()
+        while self.next in ("*", "/"):
+            sign = self.take()
+            factor = self.signed()
+            factor = factor if sign == "*" else sp.Pow(factor, -1, evaluate=False)
+            total = sp.Mul(total, factor, evaluate=False)
+        return total
+
+    def signed(self) -> sp.Expr:
+        """Read a power after a minus, or after the sign of an inverse."""
+        if self.next == "-":
+            self.take()
+            return sp.Mul(-1, self.signed(), evaluate=False)
+        if self.next == "/":
+            self.take()
+            return sp.Pow(self.signed(), -1, evaluate=False)
+        return self.power()
+
+    def power(self) -> sp.Expr:
+        """Read an atom and its whole exponent."""
+        base = self.application()
+        if self.next != "^":
+            return base
+        self.take()
+        return sp.Pow(base, int(self.take()), evaluate=False)
+
+    def application(self) -> sp.Expr:
+        """Read a function with its arguments, or an atom."""
+        if self.next not in _FUNCTIONS or self.next in self.letters:
+            return self.atom()
+        name = self.take()
+        arguments = [self.atom() for _ in range(2 if name in _TWO_ARGUMENTS else 1)]
+        return _FUNCTIONS[name](*arguments, evaluate=False)
+
+    def atom(self) -> sp.Expr:
+        """Read a letter, a number, or a term in parentheses."""
+        token = self.take()
+        if token in self.letters:
+            return self.letters[token]
+        if token.isdigit():
+            return sp.Integer(token)
+        if token == "PI":
+            return sp.pi
+        if token == "(":
+            inner = self.sum()
+            self.take(")")
+            return inner
+        raise ValueError(f"Coq text: {token!r} is not known")

@@ -1,0 +1,146 @@
+"""SymPy's expressions -> terms of Coq's real numbers, and what these need to have their values.
+
+Division, square roots and tangents are total functions in Coq: x / 0 is a number of which nothing
+is known. So every term comes with the conditions under which it means what is printed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from mechproof.record.substitution import write_steps
+
+Names = Mapping[sp.Basic, str]
+
+
+class UnwritableError(ValueError):
+    """A part of a statement that has no term in Coq; its message says which."""
+
+
+_FUNCTIONS: Mapping[type[sp.Basic], str] = {
+    sp.sin: "sin",
+    sp.cos: "cos",
+    sp.tan: "tan",
+    sp.atan: "atan",
+    sp.asin: "asin",
+    sp.acos: "acos",
+    sp.exp: "exp",
+    sp.log: "ln",
+    sp.Abs: "Rabs",
+    sp.sinh: "sinh",
+    sp.cosh: "cosh",
+    sp.tanh: "tanh",
+    sp.Min: "Rmin",
+    sp.Max: "Rmax",
+}
+_RELATIONS: Mapping[type[sp.Basic], str] = {
+    sp.Eq: "=",
+    sp.Ne: "<>",
+    sp.Lt: "<",
+    sp.Le: "<=",
+    sp.Gt: ">",
+    sp.Ge: ">=",
+}
+
+
+def write_term(expression: sp.Basic, names: Names) -> str:
+    """Write an expression with every operation in parentheses. Raises `UnwritableError`."""
+    if expression in names:
+        return names[expression]
+    kind = expression.func
+    if kind in _FUNCTIONS:
+        arguments = " ".join(write_term(part, names) for part in expression.args)
+        return f"({_FUNCTIONS[kind]} {arguments})"
+    for type_, write in _WRITERS.items():
+        if isinstance(expression, type_):
+            return write(expression, names)
+    raise UnwritableError(f"{kind.__name__} has no term")
+
+
+def write_relation(relation: sp.Basic, names: Names) -> str:
+    """Write a relation, or a conjunction or disjunction of some. Raises `UnwritableError`."""
+    if isinstance(relation, sp.And | sp.Or):
+        sign = " /\\ " if isinstance(relation, sp.And) else " \\/ "
+        parts = sorted(relation.args, key=sp.default_sort_key)
+        return "(" + sign.join(write_relation(part, names) for part in parts) + ")"
+    if not isinstance(relation, Relational):
+        raise UnwritableError(f"{type(relation).__name__} is no relation")
+    left, right = (write_term(side, names) for side in relation.args)
+    return f"({left} {_RELATIONS[relation.func]} {right})"
+
+
+def list_needs(expression: sp.Basic) -> list[sp.Basic]:
+    """List what parts of an expression need to have values, without what numbers show."""
+    found = (need for node in sp.postorder_traversal(expression) for need in _need(node))
+    return list(dict.fromkeys(need for need in found if need is not sp.true))
+
+
+def _need(node: sp.Basic) -> Iterator[sp.Basic]:
+    if isinstance(node, sp.Pow):
+        if node.exp.is_number and node.exp.is_negative:
+            yield sp.Ne(node.base, 0)
+        if node.exp.is_Rational and node.exp.q != 1:
+            yield sp.Ge(node.base, 0)
+    elif isinstance(node, sp.tan):
+        yield sp.Ne(sp.cos(node.args[0]), 0)
+    elif isinstance(node, sp.log):
+        yield sp.Gt(node.args[0], 0)
+    elif isinstance(node, sp.asin | sp.acos):
+        yield sp.Le(sp.Abs(node.args[0]), 1)
+
+
+def _write_number(number: sp.Rational, names: Names) -> str:
+    text = f"{abs(number.p)}" if number.q == 1 else f"({abs(number.p)} / {number.q})"
+    return f"(- {text})" if number < 0 else text
+
+
+def _write_sum(total: sp.Add, names: Names) -> str:
+    return "(" + " + ".join(write_term(term, names) for term in total.args) + ")"
+
+
+def _write_product(product: sp.Mul, names: Names) -> str:
+    above = [part for part in product.args if not _is_below(part)]
+    below = [
+        sp.Pow(part.base, -part.exp, evaluate=False) for part in product.args if _is_below(part)
+    ]
+    text = " * ".join(write_term(part, names) for part in above) or "1"
+    for part in below:
+        text = f"{text} / {write_term(_plain(part), names)}"
+    return f"({text})"
+
+
+def _plain(power: sp.Pow) -> sp.Basic:
+    return power.base if power.exp == 1 else power
+
+
+def _is_below(part: sp.Basic) -> bool:
+    return isinstance(part, sp.Pow) and bool(part.exp.is_Rational and part.exp.is_negative)
+
+
+def _write_power(power: sp.Pow, names: Names) -> str:
+    base, exponent = power.base, power.exp
+    if not exponent.is_Rational:
+        raise UnwritableError(f"the exponent {exponent} is no number")
+    if exponent < 0:
+        return f"(/ {write_term(_plain(sp.Pow(base, -exponent, evaluate=False)), names)})"
+    if exponent.q == 2:
+        root = f"(sqrt {write_term(base, names)})"
+        return root if exponent.p == 1 else f"({root} ^ {exponent.p})"
+    if exponent.q != 1:
+        raise UnwritableError(f"the exponent {exponent} is no half")
+    return f"({write_term(base, names)} ^ {exponent.p})"
+
+
+_WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
+    sp.Rational: _write_number,
+    sp.Add: _write_sum,
+    sp.Mul: _write_product,
+    sp.Pow: _write_power,
+    type(sp.pi): lambda number, names: "PI",
+    type(sp.E): lambda number, names: "(exp 1)",
+}
+
+__all__ = ["Names", "UnwritableError", "list_needs", "write_relation", "write_steps", "write_term"]

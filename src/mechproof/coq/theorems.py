@@ -1,0 +1,166 @@
+"""A row and its verdict -> the theorems that say as much: of all values, or of a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain, islice, product
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.coq.terms import UnwritableError, list_needs, write_relation
+from mechproof.proof.domain import Domain, Point, sizes_of
+from mechproof.proof.preparation import prepare
+from mechproof.proof.verdict import Verdict
+from mechproof.record import (
+    Conjunction,
+    Equality,
+    Holds,
+    PrintedNumber,
+    RecordError,
+    Row,
+    Statement,
+)
+from mechproof.record.parts import find_free
+
+# Points at which the sides of a refuted statement are looked for.
+_POINTS = 40
+_COMPARED = 8
+_BITS = 256
+# Work limit: a relation of more parts is not written.
+_LONGEST = 3000
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A conclusion for all values of the symbols that satisfy the hypotheses, or at one point.
+
+    The point `witness` satisfies the hypotheses: they contradict neither each other nor the domain.
+    `points` are others at which a statement that was read back is compared with this one.
+    """
+
+    symbols: tuple[sp.Basic, ...]
+    hypotheses: tuple[sp.Basic, ...]
+    conclusion: sp.Basic
+    witness: Point
+    of_all: bool = True
+    points: tuple[Point, ...] = ()
+
+
+def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
+    """Return the theorems of a row that is PROVED or REFUTED. Raises `UnwritableError`."""
+    relations = [r for r in _list_relations(row.statement, domain) if r is not sp.true]
+    if sum(1 for r in relations for _ in islice(sp.preorder_traversal(r), _LONGEST)) >= _LONGEST:
+        raise UnwritableError(f"it has more than {_LONGEST} parts")
+    for relation in relations:
+        letters = {s: "x" for s in find_free(relation) if not isinstance(s, sp.Indexed)}
+        write_relation(relation, letters)
+    if verdict is Verdict.PROVED:
+        return [_state(relation, domain) for relation in relations]
+    return [_refute(relations, domain)]
+
+
+def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
+    """Yield what a statement asserts, with the symbols that the paper declares written out."""
+    match statement:
+        case Conjunction():
+            for part in statement.parts:
+                yield from _list_relations(part, domain)
+        case Equality():
+            yield from _equate(statement.printed, statement.rebuilt, domain)
+        case Holds():
+            yield _write_out(domain.resolve(statement.relation))
+        case PrintedNumber():
+            half = sp.Rational(1, 2) / 10 ** len(statement.printed.partition(".")[2])
+            value = _write_out(domain.resolve(statement.value))
+            yield sp.Le(
+                sp.Abs(value - sp.Rational(statement.printed), evaluate=False), half, evaluate=False
+            )
+        case _:
+            raise UnwritableError(f"a {type(statement).__name__} has no theorem")
+
+
+def _equate(left: sp.Basic, right: sp.Basic, domain: Domain) -> Iterator[sp.Basic]:
+    left, right = (_write_out(domain.resolve(side)) for side in (left, right))
+    if not isinstance(left, sp.MatrixBase):
+        yield sp.Eq(left, right, evaluate=False)
+        return
+    for place in product(range(left.rows), range(left.cols)):
+        yield sp.Eq(left[place], right[place], evaluate=False)
+
+
+def _write_out(expression: sp.Basic) -> sp.Basic:
+    return prepare(expression)
+
+
+def _state(relation: sp.Basic, domain: Domain) -> Theorem:
+    hypotheses = _list_hypotheses(relation, domain)
+    symbols = _order(find_free(sp.And(relation, *hypotheses, evaluate=False)))
+    points = tuple(islice(_list_points(symbols, domain), _POINTS))
+    for point in points:
+        if all(balls.truth(h, point, _BITS) for h in hypotheses):
+            return Theorem(symbols, hypotheses, relation, point, points=points[:_COMPARED])
+    raise UnwritableError("no point of the domain satisfies all hypotheses")
+
+
+def _refute(relations: Sequence[sp.Basic], domain: Domain) -> Theorem:
+    for relation in relations:
+        hypotheses = _list_hypotheses(relation, domain)
+        symbols = _order(find_free(sp.And(relation, *hypotheses, evaluate=False)))
+        for point in _list_points(symbols, domain):
+            holds = [balls.truth(h, point, _BITS) for h in (*hypotheses, relation)]
+            if all(holds[:-1]) and holds[-1] is False:
+                return Theorem(symbols, hypotheses, _negate(relation), point, False, (point,))
+    raise UnwritableError("no point was found at which it fails")
+
+
+def _list_points(symbols: Sequence[sp.Basic], domain: Domain) -> Iterator[Point]:
+    if not symbols:
+        yield {}
+        return
+    wanted = list(symbols)
+    published = (domain.points_at(sizes_of(sizes), wanted) for sizes in domain.published)
+    for found in chain(*published, _try_points(wanted, domain)):
+        yield {symbol: found[symbol] for symbol in wanted}
+
+
+def _try_points(symbols: list[sp.Basic], domain: Domain) -> list[Point]:
+    try:
+        return domain.points(symbols, _POINTS)
+    except RecordError as error:
+        raise UnwritableError(str(error)) from error
+
+
+def _list_hypotheses(relation: sp.Basic, domain: Domain) -> tuple[sp.Basic, ...]:
+    """List the sets of the symbols, what the paper says of them, and what the sides need."""
+    met = find_free(relation)
+    tied = [r for r in domain.where if find_free(r) <= met]
+    sets = chain.from_iterable(_bound(s, domain.set_of(s)) for s in _order(met))
+    needs = chain.from_iterable(list_needs(side) for side in relation.args)
+    listed = dict.fromkeys([*sets, *tied, *needs])
+    return tuple(h for h in listed if h not in (sp.true, relation))
+
+
+def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
+    """Yield the bounds of a set; of whole numbers no more is said, so that more is proved."""
+    try:
+        low, high = values.inf, values.sup
+    except (NotImplementedError, AttributeError):
+        return
+    if low.is_finite:
+        yield (sp.Ge if values.contains(low) == True else sp.Gt)(symbol, low, evaluate=False)  # noqa: E712
+    if high.is_finite:
+        yield (sp.Le if values.contains(high) == True else sp.Lt)(symbol, high, evaluate=False)  # noqa: E712
+
+
+def _order(symbols: Iterable[sp.Basic]) -> tuple[sp.Basic, ...]:
+    return tuple(sorted(symbols, key=str))
+
+
+def _negate(relation: sp.Basic) -> sp.Basic:
+    """Return what is true where a relation between two sides is not."""
+    opposite = {sp.Eq: sp.Ne, sp.Ne: sp.Eq, sp.Lt: sp.Ge, sp.Le: sp.Gt, sp.Gt: sp.Le, sp.Ge: sp.Lt}
+    if relation.func not in opposite:
+        raise UnwritableError(f"the contrary of {type(relation).__name__} is not written")
+    return opposite[relation.func](*relation.args, evaluate=False)

@@ -1,0 +1,111 @@
+"""Scripts of Coq: what they state, that they are read back, and that changed ones are refused."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from sympy import Eq, Interval, Rational, S, cos, sin, sqrt, symbols
+
+from mechproof.coq.comparison import ReadBackError, compare_script
+from mechproof.coq.scripts import name_symbols, write_script
+from mechproof.coq.terms import UnwritableError, list_needs, write_term
+from mechproof.coq.theorems import build_theorems
+from mechproof.proof.domain import Domain
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality, Equation, Holds, Paper, PrintedNumber, Variable
+
+e, x = symbols("e x", real=True)
+EQUAL = Equality(sin(x) ** 2 / (1 - e), (1 - cos(x) ** 2) / (1 - e))
+RATIO = Holds(sp.Lt((1 - e) / (1 + e), 2, evaluate=False))
+NUMBER = PrintedNumber("1.414", sqrt(2))
+
+
+def write(statement: object, verdict: Verdict = Verdict.PROVED, where: tuple = ()) -> tuple:
+    variables = (Variable(e, "a share", within=Interval.Ropen(0, 1)), Variable(x, "an angle"))
+    row = Equation("(1)", "1", statement)
+    paper = Paper("mine", "my notes", variables, (row,), where=where)
+    theorems = build_theorems(row, verdict, Domain.of(paper))
+    return write_script("mine", theorems), theorems
+
+
+@pytest.mark.parametrize("statement", [EQUAL, RATIO, NUMBER])
+def test_a_script_says_what_it_was_written_from(statement: object) -> None:
+    text, theorems = write(statement)
+    compare_script(text, theorems)
+
+
+@pytest.mark.parametrize(
+    ("statement", "old", "new"),
+    [
+        (EQUAL, "(e < 1)", "(e <= 1)"),
+        (EQUAL, "(e < 1) -> ", ""),
+        (EQUAL, "(cos x) ^ 2", "(cos x) ^ 3"),
+        (EQUAL, "exists e x : R, ", "exists x e : R, "),
+        (EQUAL, "forall e x", "forall x e"),
+        (EQUAL, "Theorem part_1", "Theorem part_2"),
+        (RATIO, "< 2)", "> 2)"),
+        (RATIO, "1 + ", "1 - "),
+        (RATIO, "< 2)", "< 3)"),
+        (NUMBER, "2000", "20000"),
+    ],
+)
+def test_a_changed_script_is_refused(statement: object, old: str, new: str) -> None:
+    text, theorems = write(statement)
+    assert old in text
+    with pytest.raises(ReadBackError):
+        compare_script(text.replace(old, new), theorems)
+
+
+def test_a_statement_over_no_point_is_not_written() -> None:
+    with pytest.raises(UnwritableError, match="no point"):
+        write(Equality(e, e), where=(e > Rational(1, 2), e < Rational(1, 3)))
+
+
+def test_a_refuted_row_is_a_point() -> None:
+    text, theorems = write(Equality(sin(x), cos(x)), Verdict.REFUTED)
+    assert "exists x : R, ((sin x) <> (cos x))" in text
+    compare_script(text, theorems)
+
+
+def test_a_true_row_has_no_point_that_refutes_it() -> None:
+    with pytest.raises(UnwritableError, match="no point"):
+        write(EQUAL, Verdict.REFUTED)
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        (x - e, "(x + ((- 1) * e))"),
+        (Rational(-2, 3) * x, "((- (2 / 3)) * x)"),
+        (x**-2, "(/ (x ^ 2))"),
+        (e / x, "(e / x)"),
+        (sqrt(x) ** 3, "((sqrt x) ^ 3)"),
+        (2 * sp.pi, "(2 * PI)"),
+    ],
+)
+def test_terms(expression: sp.Expr, text: str) -> None:
+    assert write_term(expression, {e: "e", x: "x"}) == text
+
+
+@pytest.mark.parametrize(
+    "expression", [sp.gamma(x), x ** Rational(1, 3), x**e, sp.Integral(x, x), S.ImaginaryUnit]
+)
+def test_what_has_no_term_is_named(expression: sp.Expr) -> None:
+    with pytest.raises(UnwritableError):
+        write_term(expression, {e: "e", x: "x"})
+
+
+def test_needs_of_parts() -> None:
+    assert list_needs(1 / (x - e)) == [sp.Ne(x - e, 0)]
+    assert list_needs(sp.log(x) + sp.tan(e)) in (
+        [sp.Gt(x, 0), sp.Ne(cos(e), 0)],
+        [sp.Ne(cos(e), 0), sp.Gt(x, 0)],
+    )
+    assert list_needs(Eq(x, e)) == []
+
+
+def test_no_letter_takes_a_name_of_coq() -> None:
+    letters = symbols("R E sin exists H1 varphi' 2x R_")
+    names = name_symbols(letters)
+    assert len(set(names.values())) == len(letters)
+    assert not {"R", "E", "sin", "exists", "H1"} & set(names.values())
