@@ -100,13 +100,11 @@ class Readings:
         return (self.uncertainty - Rational("0.005")) * sqrt(self.count)
 
     def scatter_within(self, limit: Expr) -> Expr:
-        """Return the largest s of readings in -limit ... limit with this mean.
+        """Return the largest s of readings within -limit ... limit of any offset.
 
-        The sum of (q_k - mean)^2 is at most n (limit - mean) (mean + limit); the mean is taken at
-        the end of its rounding that is nearer to zero.
+        The sum of (q_k - mean)^2 is at most that about the offset, n limit^2.
         """
-        mean = abs(self.mean) - self.step / 2
-        return sqrt((limit**2 - mean**2) * Rational(self.count, self.count - 1))
+        return limit * sqrt(Rational(self.count, self.count - 1))
 
 
 def of_the_mean(count: int) -> Expr:

@@ -34,14 +34,15 @@ CONSEQUENCES = (
             less(LARGEST_MEAN_ERROR, mean_lack(1)),
         ),
         note="On the first branch alone, before it falls back, (12) is off by so much in the mean. "
-        "Mean errors of at most 0.98 deg were not found against it: the theory behind table 3 was "
+        "Mean errors of at most 0.98 deg cannot have been found by comparison with it: the "
+        "theory behind table 3 was "
         "another, and the slip of (12) is one of the article only.",
         marks=("ours", "consequence"),
     ),
     Claim(
         "table 3, scatter and two encoders",
         r"u\sqrt n=11.5^\circ,\ 18.9^\circ,\ 3.9^\circ,\ 13.2^\circ;\ "
-        r"u\sqrt n>\sqrt{\tfrac n{n-1}\left(M^2-\bar q^2\right)}\text{ in variants 1, 2, 4},\ "
+        r"u\sqrt n>M\sqrt{\tfrac n{n-1}}\text{ in variants 1, 2, 4},\ "
         r"M=1.08^\circ\,(1+\max\varphi_3')=10.1^\circ,\ 14.7^\circ,\ 7.3^\circ,\ 10.3^\circ",
         all_of(
             *(
@@ -60,8 +61,9 @@ CONSEQUENCES = (
             less(READINGS[3].implied_scatter, LIMITS[3]),
         ),
         note="If u is that of the mean, as (15) and (16) have it, single errors scatter by u "
-        "sqrt(n). An encoder at each shaft that keeps 0.3 % of 360 deg allows errors of at most M, "
-        "which cannot scatter so much in variants 1, 2 and 4: either the mechanism or its model is "
+        "sqrt(n). An encoder at each shaft that keeps 0.3 % of 360 deg allows errors of at most M "
+        "about an offset that the mechanism may have, which cannot scatter so much in variants "
+        "1, 2 and 4: either the mechanism or its model is "
         "off, or u is no uncertainty of the mean.",
         marks=("ours", "inferred", "consequence"),
     ),

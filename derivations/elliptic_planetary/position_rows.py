@@ -192,7 +192,7 @@ POSITION_CLAIMS = (
         Equality(print_12, position),
         note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
-        cites=("S5", "S33"),
+        cites=("S33",),
     ),
     Claim(
         "Fig. 3, formula used",
@@ -201,7 +201,7 @@ POSITION_CLAIMS = (
         note="By (8), which is a ratio, integrated from phi1 = 0, as in (9). The curves of Fig. 3 "
         "are not at hand.",
         marks=("inferred",),
-        cites=("S35",),
+        cites=("S5", "S35"),
     ),
     Claim(
         "extremes of the ratio",

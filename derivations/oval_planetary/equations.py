@@ -221,7 +221,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(7)",
         derived={BD: point_d - point_b},
         readings=(Reading("the distance from D to B", Equality(print_7, -FROM_B_TO_D)),),
-        note="In the order that is legible, here and in (10). A length it is not: which of the two "
+        note="In the order that is legible, here and in (10). The distance is signed: which of "
+        "the two "
         "radii is larger changes.",
         marks=("rebuilt", "inferred"),
         cites=("S25",),

@@ -54,8 +54,9 @@ FINDINGS = (
     Finding(
         "step 5",
         "The whole deviation of the tip diameter is added to the height, where only half of it, "
-        "that of the tip circle's radius on which the gauge stands, can enter. In which sense it "
-        "counts is not printed.",
+        "that of the tip circle's radius on which the gauge stands, can enter. Steps 6 and 8 "
+        "hold with heights counted towards the centre: there a larger tip circle counts with "
+        "minus.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
@@ -71,7 +72,7 @@ FINDINGS = (
                 TIP_6,
                 "µm",
                 printed=(e_tip + dh_gauge) * K_m,
-                right=(e_tip / 2 + dh_gauge) * K_m,
+                right=(dh_gauge - e_tip / 2) * K_m,
             ),
         ),
         follows=("Table 1, columns 4 to 6",),
@@ -88,8 +89,9 @@ FINDINGS = (
     ),
     Finding(
         "(d)",
-        "IT8 is rejected and IT7 recommended because step 5 counts the whole deviation. With half "
-        "of it IT8 disturbs less than IT7 does as printed, and IT7 less than IT6: of the "
+        "IT8 is rejected and IT7 recommended by steps of which the fifth counts the whole "
+        "deviation. With half of it IT8 disturbs less than IT7 does as printed, and IT7 less than "
+        "IT6: of the "
         "recommended grades 6 and 7 each is one too fine.",
         costs=(
             Cost(
@@ -150,8 +152,8 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "Good by step 2 are deviations from {0} to {1}: the nominal tooth is, with no decrease "
-            "at all.",
+            "Good by step 2 are deviations from {0} to {1}: so is the nominal tooth, with no "
+            "decrease at all.",
             ((DECREASE_UM - TOLERANCE_UM) * MICROMETRE, DECREASE_UM * MICROMETRE),
             0,
             "µm",
@@ -184,7 +186,8 @@ FINDINGS = (
         f"is rejected with the first of its {TEETH} teeth, far more often.",
         costs=(
             Cost(
-                "wrongly rejected, tip of IT6, perfect gauge, steps as printed",
+                "wrongly rejected, tip of IT6, perfect gauge, steps as printed, a tip deviation "
+                "for each tooth",
                 {},
                 "%",
                 1,
@@ -203,7 +206,7 @@ FINDINGS = (
     ),
     Finding(
         "steps 4 and 7, spread of the gauge",
-        "Which interval the 50 µm of the gauge are is not printed, nor how many standard "
+        "It is not printed which interval the 50 µm of the gauge denote, nor how many standard "
         "deviations it spans; steps 4 and 7 cannot be repeated without it.",
         costs=(
             Cost(

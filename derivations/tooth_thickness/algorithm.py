@@ -177,9 +177,10 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "step 5, half the deviation",
-        r"\Delta h=\tfrac12e_{dau}+\Delta h_c",
-        HALF_OF_THE_DEVIATION.parts[0],
-        note="Counted towards the tip.",
+        r"\Delta h=-\tfrac12e_{dau}+\Delta h_c",
+        HALF_OF_THE_DEVIATION.parts[1],
+        note="Counted towards the centre, as (1) and steps 6 and 8 have it, which are proved with "
+        "K_m > 0; counted towards the tip the sign is plus.",
         marks=("ours",),
     ),
     Claim(

@@ -142,7 +142,17 @@ CLAIM_ROWS = (
         "which the printed steps give. No limit is printed; whichever admits IT7 by the printed "
         "steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
-        cites=("S45", "S46"),
+        cites=("S46",),
+    ),
+    Claim(
+        "(d), literature",
+        r"\text{recommendations in the technical literature on the IT grade of the diameter of the "
+        r"tooth tips need correction}",
+        NotCheckable(
+            "the share of good teeth that may be rejected is not printed, nor what the literature "
+            "recommends for other degrees than 6 and 7"
+        ),
+        cites=("S45",),
     ),
     Claim(
         "(d), a grade coarser",
@@ -169,8 +179,9 @@ CLAIM_ROWS = (
             "a limit error over 2.5 um (2 sigma) or 3.7 um (3 sigma), tip of IT6",
             {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
         ),
-        note="By the geometry, tip of IT/sigma = K, by standard deviations, with which the shares "
-        "rise. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
+        note="Influence is compared by standard deviations, with which the shares rise: by the "
+        "geometry, the standard deviation of the tip being the IT tolerance over K. The gauge of "
+        "Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
         "2 um, below it.",
         marks=("calibrated",),
         cites=("S47",),
@@ -211,8 +222,16 @@ CLAIM_ROWS = (
             "neither the share that is still allowed nor the tolerances of degrees 7 and 8 are "
             "printed"
         ),
-        note="What that gauge makes of the wheel of degree 6, see the next row.",
-        cites=("S48", "S49"),
+        note="What that gauge makes of the wheel of degree 6 stands in the row on good teeth "
+        "rejected with the recommended gauge.",
+        cites=("S49",),
+    ),
+    Claim(
+        "(c), degrees 6, 7 and 8",
+        r"\text{the requirements on the accuracy of gear-tooth measuring instruments at the 6th, "
+        r"7th and 8th degrees of accuracy are made concrete}",
+        NotCheckable("the text at hand has one U, of no named degree"),
+        cites=("S48",),
     ),
     Claim(
         "(c), good teeth rejected with the recommended gauge",

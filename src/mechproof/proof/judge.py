@@ -43,6 +43,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
     except Exception as error:
         answer = Answer(Verdict.UNDECIDED, "none", _explain(error))
     on = row.on.text if row.on else ""
+    is_charged = row.corrected is not None and answer.verdict is not Verdict.PROVED
     where = [f"on {on}"] if on else []
     where += [f"singular at {', '.join(row.singular)}"] if row.singular else []
     reason = "; ".join([answer.reason, *where])
@@ -60,7 +61,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         singular=row.singular,
         reason=reason,
         evidence=answer.evidence,
-        corrected_latex=row.corrected.latex if row.corrected else "",
+        corrected_latex=row.corrected.latex if row.corrected and is_charged else "",
         corrected_by=answer.corrected_by,
         compared_with=write_compared(row.statement, paper.variables),
         cites=row.cites,

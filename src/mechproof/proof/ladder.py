@@ -316,7 +316,7 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     if failed:
         return next(iter(failed.values())) if len(answers) == 1 else _tell_all(failed)
     evidence = tuple(item for answer in answers for item in answer.evidence)
-    reason = f"all {len(answers)} parts hold"
+    reason = f"all {len(answers)} parts hold" if len(answers) > 1 else "holds"
     only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
     verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
     return Answer(verdict, _join([d.rung for d in answers]), reason, evidence)

@@ -1,0 +1,58 @@
+"""The record of what Coq accepts: of the ledger as it is, of the prelude as it is."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_known
+from mechproof.coq.folder import CERTIFIABLE, Certificate, digest_prelude
+
+GENERATED = Path(__file__).parents[2] / "generated"
+RECORDED = json.loads((GENERATED / RECORD).read_text(encoding="utf-8"))
+ROWS = json.loads((GENERATED / "ledger.json").read_text(encoding="utf-8"))["rows"]
+
+
+def test_every_row_that_is_proved_or_refuted_is_recorded_once() -> None:
+    certifiable = [row["id"] for row in ROWS if row["verdict"] in CERTIFIABLE]
+    assert [row["id"] for row in RECORDED["rows"]] == certifiable
+
+
+def test_the_record_is_of_this_prelude() -> None:
+    assert RECORDED["prelude"] == digest_prelude()
+
+
+def test_a_row_has_a_file_that_is_accepted_or_a_reason() -> None:
+    for row in RECORDED["rows"]:
+        assert bool(row["withheld"]) or (row["file"] and row["sha256"])
+
+
+def test_the_page_says_what_is_recorded() -> None:
+    page = (GENERATED / PAGE).read_text(encoding="utf-8")
+    accepted = [row for row in RECORDED["rows"] if not row["withheld"]]
+    assert f"{len(accepted)} of {len(RECORDED['rows'])} rows are accepted by Coq" in page
+    for row in RECORDED["rows"]:
+        told = f"withheld: {row['withheld']}" if row["withheld"] else f"`{row['file']}`"
+        assert f"[{row['id']}](LEDGER.md#{row['id']})" in page
+        assert told in page
+
+
+def test_of_a_record_for_another_prelude_nothing_is_known(tmp_path: Path) -> None:
+    assert len(read_known(GENERATED)) > 200
+    (tmp_path / RECORD).write_text(json.dumps({**RECORDED, "prelude": "other"}), encoding="utf-8")
+    assert read_known(tmp_path) == {}
+
+
+def test_a_script_that_is_refused_or_differs_is_lost() -> None:
+    certificates = [
+        Certificate(f"mine/{name}", "PROVED", "identical", "ours", f"{name}.v", text)
+        for name, text in (("same", "a"), ("changed", "b"), ("refused", "c"), ("new", "d"))
+    ]
+    known = {c.id: c.digest for c in certificates[:3]} | {"mine/changed": "other"}
+    faults = {c.file: "" for c in certificates} | {"refused.v": "Coq: line 1: no"}
+    coverage = Coverage("8.16", tuple(certificates), faults)
+    assert coverage.find_lost(known) == [
+        "mine/changed: another script than the one recorded",
+        "mine/refused: Coq: line 1: no",
+    ]
+    assert coverage.count() == "3 of 4 rows are accepted by Coq 8.16"
