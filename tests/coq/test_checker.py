@@ -8,7 +8,22 @@ from pathlib import Path
 
 import pytest
 from command import PROVED, run, write
-from sympy import Eq, Ge, Integer, Le, Lt, Rational, cos, pi, sin, sqrt, symbols, tan
+from sympy import (
+    Eq,
+    Ge,
+    Integer,
+    Le,
+    Lt,
+    Rational,
+    atan,
+    atan2,
+    cos,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 
 from mechproof.coq.checker import check_files, find_assumptions
 from mechproof.coq.folder import PRELUDE, read_prelude
@@ -18,8 +33,15 @@ from mechproof.coq.theorems import Theorem
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
 
 e, x, y = symbols("e x y", real=True)
-POINT = {e: Rational(1, 2), x: Rational(3, 4), y: Rational(1, 3)}
+POINT = {e: Rational(1, 2), x: Rational(3, 4), y: Rational(5, 6)}
 SHARE = (Ge(e, 0, evaluate=False), Lt(e, 1, evaluate=False))
+
+LENGTHS = (
+    Ge(y**2 - x**2, 0, evaluate=False),
+    Ge(1 - x**2 / y**2, 0, evaluate=False),
+    Lt(0, y, evaluate=False),
+)
+TURN = (Lt(x, 1, evaluate=False), Lt(0, x, evaluate=False))
 
 
 def state(conclusion: object, *hypotheses: object) -> Theorem:
@@ -53,6 +75,18 @@ PAIRS = {
     "hypothesis": (
         state(equal(sqrt(x**2), x), Ge(x, 0, evaluate=False)),
         state(equal(sqrt(x**2), x)),
+    ),
+    "quotient": (
+        state(equal(sqrt(1 - x**2 / y**2), sqrt(y**2 - x**2) / y), *LENGTHS),
+        state(equal(sqrt(1 - x**2 / y**2), sqrt(y**2 - x**2) / x), *LENGTHS),
+    ),
+    "arctangent": (
+        state(equal(atan(2 * e / (1 - e**2)), 2 * atan(e)), *SHARE),
+        state(equal(atan(2 * e / (1 + e**2)), 2 * atan(e)), *SHARE),
+    ),
+    "vector": (
+        state(equal(1 + atan2(sin(x), (x**2 - 1) / (x - 1)), 1 + atan2(sin(x), x + 1)), *TURN),
+        state(equal(1 + atan2(sin(x), (x**2 - 1) / (x - 1)), 1 + atan2(sin(x), x - 1)), *TURN),
     ),
     "order": (
         state(

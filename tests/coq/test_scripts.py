@@ -12,7 +12,7 @@ from mechproof.coq.terms import UnwritableError, list_needs, write_term
 from mechproof.coq.theorems import build_theorems
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Equality, Equation, Holds, Paper, PrintedNumber, Variable
+from mechproof.record import Distinct, Equality, Equation, Holds, Paper, PrintedNumber, Variable
 
 e, x = symbols("e x", real=True)
 EQUAL = Equality(sin(x) ** 2 / (1 - e), (1 - cos(x) ** 2) / (1 - e))
@@ -67,6 +67,12 @@ def test_a_refuted_row_is_a_point() -> None:
     compare_script(text, theorems)
 
 
+def test_sides_that_differ_are_a_point() -> None:
+    text, theorems = write(Distinct(sin(x), cos(x)))
+    assert "exists x : R, ((sin x) <> (cos x))" in text
+    compare_script(text, theorems)
+
+
 def test_a_true_row_has_no_point_that_refutes_it() -> None:
     with pytest.raises(UnwritableError, match="no point"):
         write(EQUAL, Verdict.REFUTED)
@@ -81,6 +87,7 @@ def test_a_true_row_has_no_point_that_refutes_it() -> None:
         (e / x, "(e / x)"),
         (sqrt(x) ** 3, "((sqrt x) ^ 3)"),
         (2 * sp.pi, "(2 * PI)"),
+        (sp.atan2(e, x), "(atan2 e x)"),
     ],
 )
 def test_terms(expression: sp.Expr, text: str) -> None:

@@ -3,6 +3,14 @@ From Coq Require Export Reals Lra Psatz.
 From Interval Require Export Tactic.
 Open Scope R_scope.
 
+(* The angle of the vector (x, y), in (-PI, PI]. *)
+Definition atan2 (y x : R) : R :=
+  if Rlt_dec 0 x then atan (y / x)
+  else if Rlt_dec x 0 then (if Rle_dec 0 y then atan (y / x) + PI else atan (y / x) - PI)
+  else if Rlt_dec 0 y then PI / 2
+  else if Rlt_dec y 0 then - (PI / 2)
+  else 0.
+
 Lemma square_of_sine (x : R) : sin x * sin x = 1 - cos x * cos x.
 Proof. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
 
@@ -20,6 +28,20 @@ Proof. replace (1 / 2 * PI) with (PI / 2) by field. apply sin_PI2. Qed.
 
 Lemma cosine_of_right_angle : cos (1 / 2 * PI) = 0.
 Proof. replace (1 / 2 * PI) with (PI / 2) by field. apply cos_PI2. Qed.
+
+Lemma double_arctangent (t : R) : - (1) < t -> t < 1 -> 2 * atan t = atan (2 * t / (1 - t * t)).
+Proof.
+  intros L U.
+  pose proof (atan_increasing _ _ U) as A. pose proof (atan_increasing _ _ L) as B.
+  rewrite atan_opp in B. rewrite atan_1 in A, B.
+  pose proof PI_RGT_0 as P.
+  rewrite <- (atan_tan (2 * atan t)) by lra.
+  f_equal. rewrite tan_2a.
+  - now rewrite tan_atan.
+  - apply Rgt_not_eq, cos_gt_0; lra.
+  - apply Rgt_not_eq, cos_gt_0; lra.
+  - rewrite tan_atan. nra.
+Qed.
 
 (* A number differs from zero if another form of it does, which `same` shows, or by its size. *)
 Ltac differs same :=
@@ -73,12 +95,22 @@ Ltac product_sign :=
       | apply Rle_mult_inv_pos
       | apply Rmult_le_pos
       | apply pow2_ge_0
-      | apply Rlt_le; assumption ].
+      | apply Rlt_le; assumption
+      | apply Rlt_le, Rinv_0_lt_compat; lra
+      | solve [ nra ] ].
 
-Ltac scale_sign := first [ lra | nra | product_sign ].
+Ltac scale_sign := solve [ lra | nra | product_sign ].
+
+(* An equality as a whole, or that of all arguments of the functions on both sides. *)
+Ltac by_parts whole :=
+  let as_one := first [ reflexivity | solve [ whole ] ] in
+  let below := first [ as_one | progress f_equal; as_one ] in
+  first [ as_one | progress f_equal; below ].
 
 (* Facts about a point. *)
-Ltac at_point := repeat match goal with |- _ /\ _ => split end; close.
+Ltac at_point :=
+  repeat match goal with |- _ /\ _ => split end;
+  first [ close | left; close | right; close ].
 
 (* Sines and cosines of sums by those of the summands. *)
 Ltac open_angles :=

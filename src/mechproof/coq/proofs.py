@@ -6,6 +6,7 @@ quotients by the signs of the factors of their difference, which SymPy finds and
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from math import gcd
@@ -125,11 +126,12 @@ def _find_scale(root: sp.Expr, other: sp.Expr) -> sp.Expr | None:
     factors = _factor(root / other)
     if factors is None:
         return None
-    listed = [*factors.above.items(), *((f, -k) for f, k in factors.below.items())]
+    powers = Counter(factors.above)
+    powers.subtract(factors.below)
     number = sp.sqrt(factors.number)
-    if not number.is_Rational or any(power % 2 for _, power in listed):
+    if not number.is_Rational or any(power % 2 for power in powers.values()):
         return None
-    return sp.Mul(number, *(f ** (power // 2) for f, power in listed))
+    return sp.Mul(number, *(f ** (power // 2) for f, power in powers.items()))
 
 
 def _find_bases(angles: set[sp.Basic]) -> dict[sp.Basic, list[tuple[int, sp.Basic]]]:
@@ -170,7 +172,17 @@ def _repeat(count: int, text: str) -> str:
 def _prove_equality(theorem: Theorem, prepared: _Prepared) -> Iterator[str]:
     yield from _split_denominators(theorem, prepared)
     by = prepared.modulo
-    yield f"first [ reflexivity | ring{by} | field{by}; conditions ltac:(ring{by}) ]."
+    for angle in _list_doubled(theorem.conclusion):
+        text = write_term(angle, prepared.names)
+        yield f"try rewrite (double_arctangent {text}) by lra."
+    closing = f"first [ ring{by} | field{by}; conditions ltac:(ring{by}) ]"
+    yield f"by_parts ltac:({closing})."
+
+
+def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
+    """List the t of which a relation has 2 arctan t as a product."""
+    found = (p for p in find_parts(relation, sp.Mul) if len(p.args) == 2 and p.args[0] == 2)
+    return [p.args[1].args[0] for p in found if isinstance(p.args[1], sp.atan)]
 
 
 def _split_denominators(theorem: Theorem, prepared: _Prepared) -> Iterator[str]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import sympy as sp
@@ -19,6 +19,7 @@ _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "cos": sp.cos,
     "tan": sp.tan,
     "atan": sp.atan,
+    "atan2": sp.atan2,
     "asin": sp.asin,
     "acos": sp.acos,
     "exp": sp.exp,
@@ -31,7 +32,7 @@ _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "Rmin": sp.Min,
     "Rmax": sp.Max,
 }
-_TWO_ARGUMENTS = ("Rmin", "Rmax")
+_TWO_ARGUMENTS = ("Rmin", "Rmax", "atan2")
 _RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
     "=": sp.Eq,
     "<>": sp.Ne,
@@ -44,10 +45,11 @@ _RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
 
 @dataclass(frozen=True)
 class Joined:
-    """Relations with one sign between them, in their order."""
+    """Relations with one sign between them, in their order, and whether in parentheses."""
 
     sign: str
     parts: tuple[sp.Basic | Joined, ...]
+    is_enclosed: bool = False
 
 
 Read: TypeAlias = sp.Basic | Joined
@@ -76,8 +78,9 @@ def _read(name: str, body: str) -> ReadStatement:
     parser = _Parser(rest, {variable: sp.Symbol(variable) for variable in variables})
     *hypotheses, conclusion = parser.implications()
     parser.end()
-    is_list = quantifier == "exists" and isinstance(conclusion, Joined)
-    parts = conclusion.parts if is_list else (conclusion,)
+    parts: tuple[Read, ...] = (conclusion,)
+    if isinstance(conclusion, Joined) and not conclusion.is_enclosed:
+        parts = conclusion.parts
     return ReadStatement(name, quantifier, variables, tuple(hypotheses), parts)
 
 
@@ -137,7 +140,7 @@ class _Parser:
             self.take("(")
             inner = self.relations()
             self.take(")")
-            return inner
+            return replace(inner, is_enclosed=True) if isinstance(inner, Joined) else inner
         return relate(left, self.sum(), evaluate=False)
 
     def sum(self) -> sp.Expr:

@@ -14,7 +14,7 @@ from mechproof.coq.theorems import Theorem
 HEADER = "Require Import Mechproof.\nOpen Scope R_scope.\n"
 # Names that a letter of a paper must not take.
 _TAKEN = re.compile(
-    "R|PI|sin|cos|tan|atan|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|sinh|cosh|tanh|forall|exists|fun|"
+    "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|sinh|cosh|tanh|forall|exists|fun|"
     "in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|cofix|IF|E|F|"
     "[HSQNM][0-9]+"
 )

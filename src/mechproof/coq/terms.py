@@ -25,6 +25,7 @@ _FUNCTIONS: Mapping[type[sp.Basic], str] = {
     sp.cos: "cos",
     sp.tan: "tan",
     sp.atan: "atan",
+    sp.atan2: "atan2",
     sp.asin: "asin",
     sp.acos: "acos",
     sp.exp: "exp",
@@ -81,15 +82,22 @@ def list_needs(expression: sp.Basic) -> list[sp.Basic]:
 def _need(node: sp.Basic) -> Iterator[sp.Basic]:
     if isinstance(node, sp.Pow):
         if node.exp.is_number and node.exp.is_negative:
-            yield sp.Ne(node.base, 0)
+            yield _relate(sp.Ne, node.base)
         if node.exp.is_Rational and node.exp.q != 1:
-            yield sp.Ge(node.base, 0)
+            yield _relate(sp.Ge, node.base)
     elif isinstance(node, sp.tan):
-        yield sp.Ne(sp.cos(node.args[0]), 0)
+        yield _relate(sp.Ne, sp.cos(node.args[0]))
     elif isinstance(node, sp.log):
-        yield sp.Gt(node.args[0], 0)
+        yield _relate(sp.Gt, node.args[0])
+    elif isinstance(node, sp.atan2):
+        yield _relate(sp.Ne, sp.Add(*(part**2 for part in node.args)))
     elif isinstance(node, sp.asin | sp.acos):
         yield sp.Le(sp.Abs(node.args[0]), 1)
+
+
+def _relate(relation: Callable[..., sp.Basic], part: sp.Basic) -> sp.Basic:
+    """Relate a part to zero; a number that is no fraction stays as it is, for Coq to enclose."""
+    return relation(part, 0, evaluate=not part.is_number or part.is_Rational)
 
 
 def _write_number(number: sp.Rational, names: Names) -> str:

@@ -15,6 +15,7 @@ from mechproof.proof.preparation import prepare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Conjunction,
+    Distinct,
     Equality,
     Holds,
     PrintedNumber,
@@ -22,14 +23,14 @@ from mechproof.record import (
     Row,
     Statement,
 )
-from mechproof.record.parts import find_free
+from mechproof.record.parts import find_free, find_parts
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40
 _COMPARED = 8
 _BITS = 256
 # Work limit: a relation of more parts is not written.
-_LONGEST = 3000
+_LONGEST = 2000
 
 
 @dataclass(frozen=True)
@@ -50,15 +51,44 @@ class Theorem:
 
 def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
     """Return the theorems of a row that is PROVED or REFUTED. Raises `UnwritableError`."""
-    relations = [r for r in _list_relations(row.statement, domain) if r is not sp.true]
-    if sum(1 for r in relations for _ in islice(sp.preorder_traversal(r), _LONGEST)) >= _LONGEST:
-        raise UnwritableError(f"it has more than {_LONGEST} parts")
+    if verdict is Verdict.REFUTED:
+        return [_refute(list(_list_relations(row.statement, domain)), domain)]
+    theorems: list[Theorem] = []
+    for part in _list_parts(row.statement):
+        if isinstance(part, Distinct):
+            theorems.append(_refute(list(_equate(part.left, part.right, domain)), domain))
+        else:
+            relations = [r for r in _list_relations(part, domain) if r is not sp.true]
+            _refuse_unwritable(relations)
+            theorems += (_state(relation, domain) for relation in relations)
+    if not theorems:
+        raise UnwritableError("nothing of it is left to be proved once it is written out")
+    return theorems
+
+
+def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
+    """Refuse what is too long or has no term, before points are looked for."""
+    _refuse_long(relations)
     for relation in relations:
+        if any(node.is_number for node in find_parts(relation, sp.atan2)):
+            raise UnwritableError("atan2 of numbers has no enclosure in Coq")
         letters = {s: "x" for s in find_free(relation) if not isinstance(s, sp.Indexed)}
         write_relation(relation, letters)
-    if verdict is Verdict.PROVED:
-        return [_state(relation, domain) for relation in relations]
-    return [_refute(relations, domain)]
+
+
+def _refuse_long(relations: Sequence[sp.Basic]) -> None:
+    parts = chain.from_iterable(map(sp.preorder_traversal, relations))
+    if sum(1 for _ in islice(parts, _LONGEST)) == _LONGEST:
+        raise UnwritableError(f"it has {_LONGEST} parts or more")
+
+
+def _list_parts(statement: Statement) -> Iterator[Statement]:
+    """Yield the parts of a conjunction, of conjunctions in it, too."""
+    if isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from _list_parts(part)
+    else:
+        yield statement
 
 
 def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
@@ -96,7 +126,8 @@ def _write_out(expression: sp.Basic) -> sp.Basic:
 
 def _state(relation: sp.Basic, domain: Domain) -> Theorem:
     hypotheses = _list_hypotheses(relation, domain)
-    symbols = _order(find_free(sp.And(relation, *hypotheses, evaluate=False)))
+    _refuse_long(hypotheses)
+    symbols = _find_symbols((relation, *hypotheses))
     points = tuple(islice(_list_points(symbols, domain), _POINTS))
     for point in points:
         if all(balls.truth(h, point, _BITS) for h in hypotheses):
@@ -105,9 +136,11 @@ def _state(relation: sp.Basic, domain: Domain) -> Theorem:
 
 
 def _refute(relations: Sequence[sp.Basic], domain: Domain) -> Theorem:
+    _refuse_unwritable(relations)
     for relation in relations:
         hypotheses = _list_hypotheses(relation, domain)
-        symbols = _order(find_free(sp.And(relation, *hypotheses, evaluate=False)))
+        _refuse_long(hypotheses)
+        symbols = _find_symbols((relation, *hypotheses))
         for point in _list_points(symbols, domain):
             holds = [balls.truth(h, point, _BITS) for h in (*hypotheses, relation)]
             if all(holds[:-1]) and holds[-1] is False:
@@ -154,8 +187,12 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
         yield (sp.Le if values.contains(high) == True else sp.Lt)(symbol, high, evaluate=False)  # noqa: E712
 
 
+def _find_symbols(relations: Sequence[sp.Basic]) -> tuple[sp.Basic, ...]:
+    return _order(chain.from_iterable(map(find_free, relations)))
+
+
 def _order(symbols: Iterable[sp.Basic]) -> tuple[sp.Basic, ...]:
-    return tuple(sorted(symbols, key=str))
+    return tuple(sorted(set(symbols), key=str))
 
 
 def _negate(relation: sp.Basic) -> sp.Basic:
