@@ -43,6 +43,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {
         "pipeline": (
             "certification",
+            "formulas",
             "ledger_cache",
             "pasted",
             "pipeline",

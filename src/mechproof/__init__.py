@@ -2,6 +2,7 @@
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
 `check` judges the equations of a paper's own source;
+`formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
@@ -18,6 +19,7 @@ from mechproof.notebook import Displayed
 if TYPE_CHECKING:
     from mechproof.choice import choose
     from mechproof.document.checking import check
+    from mechproof.formulas import formula
     from mechproof.mechanisms import (
         CylindricalPair,
         EllipticPlanetary,
@@ -42,6 +44,7 @@ __all__ = [
     "__version__",
     "check",
     "choose",
+    "formula",
     "tailor",
 ]
 
@@ -49,6 +52,7 @@ __all__ = [
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
+    "formula": "mechproof.formulas",
     "tailor": "mechproof.tailoring",
 }
 
