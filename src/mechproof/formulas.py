@@ -11,15 +11,14 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import sympy as sp
 
-from mechproof.arguments.scalars import refuse
+from mechproof.arguments.scalars import check_text, refuse
 from mechproof.codegen.backends.c99 import render_c_formula
 from mechproof.codegen.backends.scripts import describe_formula, render_script
 from mechproof.codegen.docstrings import find_given
-from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivation import check_folder, find_systems, load_paper, packaged_directory
 from mechproof.programs.kernel import Kernel, build_functions
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.record import Paper
@@ -128,10 +127,10 @@ def formula(name: str, *, derivations: str | os.PathLike[str] | None = None) -> 
         If the name is none of a quantity with a kernel; the message lists what there is.
 
     """
-    if not isinstance(name, str):
-        refuse("name", name, "must be a text, system.quantity", TypeError)
-    system, _, wanted = name.partition(".")
-    systems = find_systems(packaged_directory() if derivations is None else Path(derivations))
+    system, _, wanted = check_text("name", name).partition(".")
+    systems = find_systems(
+        packaged_directory() if derivations is None else check_folder(derivations)
+    )
     if system not in systems:
         refuse("name", name, f"the system must be one of {', '.join(systems)}")
     paper = load_paper(systems[system])
