@@ -137,6 +137,14 @@ def test_every_mechanism_has_a_probe() -> None:
     assert set(mechanisms.__all__) - pairs <= set(PROBES)
 
 
+def test_packages_are_reached_without_an_import_of_their_own() -> None:
+    code = "assert mechproof.kernels.elliptic_planetary.position(0.0, 66, 16, 0.4) == 0.0"
+    assert loaded_after(code).isdisjoint(HEAVY)
+    for name in mechproof.PACKAGES:
+        assert loaded_after(f"assert mechproof.{name}.__name__ == 'mechproof.{name}'")
+        assert name in dir(mechproof)
+
+
 def test_package_itself_loads_no_numpy() -> None:
     assert "numpy" not in loaded_after("")
 

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
+    from mechproof import conformity, kernels, laws, measurement, mechanisms, plot, tolerance
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.formulas import formula
@@ -48,6 +49,8 @@ __all__ = [
     "tailor",
 ]
 
+# Packages that are found under their names without an import of their own.
+PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot", "tolerance")
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "check": "mechproof.document.checking",
@@ -76,10 +79,12 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("mechproof")
+    if name in PACKAGES:
+        return import_module(f"mechproof.{name}")
     if name not in HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(HOMES[name]), name)
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return sorted({*globals(), *__all__, *PACKAGES})
