@@ -17,7 +17,15 @@ from typing import TYPE_CHECKING, Any
 from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
-    from mechproof import conformity, kernels, laws, measurement, mechanisms, plot, tolerance
+    from mechproof import (
+        conformity as conformity,
+        kernels as kernels,
+        laws as laws,
+        measurement as measurement,
+        mechanisms as mechanisms,
+        plot as plot,
+        tolerance as tolerance,
+    )
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.formulas import formula
