@@ -126,6 +126,8 @@ ELSEWHERE = {
     "choose.size": "count",
     "choose.measured": "folder",
     "choose.angles": "sizes",
+    "export.phi1": "number",
+    "export.tolerance": "positive",
     "formula.name": "text",
     "formula.derivations": "folder",
     "tailor.error": "positive",
@@ -151,5 +153,5 @@ def takes_quantities(call: str, parameter: str) -> bool:
     name, _, method = call.partition(".")
     is_plain = method in ("published", "published_sizes", "tolerance_range", "motion")
     numbers = ("number", "array", "exact", "triple")
-    name = "EllipticPlanetary" if call == "plot.pitch_curves" else name
+    name = "EllipticPlanetary" if call in ("plot.pitch_curves", "export") else name
     return name in PLAIN_MECHANISMS and not is_plain and KIND_OF[parameter] in numbers

@@ -27,6 +27,7 @@ from mechproof import (
     check,
     choose,
     conformity,
+    export,
     formula,
     laws,
     measurement,
@@ -275,6 +276,10 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "formula": (
         formula,
         {"name": "track_wheel.radius", "derivations": packaged_directory()},
+    ),
+    "export": (
+        export,
+        {"mechanism": OVAL, "path": "pair.csv", "phi1": 0.1, "degrees": False, "tolerance": 0.1},
     ),
     "plot.motion": (plot.motion, {"mechanism": OVAL, "axes": None, "eta": "0.1"}),
     "plot.pitch_curves": (

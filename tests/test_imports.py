@@ -97,6 +97,10 @@ LOADED = {
         *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
+    "exports": {
+        *("numpy", "mechproof.exports", "mechproof.arguments", "mechproof.files"),
+        *("mechproof.mechanisms", "mechproof.plot"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.programs", "mechproof.arithmetic"),
@@ -114,6 +118,7 @@ INSIDE = {
         "mechproof.record",
     },
     "mechanisms": {"scipy", "mechproof.tolerance"},
+    "exports": {"ezdxf", "matplotlib", "ncgears", "sympy"},
 }
 
 

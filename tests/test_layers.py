@@ -39,7 +39,12 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"mechanisms": ("mechanisms",)},
     {"tailoring": ("tailoring",)},
     {"laboratory": ("lab",), "figures": ("plot",)},
-    {"report": ("report",), "derivations": ("derivations",), "improvement": ("improvement",)},
+    {
+        "report": ("report",),
+        "exports": ("exports",),
+        "derivations": ("derivations",),
+        "improvement": ("improvement",),
+    },
     {
         "pipeline": (
             "certification",

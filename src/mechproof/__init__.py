@@ -2,6 +2,7 @@
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
 `check` judges the equations of a paper's own source;
+`export` writes pitch curves and motions for other programs;
 `formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     )
     from mechproof.choice import choose
     from mechproof.document.checking import check
+    from mechproof.exports import export
     from mechproof.formulas import formula
     from mechproof.mechanisms import (
         CylindricalPair,
@@ -53,6 +55,7 @@ __all__ = [
     "__version__",
     "check",
     "choose",
+    "export",
     "formula",
     "tailor",
 ]
@@ -63,6 +66,7 @@ PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot"
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
+    "export": "mechproof.exports",
     "formula": "mechproof.formulas",
     "tailor": "mechproof.tailoring",
 }
