@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from inspect import isclass, signature
+from pathlib import Path
+from tempfile import gettempdir
 from typing import Any
 
 import numpy as np
@@ -279,7 +281,13 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     ),
     "export": (
         export,
-        {"mechanism": OVAL, "path": "pair.csv", "phi1": 0.1, "degrees": False, "tolerance": 0.1},
+        {
+            "mechanism": OVAL,
+            "path": Path(gettempdir()) / "mechproof-pair.csv",
+            "phi1": 0.1,
+            "degrees": False,
+            "tolerance": 0.1,
+        },
     ),
     "plot.motion": (plot.motion, {"mechanism": OVAL, "axes": None, "eta": "0.1"}),
     "plot.pitch_curves": (

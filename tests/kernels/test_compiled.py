@@ -8,7 +8,9 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 from compiled import PHI, SIZES, grouped
 from quantities import KERNELS, find_subject
 from weights import first_of
@@ -294,3 +296,28 @@ def test_what_is_compiled_for_compiled_functions_is_called_from_python_too() -> 
     inside = numba.njit(lambda x: elementary.cos(x, True))
     found = (elementary.cos(0.5, True), inside(0.5), elementary.cos(0.5, True))
     assert set(found) == {math.cos(0.5)}
+
+
+@pytest.mark.parametrize("dtype", [float, np.float32, np.int64])
+def test_labels_are_kept_as_by_the_kernels_of_numpy(dtype: Any) -> None:
+    series = pd.Series(np.arange(4).astype(dtype), index=[*"abcd"], name="phi1")
+    array = xr.DataArray(np.arange(6.0).reshape(2, 3), dims=("t", "u"), coords={"t": [3, 4]})
+    for given in (series, pd.Index([1.0, np.nan]), array):
+        ours = elliptic_planetary.position(given, 66, 16, 0.475)
+        numpys = plain.position(given, 66, 16, 0.475)
+        assert type(ours) is type(numpys) is type(given)
+        assert ours.dtype == numpys.dtype
+        values = elliptic_planetary.position(given.to_numpy(), 66, 16, 0.475)
+        assert np.array_equal(ours.to_numpy(), values, equal_nan=True)
+    assert elliptic_planetary.position(series, 66, 16, 0.475).index.equals(series.index)
+    assert elliptic_planetary.position(array, 66, 16, 0.475).coords.equals(array.coords)
+    # Of a parameter, too.
+    found = elliptic_planetary.largest_ratio(66, 16, array / 10)
+    assert found.dims == ("t", "u")
+
+
+def test_what_would_have_to_be_aligned_is_refused() -> None:
+    series = pd.Series([1.0, 2.0])
+    for given in ((series, series), (series, np.array([0.1, 0.2]))):
+        with pytest.raises(TypeError, match=r"^phi1: compiled kernels take"):
+            elliptic_planetary.position(given[0], 66, 16, given[1])

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.compiled_support.foreign import find_labelled, label
 from mechproof.compiled_support.machine import typeof
 from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
@@ -101,7 +102,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     Raises
     ------
     TypeError, ValueError
-        As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
+        As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too, but for one
+        array with labels beside numbers.
 
     """
     if (row := _take_numbers(loops, arguments, out)) is not None:
@@ -118,7 +120,13 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
         if loops.results > 1:
             return np.array(value, dtype)
         return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
-    return _run(loops, tuple(map(as_numpy, arrays)), out)
+    arrays = tuple(map(as_numpy, arrays))
+    if out is None and loops.results == 1 and not (any(loops.widths) or loops.shape):
+        place = find_labelled(arrays)
+        if place is not None:
+            plain = (*arrays[:place], arrays[place].to_numpy(), *arrays[place + 1 :])
+            return label(_run(loops, plain, None), arrays[place])
+    return _run(loops, arrays, out)
 
 
 def _take_numbers(

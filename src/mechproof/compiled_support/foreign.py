@@ -1,0 +1,37 @@
+"""Arrays with labels, of pandas and xarray: numbers are computed, labels are put back."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numba
+import numpy as np
+
+
+def find_labelled(arrays: tuple[Any, ...]) -> int | None:
+    """Return which argument has labels where all others are numbers, None if it is none or more.
+
+    Two of them would have to be aligned. What waits, as an array in chunks, has none.
+    """
+    places = [i for i, array in enumerate(arrays) if np.ndim(array)]
+    if len(places) != 1:
+        return None
+    array = arrays[places[0]]
+    has_labels = hasattr(array, "to_numpy") and getattr(array, "chunks", None) is None
+    return places[0] if has_labels else None
+
+
+def label(values: Any, labelled: Any) -> Any:
+    """Return values with the labels of an array of their shape."""
+    return _keep_first()(values, labelled)
+
+
+@cache
+def _keep_first() -> Any:
+    """Return a function of NumPy's kind, which what has labels knows how to be called with."""
+    return numba.vectorize(["f4(f4, f4)", "f8(f8, f8)"], cache=False)(_take_first)
+
+
+def _take_first(value: float, other: float) -> float:
+    return value
