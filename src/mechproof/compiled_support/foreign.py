@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import numba
 import numpy as np
 
 
@@ -30,7 +29,9 @@ def label(values: Any, labelled: Any) -> Any:
 @cache
 def _keep_first() -> Any:
     """Return a function of NumPy's kind, which what has labels knows how to be called with."""
-    return numba.vectorize(["f4(f4, f4)", "f8(f8, f8)"], cache=False)(_take_first)
+    from numba import vectorize
+
+    return vectorize(["f4(f4, f4)", "f8(f8, f8)"])(_take_first)
 
 
 def _take_first(value: float, other: float) -> float:

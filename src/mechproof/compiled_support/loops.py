@@ -124,8 +124,9 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     if out is None and loops.results == 1 and not (any(loops.widths) or loops.shape):
         place = find_labelled(arrays)
         if place is not None:
-            plain = (*arrays[:place], arrays[place].to_numpy(), *arrays[place + 1 :])
-            return label(_run(loops, plain, None), arrays[place])
+            labelled: Any = arrays[place]
+            plain = (*arrays[:place], labelled.to_numpy(), *arrays[place + 1 :])
+            return label(_run(loops, plain, None), labelled)
     return _run(loops, arrays, out)
 
 
