@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import platform
 import shutil
 import subprocess
 from functools import cache
@@ -20,7 +21,20 @@ from mechproof.programs.scalar import list_scalars
 COMPILER = shutil.which("cc")
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 WARNED = ("-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
-STRICT = ("-std=c99", *WARNED, "-ffp-contract=off")
+# Without a fused multiply-add in hardware, as compilers take it unless they are told.
+PORTABLE = ("-std=c99", *WARNED, "-ffp-contract=off")
+
+
+def list_fused() -> tuple[str, ...]:
+    """List the flags with which sources call fma; where no hardware has it, that of libm."""
+    if platform.machine().lower() not in ("x86_64", "amd64"):
+        return ()
+    known = Path("/proc/cpuinfo")
+    has_fma = known.is_file() and " fma " in known.read_text(encoding="utf-8")
+    return ("-mfma",) if has_fma else ("-D__FMA__",)
+
+
+STRICT = (*PORTABLE, *list_fused())
 ELLIPTIC = ("position", "ratio", "acceleration")
 POINTER = np.ctypeslib.ndpointer(float)
 

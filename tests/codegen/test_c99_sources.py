@@ -43,6 +43,9 @@ def test_no_compiler_warns(compiler: str, system: str, single: bool, tmp_path: P
     for optimised in (("-O0",), ("-O3", "-march=native")):
         done = compile_only(tmp_path, compiler, *STRICT, "-Wshadow", *optimised, source)
         assert done.returncode == 0, done.stderr
+    as_cpp = ("-x", "c++", "-std=c++11", *(f for f in STRICT if f != "-std=c99"))
+    done = compile_only(tmp_path, compiler, *as_cpp, source)
+    assert not done.stderr or "cc1plus" in done.stderr
     (tmp_path / "included.cpp").write_text(f'#include "{header}"\n')
     done = compile_only(tmp_path, compiler, "-Wall", "-Wextra", "-pedantic", "included.cpp")
     assert not done.stderr or "cc1plus" in done.stderr

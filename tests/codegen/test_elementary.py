@@ -14,13 +14,16 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
+from c_libraries import list_fused
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar_texts import write_elementary
 from mechproof.codegen.languages import C99, C99_SINGLE
+from mechproof.codegen.syntax import write_program
 from mechproof.programs.elementary.fits import Rational, enclose
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.operations import HELPER
 from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.running import run as run_steps
@@ -170,7 +173,8 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
             "prefix": "none",
             "reductions": [],
             "kernels": [],
-            "used": ["power_of_two"],
+            "used": ["power_of_two", "fma", "multiply_add"],
+            "split": write_program(write_plainly("fma"), language),
             "far": {},
             "block": 1,
         },
@@ -183,7 +187,16 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
     (tmp_path / "none.h").write_text("")
     (tmp_path / "none.c").write_text(text)
     command = [str(COMPILER), "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic"]
-    command += ["-ffp-contract=off", "-shared", "-fPIC", "none.c", "-o", "none.so", "-lm"]
+    command += [
+        "-ffp-contract=off",
+        *list_fused(),
+        "-shared",
+        "-fPIC",
+        "none.c",
+        "-o",
+        "none.so",
+        "-lm",
+    ]
     subprocess.run(command, cwd=tmp_path, check=True)
     library = ctypes.CDLL(str(tmp_path / "none.so"))
     for kind in kinds:

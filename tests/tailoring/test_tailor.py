@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from codegen.c_libraries import STRICT
 from typer.testing import CliRunner
 from weights import first_of
 
@@ -31,8 +32,6 @@ from mechproof.tailoring.request import read_request
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}
 COMPILER = shutil.which("cc")
-WARNED = ("-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
-STRICT = ("-std=c99", "-O2", *WARNED, "-ffp-contract=off")
 BACKENDS = [
     pytest.param(NUMBA, marks=pytest.mark.skipif(not importlib.util.find_spec("numba"), reason="")),
     NUMPY,

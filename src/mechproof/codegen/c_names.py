@@ -34,7 +34,7 @@ WORDS = frozenset({
     "throw", "try", "typeid", "typename", "using", "virtual", "wchar_t", "xor", "xor_eq",
     # Types, functions and macros that sources use.
     "size_t", "uint32_t", "uint64_t", "isnan", "NAN", *_FUNCTIONS, *(f"{n}f" for n in _FUNCTIONS),
-    "sin", "cos", "tan", "sinf", "cosf", "tanf",
+    "sin", "cos", "tan", "sinf", "cosf", "tanf", "fma", "fmaf",
     # Macros of the headers that may stand before, of systems and of processors.
     "DOMAIN", "EDOM", "EOF", "ERANGE", "I", "INFINITY", "NDEBUG", "NULL", "OVERFLOW", "PLOSS",
     "SING", "TLOSS", "UNDERFLOW", "complex", "errno", "far", "huge", "i386", "imaginary",

@@ -208,7 +208,10 @@ _ROWS = (
     _sign("divide", "/", PRODUCT, lambda on, a, b: a / b, "."),
     Kind("negate", EXACT, None, lambda on, a: -a, _NEGATIVE, _NEGATIVE, _NEGATIVE, "",
          _NEGATIVE, _NEGATIVE, _NEGATIVE, _NEGATIVE),
-    Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", "fma"),
+    Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", f"{HELPER}fma"),
+    # An fma whose product may as well be rounded, where that is cheaper.
+    Kind("multiply_add", NEAREST, None, lambda on, a, b, c: a * b + c,
+         None, "_fma", f"{HELPER}multiply_add"),
     Kind("square", NEAREST, None, lambda on, a: a * a,
          Support("functions", "square"), Pattern("{} ** 2", ATOM, POWER), f"{HELPER}square"),
     Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt",

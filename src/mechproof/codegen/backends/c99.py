@@ -22,9 +22,10 @@ from mechproof.codegen.backends.scalar_texts import (
 from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
-from mechproof.codegen.syntax import Syntax
+from mechproof.codegen.syntax import Syntax, write_program
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
 from mechproof.programs.scalar import list_scalars, list_stages
@@ -156,6 +157,7 @@ def render_c_kernels(
         "letters": [f"{HELPER}{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, extended) for found in reductions],
         "far": angles,
+        "split": write_program(write_plainly("fma"), language),
     }
     return {
         f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),
@@ -173,10 +175,12 @@ def _render_source(data: Mapping[str, object], form: Format, language: Syntax, f
     known = (*BODIES, *MACHINE)
     called: tuple[str, ...] = ()
     # Helpers of kernels, then those that these call.
-    for _ in range(2):
+    while True:
         text = render(called)
-        called = tuple(kind for kind in known if f"{language.calls[kind]}(" in text)
-    return render(called)
+        found = tuple(kind for kind in known if f"{language.calls[kind]}(" in text)
+        if found == called:
+            return text
+        called = found
 
 
 def _write(kernel: Kernel, syntax: Syntax, form: Format, angles: dict[str, Angles]) -> ScalarKernel:

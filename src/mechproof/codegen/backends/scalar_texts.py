@@ -306,7 +306,7 @@ def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> Fu
         kind,
         function.meaning,
         _spell(function.program.inputs, syntax),
-        write_program(function.program, syntax),
+        write_program(function.parted, syntax),
         write_program(function.far, far) if function.far else None,
         list_booleans(function.program, syntax),
         tuple((t.meaning, enclose(t, fitted) / form.eps) for t, fitted in function.fits),

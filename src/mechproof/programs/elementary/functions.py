@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from inspect import signature
 
@@ -18,6 +18,7 @@ from mechproof.programs.elementary.machine import (
     floor,
     fma,
     maximum,
+    multiply_add,
     polynomial,
     power_of_two,
     rint,
@@ -36,12 +37,14 @@ ROUNDED = 4
 class Function:
     """A function as a program. `fits` are the approximations in it.
 
+    In the program every product with a sum is fused; `parted` says of which it need not be.
     Where the absolute value of the first argument is more than the format's `largest`, `program`
     is wrong and `far`, where there is one, takes the functions of a backend's own library.
     """
 
     meaning: str
     program: Program
+    parted: Program
     fits: tuple[Fitted, ...]
     far: Program | None
 
@@ -109,7 +112,7 @@ class _Maker:
         z = r * r
         first, *others = fitted.above
         lead = r if first == 1.0 else first * r
-        above, below = fma(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
+        above, below = multiply_add(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
         half = n * 0.5
         is_even = rint(half) == half
         return choose(is_even, above, -below), choose(is_even, below, above)
@@ -124,7 +127,7 @@ class _Maker:
     def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
         """Return t/(a + b*t**2), t = tan(y)."""
         above, below = self.tangent_parts(y)
-        return above * below / fma(a * below, below, b * above * above)
+        return above * below / multiply_add(a * below, below, b * above * above)
 
     @_body(_far("tan"))
     def tangent_above(self, y: Value) -> Value:
@@ -141,10 +144,10 @@ class _Maker:
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
         z = r * r
-        sine = fma(r * z, polynomial(z, odd.above), r)
+        sine = multiply_add(r * z, polynomial(z, odd.above), r)
         half = z * 0.5
         near = 1.0 - half
-        cosine = near + fma(z * z, polynomial(z, even.above), (1.0 - near) - half)
+        cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - half)
         return sine, cosine
 
     @_body(_far("sin"))
@@ -201,14 +204,14 @@ class _Maker:
         """Return atan(w) for 0 <= w <= 1."""
         fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
         z = w * w
-        return fma(w * z, polynomial(z, fitted.above), w)
+        return multiply_add(w * z, polynomial(z, fitted.above), w)
 
     @_body()
     def small_arctan(self, y: Value) -> Value:
         """Return atan(y) for |y| <= 1/sqrt(3)."""
         fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
         z = y * y
-        return fma(y * z, polynomial(z, fitted.above), y)
+        return multiply_add(y * z, polynomial(z, fitted.above), y)
 
     @_body()
     def small_tangent(self, y: Value) -> Value:
@@ -240,9 +243,9 @@ class _Maker:
         odd = self.fit(fits.ODD_EXPONENTIAL, self.form.exponential)
         even = self.fit(fits.EVEN_EXPONENTIAL, self.form.exponential)
         z = r * r
-        bent = fma(r, polynomial(z, odd.above), polynomial(z, even.above))
+        bent = multiply_add(r, polynomial(z, odd.above), polynomial(z, even.above))
         half = floor(n * 0.5)
-        return (1.0 + fma(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
+        return (1.0 + multiply_add(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
 
     @_body()
     def normal_tail(self, y: Value) -> Value:
@@ -255,7 +258,7 @@ class _Maker:
         fitted = self.fit(fits.NORMAL_TAIL, self.form.tail)
         scaled = polynomial((x - fits.TAIL) / (x + fits.TAIL), fitted.above) / (1.0 + x)
         square = x * x
-        return self.exp(square * -0.5) * fma(fma(x, x, -square) * -0.5, scaled, scaled)
+        return self.exp(square * -0.5) * multiply_add(fma(x, x, -square) * -0.5, scaled, scaled)
 
     @_body()
     def hypot(self, a: Value, b: Value) -> Value:
@@ -269,7 +272,7 @@ class _Maker:
             choose(size < small, 2.0**self.form.scale, 1.0),
         )
         x, y = one * factor, other * factor
-        return root(fma(x, x, y * y)) / factor
+        return root(multiply_add(x, x, y * y)) / factor
 
     @_body()
     def sign(self, y: Value) -> Value:
@@ -337,4 +340,13 @@ def build(kind: str, form: Format) -> Function:
     maker = _Maker(form)
     program = trace(lambda *values: body(maker, *values), inputs)
     far_program = trace(far, inputs) if far else None
-    return Function(str(body.__doc__), program, tuple(maker.fits), far_program)
+    return Function(str(body.__doc__), _fuse(program), program, tuple(maker.fits), far_program)
+
+
+def _fuse(program: Program) -> Program:
+    """Return a program with an fma for every product that is added."""
+    operations = (
+        replace(step, kind="fma") if step.kind == "multiply_add" else step
+        for step in program.operations
+    )
+    return replace(program, operations=tuple(operations))

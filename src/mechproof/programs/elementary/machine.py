@@ -12,6 +12,11 @@ def fma(a: Value, b: Value | float, c: Value | float) -> Value:
     return a.apply("fma", a, b, c)
 
 
+def multiply_add(a: Value, b: Value | float, c: Value | float) -> Value:
+    """Return a*b + c, whose product may be rounded, too, where there is no fma."""
+    return a.apply("multiply_add", a, b, c)
+
+
 def maximum(a: Value, b: Value | float) -> Value:
     """Return the larger number, NaN if one is."""
     return a.apply("maximum", a, b)
@@ -60,9 +65,9 @@ def polynomial(z: Value, coefficients: Sequence[float]) -> Value | float:
     terms: list[Value | float] = list(coefficients)
     if len(terms) > CHAIN:
         pairs = zip(terms[::2], terms[1::2], strict=False)
-        joined: list[Value | float] = [fma(z, high, low) for low, high in pairs]
+        joined: list[Value | float] = [multiply_add(z, high, low) for low, high in pairs]
         terms, z = joined + terms[len(terms) - len(terms) % 2 :], z * z
     *others, value = terms
     for term in reversed(others):
-        value = fma(z, value, term)
+        value = multiply_add(z, value, term)
     return value

@@ -22,10 +22,14 @@ FACTOR, DOWN, UP = 2.0**27 + 1, 2.0**-28, 2.0**28
 
 
 def fma(a: Value, b: Value, c: Value) -> Value:
-    """Return a*b + c, off by hardly more than one rounding: an error-free product, then a sum."""
+    """Return a*b + c, off by hardly more than one rounding: an error-free product, then a sum.
+
+    An infinite product makes it NaN.
+    """
     p = a * b
     s = p + c
-    return s + (s.apply("total_rest", p, c, s) + p.apply("product_rest", a, b, p))
+    part = s - p
+    return s + (((p - (s - part)) + (c - part)) + product_rest(a, b, p))
 
 
 def product_rest(a: Value, b: Value, p: Value) -> Value:
