@@ -19,13 +19,13 @@ from mechproof.record import MARKS
 
 ROOT = Path(__file__).parents[1]
 PAGES = {
-    name: (ROOT / name).read_text(encoding="utf-8")
-    for name in ("README.md", "docs/uses.md", "docs/verdicts.md")
+    file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8")
+    for file in (ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")))
 }
 README = PAGES["README.md"]
 BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
-MODULES = [block for block in BLOCKS["docs/uses.md"] if ">>>" not in block]
+MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]
 
 
 @pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if blocks])
@@ -42,7 +42,7 @@ def test_examples_print_what_they_show(
 
 
 def test_the_paper_shown_has_the_outcomes_shown() -> None:
-    page = PAGES["docs/uses.md"]
+    page = PAGES["docs/check.md"]
     (paper,) = re.findall(r"```latex\n(.*?)```", page, re.DOTALL)
     (shown,) = re.findall(r"```text\n(.*?)\n```", page, re.DOTALL)
     rows = [f"{row.name}  {row.outcome}" for row in check("paper.tex", paper).rows]
