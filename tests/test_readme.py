@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import json
 import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,8 @@ PAGES = {
 }
 README = PAGES["README.md"]
 BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
+# How lines begin that a user types.
+TYPED = (">>", "..", "$ ")
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
 MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]
 
@@ -39,6 +42,35 @@ def test_examples_print_what_they_show(
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)
     assert result.attempted > 0
     assert result.failed == 0
+
+
+CONSOLES = {
+    name: found
+    for name, text in PAGES.items()
+    if (found := re.findall(r"```console\n(\$ .*?)```", text, re.DOTALL))
+}
+
+
+@pytest.mark.parametrize("name", CONSOLES)
+def test_commands_print_what_is_shown(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three dots stand for whatever else a command prints."""
+    monkeypatch.chdir(tmp_path)
+    for block in CONSOLES[name]:
+        for shown in re.split(r"^\$ mechproof ", block, flags=re.MULTILINE)[1:]:
+            command, _, printed = shown.partition("\n")
+            output = CliRunner().invoke(app, shlex.split(command)).stdout
+            parts = [re.escape(part) for part in printed.split("...\n")]
+            assert re.fullmatch(r"(?s:.*)".join(parts), output), (command, output)
+
+
+@pytest.mark.parametrize("name", sorted(name for name in PAGES if name.startswith("docs/tasks/")))
+def test_a_task_takes_less_than_ten_lines(name: str) -> None:
+    blocks = re.findall(r"```\w+\n(.*?)```", PAGES[name], re.DOTALL)
+    assert 0 < sum(len(block.splitlines()) for block in blocks) < 16
+    typed = [line for block in blocks for line in block.splitlines() if line[:2] in TYPED]
+    assert 0 < len(typed) < 10
 
 
 def test_the_paper_shown_has_the_outcomes_shown() -> None:
