@@ -1,6 +1,8 @@
-"""The documentation as a site: `sphinx-build -W docs site`."""
+"""The documentation as a site: `sphinx-build -W docs site`, the report in it with `-t report`."""
 
 import re
+import subprocess
+import sys
 from importlib.metadata import version as read_version
 from typing import Any
 
@@ -55,7 +57,15 @@ def write_math(translator: Any, node: nodes.math | nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
+def write_report(app: Any, exception: Exception | None) -> None:
+    """Write the pages of the papers and of their quantities into the site."""
+    if exception is None and app.tags.has("report"):
+        command = [sys.executable, "-m", "mechproof", "report", "--out"]
+        subprocess.run([*command, f"{app.outdir}/report"], check=True)
+
+
 def setup(app: Any) -> None:
-    """Register what is done to docstrings and formulas."""
+    """Register what is done to docstrings and formulas, and what stands beside the pages."""
+    app.connect("build-finished", write_report)
     app.connect("autodoc-process-docstring", plain)
     app.add_html_math_renderer("mathml", (write_math, None), (write_math, None))
