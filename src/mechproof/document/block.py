@@ -1,8 +1,9 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
-begins with a word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single
-equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
+begins with a word: `factor`, `function`, `where`, `let`, `branch`, `natural`, `integer`, `from`,
+`sizes`, and,
+of single equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
 """
 
 from __future__ import annotations
@@ -56,10 +57,12 @@ class Block:
 
     letters: list[Declared] = field(default_factory=list)
     factors: list[str] = field(default_factory=list)
+    functions: dict[str, str] = field(default_factory=dict)
     where: list[str] = field(default_factory=list)
     values: list[str] = field(default_factory=list)
     branches: list[str] = field(default_factory=list)
     natural: list[str] = field(default_factory=list)
+    integer: list[str] = field(default_factory=list)
     sizes: list[str] = field(default_factory=list)
     start: str = ""
     constraints: list[str] = field(default_factory=list)
@@ -193,12 +196,25 @@ def _follow(block: Block, rest: str) -> None:
     block.follows |= dict.fromkeys(_find_references(equations), found)
 
 
+def _function(block: Block, rest: str) -> None:
+    pairs = _read_pairs(rest)
+    if not pairs:
+        raise ValueError(r"say which function a print is: function \tan^{-1} is \arctan")
+    block.functions |= pairs
+
+
+def _read_pairs(text: str) -> dict[str, str]:
+    """Read what is said to be something else, A is A_r, B is B_r; nothing if a part says none."""
+    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(text)]
+    return {} if any(len(pair) != 2 for pair in pairs) else dict(pairs)
+
+
 def _scope(block: Block, rest: str) -> None:
     equations, *said = _COLON.split(rest, maxsplit=1)
-    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(said[0])] if said else []
-    if not pairs or any(len(pair) != 2 for pair in pairs):
+    pairs = _read_pairs(said[0]) if said else {}
+    if not pairs:
         raise ValueError("say which print is which declared letter: in (8)-(13): A is A_r")
-    block.scopes.append((_find_references(equations), dict(pairs)))
+    block.scopes.append((_find_references(equations), pairs))
 
 
 def _start(block: Block, rest: str) -> None:
@@ -207,10 +223,12 @@ def _start(block: Block, rest: str) -> None:
 
 _WORDS: dict[str, Callable[[Block, str], None]] = {
     "factor": _add("factors"),
+    "function": _function,
     "where": _add("where"),
     "let": _add("values"),
     "branch": _branch,
     "natural": _add("natural"),
+    "integer": _add("integer"),
     "from": _start,
     "sizes": _add("sizes"),
     "constraint": _refer("constraints"),

@@ -68,6 +68,11 @@ def _judge_alone(task: Task) -> Judgement | str:
         return str(error)
     if found.verdict is Verdict.REFUTED and task.is_rounded:
         return "the two sides differ, but a decimal is a rounded number"
+    if found.verdict is Verdict.REFUTED and task.is_solution:
+        return (
+            f"it differs from {task.sign.first}, and may be another solution or case; the block of "
+            "letters may say that it is an identity"
+        )
     if found.verdict is Verdict.REFUTED and task.is_alone:
         return f"another value than at the sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:

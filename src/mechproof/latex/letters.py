@@ -158,7 +158,9 @@ def _read_name(parser: Parser, match: Match) -> Node:
     letter = Letter(match.name.symbol, text, indices, start=start, end=parser.end)
     if places.is_value(parser, letter):
         return places.read_value(parser, letter)
-    if parser.text == "(" and (other := parser.names.longer(match.name, "(")):
+    other = parser.names.longer(match.name, "(") if parser.text == "(" else None
+    is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
+    if other and not is_rate and letter.text not in parser.factors:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",
             parser.remedies.name.format(f"{latex}(…)"),

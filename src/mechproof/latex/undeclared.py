@@ -50,7 +50,7 @@ _UNREAD = {
         (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
         r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
     ),
-    **dict.fromkeys((r"\mid", r"\Vert", r"\|"), r"Print | or \left| for an absolute value."),
+    r"\mid": r"Print | or \left| for an absolute value.",
     **dict.fromkeys(VECTORS, "Vectors need their components: check these."),
 }
 
