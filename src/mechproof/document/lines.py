@@ -158,7 +158,7 @@ def _clean(latex: Text) -> Text:
     latex = _drop_leads(latex.replace(_TITLE_AT_START, lambda _: "")).strip(end=".,;~")
     if (found := _RANGE.search(latex.string)) and found.start():
         latex = latex[: found.start()]
-    while latex.string.endswith(_BLANK[:6]):
+    while latex.string.endswith((*_BLANK[:6], ",\\")):
         latex = latex[: latex.string.rindex("\\")].strip(end=".,;~")
     return latex
 

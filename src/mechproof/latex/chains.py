@@ -53,7 +53,7 @@ def _find_end(parser: Parser, behind: Line | None) -> int:
 
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
     """Read the chains of a line up to its end."""
-    if parser.text in (*IF, r"\forall"):
+    if parser.text in (*IF, r"\forall") and not (_skip_membership(parser) and parser.skip(",")):
         raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
     parts = [ChainPart(_read_chain(parser))]
     while parser.text:

@@ -118,6 +118,12 @@ def _split(latex: str) -> list[Token]:
         if sign.text in (*_OPENING, *_CLOSING):
             size, place = sign.text, sign.start
             continue
+        if size in _OPENING and sign.text == "." and _closes_nothing(signs):
+            # A bracket goes on in another line: \left(a\right.\left.b\right).
+            while signs.pop().text in GAPS.values():
+                pass
+            size = ""
+            continue
         if size in _CLOSING and sign.text == ".":
             sign = replace(sign, text=r"\right.")
         text = _BARS.get((size, sign.text), GAPS.get(sign.text, sign.text))
@@ -130,6 +136,11 @@ def _split(latex: str) -> list[Token]:
         signs.append(Token(text, start, sign.end))
         size = ""
     return signs
+
+
+def _closes_nothing(signs: list[Token]) -> bool:
+    texts = [sign.text for sign in signs if sign.text not in GAPS.values()]
+    return texts[-1:] == [r"\right."]
 
 
 class _Normaliser:
@@ -227,8 +238,8 @@ class _Normaliser:
             return self._read_argument()[1:-1]
         if first.text in _MARKS:
             *inner, last = self._read_argument()[1:]
-            if first.text == r"\boxed":
-                self.groups.pop()
+            if first.text == r"\boxed" or not {"+", "-"} & {t.text for t in inner}:
+                self.groups[-1:] = []
             inner[-1:] = [replace(t, end=last.end) for t in inner[-1:]]
             return inner
         if first.text in QUANTITIES:
