@@ -121,6 +121,46 @@ PAPERS = {
 }
 
 
+LINKS = r"""a ; b ; c ; d : lengths [mm]
+\theta_2(t) ; \theta_3 ; \theta_4 : angles [rad]
+\omega_2 ; \omega_3 ; \omega_4 : angular velocities [rad/s]
+V : velocity
+R : vector
+imaginary j
+let \dot\theta_2=\omega_2"""
+PAPERS |= {
+    "vectors of the plane as complex numbers": (
+        r"$$ae^{j\theta_2}+be^{j\theta_3}-ce^{j\theta_4}-d=0$$"
+        r"$$a\cos\theta_2+b\cos\theta_3=c\cos\theta_4+d$$",
+        LINKS,
+        [D, D, P],
+    ),
+    "a complex letter, its derivative and a wrong one": (
+        r"$$R=ae^{j\theta_2}$$ $$R=a(\cos\theta_2+j\sin\theta_2)$$"
+        r"$$V=\frac{dR}{dt}=ja\omega_2e^{j\theta_2}$$ $$R=a(\cos\theta_2-j\sin\theta_2)$$",
+        LINKS,
+        [D, P, P, D, P, P, P, R],
+    ),
+    "the imaginary unit without a block": (
+        r"$$z=re^{i\varphi}$$ $$z=r\cos\varphi+ir\sin\varphi$$ $$z=re^{-i\varphi}$$",
+        "",
+        [D, P, P, P, R],
+    ),
+    "a derivative beside a length d": (
+        r"$$x=at^2$$ $$\frac{dx}{dt}=2at$$ $$y=\frac{da}{d-b}$$ $$y=\frac{da}{d+b}$$",
+        "a ; b ; d ; x ; y : lengths\nt : time",
+        [D, P, D, R],
+    ),
+    "a bracket that goes on in another line": (
+        r"$$\begin{aligned}u=&\left(a+b\right.\\&\left.+c\right)v\end{aligned}$$ $$u=av+bv+cv$$"
+        r"$$u=av+bv-cv$$",
+        "",
+        [D, P, R],
+    ),
+    "an upper index in brackets": (r"$$L=2x^{(1)}+y^{(i)}$$ $$L=x^{(1)}+y^{(i)}$$", "", [D, R]),
+}
+
+
 @pytest.mark.parametrize("name", PAPERS)
 def test_equations_become_what_they_are(name: str) -> None:
     text, block, expected = PAPERS[name]

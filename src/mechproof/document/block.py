@@ -1,8 +1,8 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
-begins with a word: `factor`, `function`, `where`, `let`, `branch`, `natural`, `integer`, `from`,
-`sizes`, and,
+begins with a word: `factor`, `function`, `where`, `let`, `branch`, `natural`, `integer`,
+`imaginary`, `from`, `sizes`, and,
 of single equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
 """
 
@@ -65,6 +65,7 @@ class Block:
     integer: list[str] = field(default_factory=list)
     sizes: list[str] = field(default_factory=list)
     start: str = ""
+    imaginary: str = ""
     constraints: list[str] = field(default_factory=list)
     identities: list[str] = field(default_factory=list)
     modulo: dict[str, str] = field(default_factory=dict)
@@ -221,6 +222,12 @@ def _start(block: Block, rest: str) -> None:
     block.start = rest
 
 
+def _imaginary(block: Block, rest: str) -> None:
+    if not (len(rest) == 1 and rest.isalpha()):
+        raise ValueError("say which letter is the imaginary unit: imaginary j")
+    block.imaginary = rest
+
+
 _WORDS: dict[str, Callable[[Block, str], None]] = {
     "factor": _add("factors"),
     "function": _function,
@@ -229,6 +236,7 @@ _WORDS: dict[str, Callable[[Block, str], None]] = {
     "branch": _branch,
     "natural": _add("natural"),
     "integer": _add("integer"),
+    "imaginary": _imaginary,
     "from": _start,
     "sizes": _add("sizes"),
     "constraint": _refer("constraints"),

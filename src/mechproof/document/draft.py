@@ -10,6 +10,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     Collected,
@@ -52,7 +53,8 @@ def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
-    collected = collect_letters(prints, guess=True)
+    unit = find_unit(prints)
+    collected = collect_letters(prints, guess=True, imaginary=unit)
     shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
     said = dict(find_said(source))
     lines = [
@@ -63,6 +65,7 @@ def draft_block(source: Source) -> str:
     if collected.factors:
         lines.append("# A bracket with more than letters stands behind these: it is multiplied.")
         lines += [f"factor {name}" for name in collected.factors]
+    lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
     lines += _ask_what_follows(source, displays)
     for number, reason in collected.unread.items():

@@ -86,11 +86,16 @@ class Collected:
     guessed: list[str] = field(default_factory=list)
 
 
-def collect_letters(printed: Iterable[str], *, guess: bool = False) -> Collected:
-    """Collect the letters of prints; with `guess` those, too, that the reader would ask for."""
+def collect_letters(
+    printed: Iterable[str], *, guess: bool = False, imaginary: str = ""
+) -> Collected:
+    """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
+
+    `imaginary` is the letter of the imaginary unit.
+    """
     prints = list(printed)
     letters: dict[str, None] = {}
-    guesses = _Guesses("\n".join(prints), declares=guess)
+    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary)
     unread: dict[int, str] = {}
     for number, latex in enumerate(prints):
         found = _collect_from(latex, guesses)
@@ -108,6 +113,7 @@ class _Guesses:
 
     all_prints: str
     declares: bool
+    imaginary: str
     factors: dict[str, None] = field(default_factory=dict)
     letters: dict[str, None] = field(default_factory=dict)
     functions: dict[str, str] = field(default_factory=dict)
@@ -147,7 +153,12 @@ def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
         names = tuple(Variable(sp.Symbol(name_symbol(x)), "", latex=(x,)) for x in guesses.letters)
         functions = {x[1:]: FUNCTIONS[is_[1:]] for x, is_ in guesses.functions.items()}
         factors = tuple(guesses.factors)
-        notation = Notation(factors=factors, functions=functions, name_unit=name_unit)
+        notation = Notation(
+            factors=factors,
+            functions=functions,
+            name_unit=name_unit,
+            imaginary=guesses.imaginary,
+        )
         try:
             return Reader(names, notation, REMEDIES).collect(latex)
         except ReadingError as error:

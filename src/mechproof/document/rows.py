@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from mechproof.document.block import Declared, read_block
+from mechproof.document.complex_parts import find_unit, is_complex, split_parts
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     collect_letters,
@@ -84,8 +85,10 @@ class Document:
 
     def _take_letters(self) -> None:
         """Take letters that no block declares as numbers, or as the matrices they are printed."""
-        letters = collect_letters(p.latex.string for p in self.printed).letters
-        shapes = dict(find_shapes(p.latex.string for p in self.printed))
+        prints = [p.latex.string for p in self.printed]
+        self.block.imaginary = find_unit(prints)
+        letters = collect_letters(prints, imaginary=self.block.imaginary).letters
+        shapes = dict(find_shapes(prints))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [
             Declared(names, shape=shapes.get(name_symbol(names[0])))
@@ -131,8 +134,9 @@ class Document:
         self.limit = limit
         read = self._parse_all()
         values = self.known.values = {**self.known.values, **self.known.entries}
+        real = {symbol: v for symbol, v in values.items() if not is_complex(self.known.settle(v))}
         self.papers = {
-            with_units: self.symbols.paper(self.system, values, with_units=with_units)
+            with_units: self.symbols.paper(self.system, real, with_units=with_units)
             for with_units in (True, False)
         }
         again = self.symbols.reader(values)
@@ -206,7 +210,8 @@ class Document:
             rows = read_row(row, reader)
             pairs = [*zip(rows, signs, strict=True)]
             judged = count_signs(printed.latex.string[: printed.taken])
-            return [self._prepare(printed, *pair, own) for pair in pairs[judged:]]
+            parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
+            return [self._prepare(printed, *part, own) for part in parts]
 
         found = self._guard(printed, prepare)
         return [found] if isinstance(found, Left) else found

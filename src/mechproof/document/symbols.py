@@ -146,6 +146,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         name_unit=name_unit,
         phases=phases,
         dimensions=dimensions,
+        imaginary=block.imaginary,
     )
     for name in (*block.branches, *block.natural, *block.integer):
         if name not in symbols:

@@ -97,6 +97,10 @@ def _list_nodes(value: object) -> list[Node]:
 def read_letter(parser: Parser, match: Match | None) -> Node:
     """Read the longest declared name, a bound letter, or a constant."""
     start, place = parser.start, parser.place
+    unit = parser.notation.imaginary
+    if unit and parser.text in (unit, "e") and match is None:
+        value = sp.E if parser.text == "e" else sp.I
+        return Constant(value, parser.take().text, start=start, end=parser.end)
     if match is None or match.end == place + 1:
         _refuse_italics(parser)
     if parser.text in parser.bound and (match is None or match.end == place + 1):

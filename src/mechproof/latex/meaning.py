@@ -93,6 +93,7 @@ class Meaning:
         self.values = values
         self.lower_limit = notation.lower_limit
         self.moving = notation.moving
+        self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
 
@@ -122,7 +123,7 @@ class Meaning:
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
-        if is_scalar and name_turns(found).is_extended_real is False:
+        if is_scalar and not self.is_complex and name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
         if is_scalar:
             self._met |= dict.fromkeys(list_partial(found))

@@ -198,7 +198,7 @@ def _find_end(parser: Parser, place: int) -> int:
         end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
     # Nobody prints a power as x^{(i)}.
     texts = [token.text for token in tokens[end : end + 6]]
-    is_index = [*texts[:3], *texts[4:]] == ["^", "{", "(", ")", "}"] and begins_letter(texts[3])
+    is_index = [*texts[:3], *texts[4:]] == ["^", "{", "(", ")", "}"]
     return end + 6 if is_index else end
 
 
