@@ -22,7 +22,7 @@ _NAMES = ("real part", "imaginary part")
 
 def find_unit(prints: Iterable[str]) -> str:
     r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; nothing if none does."""
-    found = (_EXPONENTIAL.search(_COMMAND.sub(" ", latex)) for latex in prints)
+    found = (_EXPONENTIAL.search(_COMMAND.sub("x", latex)) for latex in prints)
     return next((match[1] for match in found if match), "")
 
 
