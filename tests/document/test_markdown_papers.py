@@ -118,9 +118,28 @@ PAPERS = {
         "x(t) ; a ; b : way\nfactor \\ddot x",
         [D],
     ),
+    "numbers without letters": (
+        r"$$\sin45^\circ\approx0.7071$$ $$\tan60^\circ=1.723$$ $$\cos0=1$$",
+        "",
+        [P, R, P],
+    ),
+    "what holds for positive letters": (
+        r"$$x=r+\sqrt{l^2-r^2}$$ $$x=r+l\sqrt{1-r^2/l^2}$$ $$x=r-l\sqrt{1-r^2/l^2}$$",
+        "",
+        [D, OPEN, R],
+    ),
+    "what is said to be positive": (
+        r"$$x=r+\sqrt{l^2-r^2}$$ $$x=r+l\sqrt{1-r^2/l^2}$$",
+        "x ; r ; l : lengths {l>0}",
+        [D, P],
+    ),
+    "a condition behind a letter that is not defined by it": (r"$$|x|=x,\ x\ge0$$", "", [P]),
+    "a column and a row in brackets": (
+        r"$$p=\begin{pmatrix}x&y\end{pmatrix}^T$$ $$p=(x,y)$$ $$p=(y,x)$$",
+        "",
+        [D, P, R],
+    ),
 }
-
-
 LINKS = r"""a ; b ; c ; d : lengths [mm]
 \theta_2(t) ; \theta_3 ; \theta_4 : angles [rad]
 \omega_2 ; \omega_3 ; \omega_4 : angular velocities [rad/s]

@@ -25,7 +25,7 @@ _PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
 _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
-_MODULO = re.compile(r"(.+?)\s+(\(.*|[^\s\\]+)\Z")
+_MODULO = re.compile(r"(.+?)\s+(\(.*|display \d.*|[^\s\\]+)\Z")
 
 
 class BlockError(ValueError):

@@ -21,6 +21,7 @@ from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.reader import Print
+from mechproof.latex.sides import turn
 from mechproof.latex.tree import (
     Add,
     Approach,
@@ -176,7 +177,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.RELATION)
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
     try:
-        sides = one, other = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+        worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+        sides = one, other = turn((nodes[0], nodes[1]), worked_out)
     except ReadingError:
         if has_place:
             # What it is a value of may be printed behind it.

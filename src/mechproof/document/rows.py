@@ -264,7 +264,8 @@ class Document:
         if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
             row = replace(row, says=Equality(*members, "member"))
-        if isinstance(says, Equality) and sign.role is Role.DEFINITION:
+        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
+        if isinstance(says, Equality) and is_introduced:
             row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
         if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
             values = [side for side in sign.sides if not side.free_symbols]
@@ -325,6 +326,8 @@ class Document:
 
         Sides of different letters say something of the letters.
         """
+        if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
+            return True
         if is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:

@@ -233,9 +233,9 @@ def _make(
             f"derivative of {meaning or first} by {letter.running}, order {order}",
             units[order].dimension,
             latex=tuple(
-                print_
+                printed
                 for rate in _print_rate(first, letter.running, order)
-                for print_ in (rate, f"{rate}({letter.running})")
+                for printed in (rate, f"{rate}({letter.running})")
             ),
         )
 
