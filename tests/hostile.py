@@ -7,12 +7,15 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
-from units import list_with_units
+from units import list_other_units, list_with_units
 
+from mechproof import mechanisms
 from mechproof.laws import Normal
 from mechproof.tolerance import Size
 
 UNITS = [*list_with_units(0.5), *list_with_units([0.5, 1.0])]
+# What is refused where quantities of pint are taken.
+OTHER_UNITS = [*list_other_units(0.5), *list_other_units([0.5, 1.0])]
 NO_NUMBERS = [
     *(None, "1", "x", b"1", {"a": 1.0}, {1.0}, object(), float, 1j),
     *([1j, 1.0], ["1"], [None], [[1.0, 2.0], [3.0]], [1.0, [2.0]], [{}]),
@@ -91,7 +94,7 @@ KINDS = {
     "simulated": "simulated",
     "parts": "type_b",
     "folder": "folder",
-    "flag": "steps_as_printed",
+    "flag": "steps_as_printed degrees",
     "pair": "tolerance",
     "optional pair": "acceptance",
     "triple": "angles shift",
@@ -123,6 +126,10 @@ ELSEWHERE = {
     "choose.size": "count",
     "choose.measured": "folder",
     "choose.angles": "sizes",
+    "export.phi1": "number",
+    "export.tolerance": "positive",
+    "formula.name": "text",
+    "formula.derivations": "folder",
     "tailor.error": "positive",
     "tailor.phi1": "pair",
     "plot.pitch_curves.phi1": "number",
@@ -130,6 +137,21 @@ ELSEWHERE = {
 KIND_OF = {name: kind for kind, names in KINDS.items() for name in names.split()} | ELSEWHERE
 
 
+PLAIN_MECHANISMS = {*mechanisms.__all__} - {"ThicknessInspection"}
+
+
 def list_refused(call: str, parameter: str) -> list[Any]:
     """List what a parameter of a call does not take."""
-    return REFUSED[KIND_OF.get(f"{call}.{parameter}", KIND_OF[parameter])]
+    refused = REFUSED[KIND_OF.get(f"{call}.{parameter}") or KIND_OF[parameter]]
+    if not takes_quantities(call, parameter):
+        return refused
+    return [v for v in refused if not any(v is known for known in UNITS)] + OTHER_UNITS
+
+
+def takes_quantities(call: str, parameter: str) -> bool:
+    """Say whether a parameter is a number with a unit of a mechanism."""
+    name, _, method = call.partition(".")
+    is_plain = method in ("published", "published_sizes", "tolerance_range", "motion")
+    numbers = ("number", "array", "exact", "triple")
+    name = "EllipticPlanetary" if call in ("plot.pitch_curves", "export") else name
+    return name in PLAIN_MECHANISMS and not is_plain and KIND_OF[parameter] in numbers

@@ -27,6 +27,8 @@ from mechproof import (
     check,
     choose,
     conformity,
+    export,
+    formula,
     laws,
     measurement,
     mechanisms,
@@ -35,6 +37,7 @@ from mechproof import (
     tolerance,
 )
 from mechproof.conformity import compiled
+from mechproof.derivation import packaged_directory
 from mechproof.laws import Normal, TruncatedNormal, Uniform
 from mechproof.measurement import Estimate, TypeA, TypeB
 from mechproof.tolerance import Size
@@ -75,25 +78,27 @@ RANGE = {"function": scale, "inputs": [1.0, 2.0], "sizes": SIZES}
 CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "EllipticPlanetary": (EllipticPlanetary, {"R1": 66, "R2": 16, "e": 0.4}),
     "EllipticPlanetary.published": (EllipticPlanetary.published, {"variant": 1}),
-    "EllipticPlanetary.carrier_angle": (ELLIPTIC.carrier_angle, {"phi3": 1.0}),
+    "EllipticPlanetary.carrier_angle": (ELLIPTIC.carrier_angle, {"phi3": 1.0, "degrees": False}),
+    "EllipticPlanetary.extremes": (ELLIPTIC.extremes, {"degrees": True}),
     **{
-        f"EllipticPlanetary.{n}": (getattr(ELLIPTIC, n), {"phi1": 1.0})
+        f"EllipticPlanetary.{n}": (getattr(ELLIPTIC, n), {"phi1": 1.0, "degrees": False})
         for n in ("ratio", "position", "acceleration")
     },
-    "OvalPair": (OvalPair, {"e": 0.3, "mount": 0.1}),
+    "OvalPair": (OvalPair, {"e": 0.3, "mount": 0.1, "degrees": False}),
     "CylindricalPair": (CylindricalPair, {"R4": 20, "R5": 20}),
     "OvalPlanetary": (OvalPlanetary, {"pair": OvalPair(0.3), "e2": 0.3}),
     "OvalPlanetary.published": (OvalPlanetary.published, {"variant": 1}),
-    "OvalPlanetary.motion": (OVAL.motion, {"eta": 0.1}),
+    "OvalPlanetary.motion": (OVAL.motion, {"eta": 0.1, "degrees": True}),
+    "OvalPlanetary.extremes": (OVAL.extremes, {"degrees": True}),
     "OvalPlanetary.carrier_angle": (
         OvalPlanetary(CylindricalPair(1, 3), 0.1).carrier_angle,
-        {"phi3": 1.0},
+        {"phi3": 1.0, "degrees": False},
     ),
     **{
-        f"OvalPlanetary.{n}": (getattr(OVAL, n), {"phi1": 1.0})
+        f"OvalPlanetary.{n}": (getattr(OVAL, n), {"phi1": 1.0, "degrees": False})
         for n in ("ratio", "position", "acceleration")
     },
-    "ToothThickness": (ToothThickness, {"m": 3, "z": 50, "alpha": 0.3}),
+    "ToothThickness": (ToothThickness, {"m": 3, "z": 50, "alpha": 0.3, "degrees": False}),
     **{
         f"ToothThickness.{n}": (getattr(TEETH, n), {"dh": 0.01})
         for n in ("thickness_change", "thickness_change_linear", "linearisation_bound")
@@ -102,7 +107,7 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         TEETH.thickness_error,
         {"e_tip": 0.01, "height_error": 0.01},
     ),
-    "WedgeLinkage": (WedgeLinkage, vars(WEDGE)),
+    "WedgeLinkage": (WedgeLinkage, {**vars(WEDGE), "degrees": False}),
     "WedgeLinkage.published": (WedgeLinkage.published, {"set": 1}),
     "WedgeLinkage.published_sizes": (WedgeLinkage.published_sizes, {"set": 1}),
     **{
@@ -115,11 +120,13 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     ),
     "TrackWheel": (
         TrackWheel,
-        {"R": 41.5, "A": 3.75, "z": 6, "H": 20, "angles": (0, 0, 0), "shift": (0, 0, 0)},
+        {"R": 41.5, "A": 3.75, "z": 6, "H": 20, "angles": (0, 0, 0), "shift": (0, 0, 0)}
+        | {"degrees": False},
     ),
+    "TrackWheel.radius_extremes": (WHEEL.radius_extremes, {"degrees": True}),
     "TrackWheel.published": (TrackWheel.published, {"z": 6, "H": 20, "shift": (0, 0, 0)}),
     **{
-        f"TrackWheel.{n}": (getattr(WHEEL, n), {"phi": 1.0})
+        f"TrackWheel.{n}": (getattr(WHEEL, n), {"phi": 1.0, "degrees": False})
         for n in ("radius", "track", "displacement", "planar_error", "spatial_error")
     },
     "TrackWheel.displacement_of": (WHEEL.displacement_of, {"points": [1.0, 2.0, 3.0]}),
@@ -266,8 +273,19 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
             "phi1": (0.0, 1.0),
         },
     ),
+    "formula": (
+        formula,
+        {"name": "track_wheel.radius", "derivations": packaged_directory()},
+    ),
+    "export": (
+        export,
+        {"mechanism": OVAL, "path": "pair.csv", "phi1": 0.1, "degrees": False, "tolerance": 0.1},
+    ),
     "plot.motion": (plot.motion, {"mechanism": OVAL, "axes": None, "eta": "0.1"}),
-    "plot.pitch_curves": (plot.pitch_curves, {"mechanism": ELLIPTIC, "phi1": 1.0, "ax": None}),
+    "plot.pitch_curves": (
+        plot.pitch_curves,
+        {"mechanism": ELLIPTIC, "phi1": 1.0, "ax": None, "degrees": False},
+    ),
     "plot.tolerance": (
         plot.tolerance,
         {
@@ -297,7 +315,7 @@ CASES = [(name, parameter) for name, (_, given) in CALLS.items() for parameter i
 RESULTS = {
     *("Law", "Shares", "SimulatedShares", "Figure", "PusherReachError", "RollerLeverReachError"),
     *("CertifiedRange", "Contributions", "CornerRange", "MonteCarloRange", "Range", "Motion"),
-    *("Scatter", "Mechanism"),
+    *("Scatter", "Mechanism", "Formula"),
 }
 
 

@@ -98,6 +98,10 @@ LOADED = {
         *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
+    "exports": {
+        *("numpy", "mechproof.exports", "mechproof.arguments", "mechproof.files"),
+        *("mechproof.mechanisms", "mechproof.plot"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.programs", "mechproof.arithmetic"),
@@ -115,6 +119,7 @@ INSIDE = {
         "mechproof.record",
     },
     "mechanisms": {"scipy", "mechproof.tolerance"},
+    "exports": {"ezdxf", "matplotlib", "ncgears", "sympy"},
 }
 
 
@@ -136,6 +141,14 @@ def test_runtime_loads_nothing_heavy(name: str) -> None:
 def test_every_mechanism_has_a_probe() -> None:
     pairs = {"OvalPair", "CylindricalPair"}
     assert set(mechanisms.__all__) - pairs <= set(PROBES)
+
+
+def test_packages_are_reached_without_an_import_of_their_own() -> None:
+    code = "assert mechproof.kernels.elliptic_planetary.position(0.0, 66, 16, 0.4) == 0.0"
+    assert loaded_after(code).isdisjoint(HEAVY)
+    for name in mechproof.PACKAGES:
+        assert loaded_after(f"assert mechproof.{name}.__name__ == 'mechproof.{name}'")
+        assert name in dir(mechproof)
 
 
 def test_package_itself_loads_no_numpy() -> None:
@@ -231,8 +244,8 @@ def test_kernels_import_numpy_and_their_support_alone() -> None:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         allowed = {"numpy", "mechproof.kernel_support"}
         if path.parent.name == "compiled":
-            # And the elementary functions, which lie beside them.
-            allowed = {"numpy", "mechproof.compiled_support", "mechproof.kernels"}
+            # The elementary functions lie beside them.
+            allowed |= {"mechproof.compiled_support", "mechproof.kernels"}
         assert imported(ast.walk(tree)) <= allowed, path.name
 
 

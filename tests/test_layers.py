@@ -48,10 +48,16 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"mechanisms": ("mechanisms",)},
     {"tailoring": ("tailoring",)},
     {"laboratory": ("lab",), "figures": ("plot",)},
-    {"report": ("report",), "derivations": ("derivations",), "improvement": ("improvement",)},
+    {
+        "report": ("report",),
+        "exports": ("exports",),
+        "derivations": ("derivations",),
+        "improvement": ("improvement",),
+    },
     {
         "pipeline": (
             "certification",
+            "formulas",
             "ledger_cache",
             "pasted",
             "pipeline",

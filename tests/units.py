@@ -15,6 +15,13 @@ LIBRARIES = (
 )
 
 
+def list_other_units(value: Any) -> list[Any]:
+    """List a value in a unit of neither angles nor lengths nor pure numbers, and all of astropy."""
+    duration = REGISTRY.Quantity(np.asarray(value, float)[()], REGISTRY.second)
+    given = astropy.units.Quantity(value, astropy.units.deg)
+    return [duration, [duration], ((duration,), (duration,)), given, given / given, [given]]
+
+
 def list_with_units(value: Any) -> list[Any]:
     """List a value in degrees, as a number without a dimension, and inside a list and a tuple."""
     found = []

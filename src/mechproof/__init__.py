@@ -2,6 +2,8 @@
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
 `check` judges the equations of a paper's own source;
+`export` writes pitch curves and motions for other programs;
+`formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
@@ -16,8 +18,19 @@ from typing import TYPE_CHECKING, Any
 from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
+    from mechproof import (
+        conformity as conformity,
+        kernels as kernels,
+        laws as laws,
+        measurement as measurement,
+        mechanisms as mechanisms,
+        plot as plot,
+        tolerance as tolerance,
+    )
     from mechproof.choice import choose
     from mechproof.document.checking import check
+    from mechproof.exports import export
+    from mechproof.formulas import formula
     from mechproof.mechanisms import (
         CylindricalPair,
         EllipticPlanetary,
@@ -42,13 +55,19 @@ __all__ = [
     "__version__",
     "check",
     "choose",
+    "export",
+    "formula",
     "tailor",
 ]
 
+# Packages that are found under their names without an import of their own.
+PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot", "tolerance")
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
+    "export": "mechproof.exports",
+    "formula": "mechproof.formulas",
     "tailor": "mechproof.tailoring",
 }
 
@@ -72,10 +91,12 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("mechproof")
+    if name in PACKAGES:
+        return import_module(f"mechproof.{name}")
     if name not in HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(HOMES[name]), name)
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return sorted({*globals(), *__all__, *PACKAGES})

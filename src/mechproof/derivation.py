@@ -20,8 +20,9 @@ from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
 from itertools import count
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Literal, NoReturn
+from typing import Any, Literal, NoReturn
 
+from mechproof.arguments.scalars import require
 from mechproof.chosen import choose_forms
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
@@ -162,6 +163,15 @@ def load_kernels(name: str, generated: Path | None) -> ModuleType | None:
     sys.modules[own] = module
     spec.loader.exec_module(module)
     return module
+
+
+def check_folder(derivations: Any) -> Path:
+    """Return the folder of derivations that is given; TypeError or ValueError if it is none."""
+    allowed = "must be the path of a folder of derivations"
+    is_path = isinstance(derivations, str | os.PathLike)
+    require(is_path, "derivations", derivations, allowed, TypeError)
+    require(Path(derivations).is_dir(), "derivations", derivations, allowed)
+    return Path(derivations).resolve()
 
 
 def check_names(places: dict[str, Path], system: str, place: Path) -> None:

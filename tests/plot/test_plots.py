@@ -302,3 +302,23 @@ def test_bad_arguments_are_named(name: str) -> None:
 def test_shares_of_one_point_are_drawn() -> None:
     one = Shares(*(np.array([0.25]) for _ in range(4)))
     assert plot.shares([1.0], one, which="rightly_accepted").lines[0].get_ydata() == [25.0]
+
+
+@pytest.mark.parametrize(
+    ("radii", "ticks"),
+    [((60, 20), [0, 30, 60, 90, 120]), ((66, 16), [0, 30, 60, 90]), ((99, 9), 5)],
+)
+def test_degrees_are_ticked_every_thirty(radii: tuple[int, int], ticks: Any) -> None:
+    panels = plot.motion(EllipticPlanetary(*radii, 0.3))
+    low, high = panels[-1].get_xlim()
+    shown = [t for t in panels[-1].get_xticks() if low <= t <= high]
+    if isinstance(ticks, int):
+        assert set(np.diff(shown)) == {ticks}
+    else:
+        assert shown == ticks
+
+
+def test_pitch_curves_at_degrees() -> None:
+    found = plot.pitch_curves(ELLIPTIC, 40.0, degrees=True).get_title("left")
+    assert found == plot.pitch_curves(ELLIPTIC, np.radians(40.0)).get_title("left")
+    assert found.startswith("φ₁ = 40°")

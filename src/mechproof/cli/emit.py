@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -79,13 +79,10 @@ def emit_c(
         _emit_tailored(systems or [], error, _read_sizes(let or []), out, name, folder)
         return
     _refuse_quantities(systems or [])
-    locations = find_locations(systems or (), find_places(derivations, None))
-    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
-    refuse_failures(ledgers)
-    for location, ledger in zip(locations, ledgers, strict=True):
+    for location, paper in _judge(systems, derivations):
         try:
-            errors = _search_errors(ledger.paper, location) if float32 else None
-            files = render_c(ledger.paper, errors=errors)
+            errors = _search_errors(paper, location) if float32 else None
+            files = render_c(paper, errors=errors)
         except (ValueError, NotImplementedError) as error:
             if systems:
                 fail(str(error))
@@ -93,6 +90,64 @@ def emit_c(
             continue
         for name, text in files.items():
             _write(out / name, text)
+
+
+def _judge(systems: list[str] | None, derivations: Path | None) -> Iterator[tuple[Path, Paper]]:
+    """Prove the kernels of systems, unless they have not changed since, and yield the papers."""
+    locations = find_locations(systems or (), find_places(derivations, None))
+    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
+    refuse_failures(ledgers)
+    for location, ledger in zip(locations, ledgers, strict=True):
+        yield location, ledger.paper
+
+
+# What is written of a system, by the name of the command.
+SCRIPTS = {
+    "octave": "Write each kernel as a function file of Octave or MATLAB, of numbers or arrays.",
+    "javascript": "Write a module of JavaScript for each system, functions of numbers.",
+    "structured-text": "Write functions of Structured Text (IEC 61131-3) for each system.",
+}
+
+
+def _add_script(language: str, text: str) -> None:
+    def emit(
+        systems: Annotated[
+            list[str] | None,
+            typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
+        ] = None,
+        out: Annotated[
+            Path | None,
+            typer.Option(
+                metavar="FOLDER", help="The folder that the files go to.", parser=read_out
+            ),
+        ] = None,
+        derivations: DerivationsOption = None,
+    ) -> None:
+        from mechproof.codegen.backends.scripts import render_scripts
+
+        _refuse_quantities(systems or [])
+        for _, paper in _judge(systems, derivations):
+            files, refused = render_scripts(paper, language.replace("-", "_"))
+            for reason in refused:
+                say(f"left out: {reason}")
+            for name, written in files.items():
+                _write((out or Path(language)) / name, written)
+
+    emit.__doc__ = f"""{text}
+
+    They are the operations of the NumPy kernels, with the functions of the language's own library;
+    where there is no fused multiply-add, rests of products come from error-free products. What the
+    language cannot compute is left out by name.
+
+    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
+
+    Exit status 0: written; 1: a kernel is not PROVED, or a derivation fails; 2: bad usage.
+    """
+    app.command(name=language)(emit)
+
+
+for _language, _text in SCRIPTS.items():
+    _add_script(_language, _text)
 
 
 def _search_errors(paper: Paper, location: Path) -> Mapping[str, str]:

@@ -1,10 +1,12 @@
-"""Languages: how NumPy, numba and C spell the operations of a program."""
+"""Languages: how NumPy, numba, C and formulas spell the operations of a program."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
+from struct import pack, unpack
 from types import MappingProxyType
 
 from mechproof.codegen.c_names import spell_in_c
@@ -15,6 +17,7 @@ from mechproof.programs.operations import (
     KINDS,
     AxisReduction,
     Infix,
+    Kind,
     Pattern,
     Spelling,
     Support,
@@ -112,4 +115,135 @@ C99_SINGLE_FAR = replace(
     C99_SINGLE,
     calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
     last=MappingProxyType({}),
+)
+
+
+@dataclass(frozen=True)
+class Script:
+    """A language of formulas: how it spells operations, and how its files are laid out.
+
+    Where it takes arrays, all forms are computed and one is chosen for each element; where it takes
+    vectors, a point may have components. `apart`: a file for each function. `native` are the kinds
+    that the language has, `helpers` functions that no program can say.
+    """
+
+    name: str
+    syntax: Syntax
+    suffix: str
+    native: frozenset[str]
+    helpers: Mapping[str, str]
+    takes_arrays: bool = False
+    takes_vectors: bool = True
+    apart: bool = False
+    ignores_case: bool = False
+
+    @property
+    def template(self) -> str:
+        """Return the name of its template."""
+        return f"{self.name}{self.suffix}.jinja"
+
+
+def _script(
+    name: str, suffix: str, syntax: Syntax, helpers: Mapping[str, str], **more: bool
+) -> Script:
+    """Return a language whose kinds without a spelling are functions beside the formula."""
+    native = frozenset({*syntax.infix, *syntax.patterns, *syntax.calls, "copy"})
+    lacking = {kind: f"{HELPER}{kind}" for kind in KINDS if kind not in native}
+    syntax = replace(syntax, calls=MappingProxyType({**syntax.calls, **lacking}))
+    return Script(name, syntax, suffix, native, MappingProxyType(helpers), **more)
+
+
+# What variables of formulas begin with, beside those of the paper.
+FORM, RESULT = "form_", "result"
+
+
+def _avoid(words: str, name: str) -> str:
+    own = name.startswith((HELPER, FORM, RESULT))
+    return f"{name}_" if own or name.rstrip("_") in words.split() else name
+
+
+def _write_long_real(number: float) -> str:
+    """Write a number of Structured Text, where one without a type may be taken for a REAL."""
+    digits = repr(float(number))
+    return digits if unpack("f", pack("f", number))[0] == number else f"LREAL#{digits}"
+
+
+def _name_constants(infinity: str, nan: str) -> Mapping[str, str]:
+    constants = {"#pi": repr(math.pi), "#e": repr(math.e), "#inf": infinity, "#nan": nan}
+    return MappingProxyType(constants)
+
+
+def _spell_python(row: Kind) -> Spelling | None:
+    found = row.python or (row.numpy if isinstance(row.numpy, str) else None)
+    return found.replace("_np.", "np.") if isinstance(found, str) else found
+
+
+_PYTHON = replace(
+    _spell({k: _spell_python(row) for k, row in KINDS.items()}),
+    constants=_name_constants("np.inf", "np.nan"),
+    number=lambda number: repr(float(number)),
+    name=partial(_avoid, "np abs values"),
+)
+# Names of functions that a formula may call, and words.
+_OCTAVE = replace(
+    _spell({k: row.octave for k, row in KINDS.items()}),
+    constants=_name_constants("Inf", "NaN"),
+    number=lambda number: repr(float(number)),
+    name=partial(
+        _avoid,
+        "break case catch classdef continue do else elseif end endfunction endif for function "
+        "global if logical nan o ones otherwise parfor persistent return rem size switch try until "
+        "while NaN Inf " + " ".join(r.octave for r in KINDS.values() if isinstance(r.octave, str)),
+    ),
+)
+_JAVASCRIPT = replace(
+    _spell({k: row.javascript for k, row in KINDS.items()}),
+    constants=_name_constants("Infinity", "NaN"),
+    number=lambda number: repr(float(number)),
+    name=partial(
+        _avoid,
+        "arguments async await break case catch class const continue debugger default delete do "
+        "else enum eval export extends false finally for function if implements import in "
+        "instanceof interface let new null package private protected public return static super "
+        "switch this throw true try typeof undefined var void while with yield Infinity Math NaN "
+        "Number",
+    ),
+)
+_STRUCTURED_TEXT = replace(
+    _spell({k: row.structured_text for k, row in KINDS.items()}),
+    constants=_name_constants("", ""),
+    number=_write_long_real,
+)
+# Of IEC 61131-3, where capitals do not count.
+STRUCTURED_TEXT_WORDS = (
+    "abs acos action and any array asin at atan atan2 bool by byte case configuration cos date "
+    "dint do dt dword else elsif end exit exp expt false for from function if int interface ld le "
+    "limit lint ln log lreal lt lword max method min mod mux ne not of on or pointer program real "
+    "repeat result resource retain return sel shl shr sin sint sqrt st step string struct super "
+    "tan task then this time to tod true type udint uint ulint until usint valid var while with "
+    "word xor en eno ge gt eq r_edge f_edge"
+)
+_CHOOSE = """function r = mp_choose(c, a, b)
+  % a where c holds, elsewhere b; arrays of one size, or numbers beside them.
+  o = ones(size(c + a + b));
+  c = logical(c .* o);
+  a = a .* o;
+  r = b .* o;
+  r(c) = a(c);
+end
+"""
+SCRIPTS: Mapping[str, Script] = MappingProxyType(
+    {
+        script.name: script
+        for script in (
+            _script("python", ".py", _PYTHON, {}, takes_arrays=True),
+            _script("octave", ".m", _OCTAVE, {"choose": _CHOOSE}, takes_arrays=True, apart=True),
+            _script("javascript", ".mjs", _JAVASCRIPT, {}),
+            _script(
+                *("structured_text", ".st", _STRUCTURED_TEXT, {}),
+                takes_vectors=False,
+                ignores_case=True,
+            ),
+        )
+    }
 )

@@ -1,6 +1,8 @@
 """Planetary mechanism with an internal cylindrical mesh and an external elliptical pair.
 
-Angles are in radians, positive in the direction of the carrier's rotation, and count every turn.
+Angles are in radians, positive in the direction of the carrier's rotation, and count every turn;
+with `degrees=True` they are in degrees, as arguments and as results, and so are those that results
+are derived by. Quantities of pint are taken and given back in their units.
 
 >>> from mechproof import EllipticPlanetary
 >>> mechanism = EllipticPlanetary.published(2)
@@ -21,9 +23,10 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.mechanisms.extremes import Extremes
+from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
+from mechproof.mechanisms.units import Units
 from mechproof.notebook import Displayed
 
 __all__ = ["EllipticPlanetary"]
@@ -60,7 +63,8 @@ class EllipticPlanetary(Displayed):
     def __post_init__(self) -> None:
         """Check the parameters and convert them to floats."""
         for name in ("R1", "R2", "e"):
-            object.__setattr__(self, name, check_real(name, getattr(self, name)))
+            given = Units().take(name, getattr(self, name), "1" if name == "e" else "mm")
+            object.__setattr__(self, name, check_real(name, given))
         check_domain(kernels.DOMAIN, asdict(self))
 
     @classmethod
@@ -73,34 +77,41 @@ class EllipticPlanetary(Displayed):
         """R1/R2: turns of the satellite relative to the carrier, per turn of the carrier."""
         return self.R1 / self.R2
 
-    def ratio(self, phi1: ArrayLike) -> Any:
+    def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d phi3/d phi1 at the carrier angles `phi1`; see `kernels.elliptic_planetary`."""
-        return kernels.ratio(phi1, self.R1, self.R2, self.e)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(kernels.ratio(angles, self.R1, self.R2, self.e), "1")
 
-    def position(self, phi1: ArrayLike) -> Any:
+    def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the output angles phi3(phi1), continuous over any number of turns."""
-        return kernels.position(phi1, self.R1, self.R2, self.e)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(kernels.position(angles, self.R1, self.R2, self.e), "rad")
 
-    def acceleration(self, phi1: ArrayLike) -> Any:
+    def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d ratio/d phi1 at the carrier angles `phi1`."""
-        return kernels.acceleration(phi1, self.R1, self.R2, self.e)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(kernels.acceleration(angles, self.R1, self.R2, self.e), "1/rad")
 
-    def extremes(self) -> Extremes:
+    def extremes(self, *, degrees: bool = False) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.
 
         The largest where the satellite has made whole turns relative to the carrier, the smallest
         half a turn later; see `kernels.elliptic_planetary`. With e = 0 the ratio is constant.
         """
         period = 2 * math.pi / self.radius_ratio
-        return Extremes(
+        found = Extremes(
             maximum=float(kernels.largest_ratio(self.R1, self.R2, self.e)),
             at_maximum=0.0,
             minimum=float(kernels.smallest_ratio(self.R1, self.R2, self.e)),
             at_minimum=period / 2,
             period=period,
         )
+        return Units(degrees).give_fields(found, PLACES)
 
-    def carrier_angle(self, phi3: ArrayLike) -> Any:
+    def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
 
         Parameters
@@ -117,7 +128,7 @@ class EllipticPlanetary(Displayed):
         Raises
         ------
         TypeError
-            If `phi3` is complex, not numeric or carries a unit.
+            If `phi3` is complex, not numeric or no angle.
 
         Notes
         -----
@@ -129,7 +140,9 @@ class EllipticPlanetary(Displayed):
         step to a neighbour of phi1 makes of the position.
 
         """
-        return invert_odd("phi3", phi3, self._invert)
+        units = Units(degrees)
+        target = units.take("phi3", phi3, "rad")
+        return units.give(invert_odd("phi3", target, self._invert), "rad")
 
     def _invert(self, size: Any) -> Any:
         """Solve position(phi1) = size for positive, finite sizes."""

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["Extremes"]
+__all__ = ["PLACES", "Extremes"]
+
+# The fields that are angles, and their unit.
+PLACES = {"at_maximum": "rad", "at_minimum": "rad", "period": "rad"}
 
 
 class Extremes(NamedTuple):

@@ -1,6 +1,8 @@
 """Planetary mechanism with two external pairs: oval or cylindrical 4-5, oval 6-3.
 
-Angles are in radians, positive in the direction of the carrier's rotation, and count every turn.
+Angles are in radians, positive in the direction of the carrier's rotation, and count every turn;
+with `degrees=True` they are in degrees, as arguments and as results, and so are those that results
+are derived by. Quantities of pint are taken and given back in their units.
 At zero a major axis of an oval sun points to the satellite, whose wheels 5 and 6 have theirs at
 right angles. Parameters given as integers, fractions, decimals or decimal strings are exact, and
 so is then what is said of the kind of motion.
@@ -16,7 +18,7 @@ so is then what is said of the kind of motion.
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass
+from dataclasses import InitVar, asdict, dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -26,16 +28,18 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.mechanisms.extremes import Extremes
+from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.oval_planetary_motion import (
+    ANGLES,
     Motion,
     Number,
     OnePair,
     compose,
     describe_motion,
 )
+from mechproof.mechanisms.units import Units
 from mechproof.notebook import Displayed
 
 __all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
@@ -55,16 +59,28 @@ class OvalPair:
     mount : real number or decimal string
         Turn of wheel 6 on its shaft (rad), forward from its place in the paper, where the major
         axes of 5 and 6 are at right angles.
+    degrees : bool
+        Whether the mount is in degrees; no field.
 
     """
 
     e: Given
     mount: Given = Fraction(0)
+    degrees: InitVar[bool] = field(default=False, kw_only=True)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, degrees: bool) -> None:
         """Check the parameters and keep them exact where they are."""
-        object.__setattr__(self, "e", _check_size("e", self.e, kernel_name="e1"))
-        object.__setattr__(self, "mount", _check_number("mount", self.mount))
+        units = Units(degrees)
+        e, mount = units.take("e", self.e, "1"), self.mount
+        if isinstance(mount, str | Decimal | Fraction | int):
+            mount = _check_number("mount", mount)
+        # No turn at all stays exact.
+        if not (isinstance(mount, Fraction) and mount == 0):
+            mount = units.take(
+                "mount", float(mount) if degrees and isinstance(mount, Fraction) else mount, "rad"
+            )
+        object.__setattr__(self, "e", _check_size("e", e, kernel_name="e1"))
+        object.__setattr__(self, "mount", _check_number("mount", mount))
 
 
 @dataclass(frozen=True)
@@ -84,7 +100,7 @@ class CylindricalPair:
     def __post_init__(self) -> None:
         """Check the parameters and keep them exact where they are."""
         for name, radius in asdict(self).items():
-            object.__setattr__(self, name, _check_size(name, radius))
+            object.__setattr__(self, name, _check_size(name, Units().take(name, radius, "mm")))
 
 
 @dataclass(frozen=True)
@@ -117,7 +133,7 @@ class OvalPlanetary(Displayed):
         """Check the parameters and keep them exact where they are."""
         if not isinstance(self.pair, OvalPair | CylindricalPair):
             refuse("pair", self.pair, "must be an OvalPair or a CylindricalPair", TypeError)
-        object.__setattr__(self, "e2", _check_size("e2", self.e2))
+        object.__setattr__(self, "e2", _check_size("e2", Units().take("e2", self.e2, "1")))
 
     @classmethod
     def published(cls, variant: int) -> OvalPlanetary:
@@ -131,19 +147,25 @@ class OvalPlanetary(Displayed):
         e2 = sizes.pop("e2")
         return cls(OvalPair(sizes["e1"]) if "e1" in sizes else CylindricalPair(**sizes), e2)
 
-    def ratio(self, phi1: ArrayLike) -> Any:
+    def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d phi3/d phi1 at the carrier angles `phi1`; see `kernels.oval_planetary`."""
-        return self._call("ratio", phi1)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(self._call("ratio", angles), "1")
 
-    def position(self, phi1: ArrayLike) -> Any:
+    def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the output angles phi3(phi1), continuous over any number of turns."""
-        return self._call("position", phi1)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(self._call("position", angles), "rad")
 
-    def acceleration(self, phi1: ArrayLike) -> Any:
+    def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d ratio/d phi1 at the carrier angles `phi1`."""
-        return self._call("acceleration", phi1)
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(self._call("acceleration", angles), "1/rad")
 
-    def extremes(self) -> Extremes:
+    def extremes(self, *, degrees: bool = False) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.
 
         They are half a period apart; the smallest is at the carrier angle 0 unless wheel 6 is
@@ -151,15 +173,16 @@ class OvalPlanetary(Displayed):
         """
         one = self._act_as_one()
         period = math.pi / float(one.rate)
-        return Extremes(
+        found = Extremes(
             maximum=float(1 - one.slowest),
             at_maximum=one.phase + period / 2,
             minimum=float(1 - one.fastest),
             at_minimum=one.phase,
             period=period,
         )
+        return Units(degrees).give_fields(found, PLACES)
 
-    def motion(self, eta: Given | None = None) -> Motion:
+    def motion(self, eta: Given | None = None, *, degrees: bool = False) -> Motion:
         """Return the kind of motion, decided by theorems in the parameters.
 
         Parameters
@@ -185,9 +208,9 @@ class OvalPlanetary(Displayed):
             require(self._is_exact, "eta", None, f"must be stated, for {self!r} has floats")
         limit = Fraction(0) if eta is None else _check_number("eta", eta)
         require(limit >= 0, "eta", eta, "must not be negative")
-        return describe_motion(self._act_as_one(), limit)
+        return Units(degrees).give_fields(describe_motion(self._act_as_one(), limit), ANGLES)
 
-    def carrier_angle(self, phi3: ArrayLike) -> Any:
+    def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
 
         Parameters
@@ -203,7 +226,7 @@ class OvalPlanetary(Displayed):
         Raises
         ------
         TypeError
-            If `phi3` is complex, not numeric or carries a unit.
+            If `phi3` is complex, not numeric or no angle.
         ValueError
             If the position function is not monotonic: the ratio changes its sign or is zero
             throughout. Floats are taken at their exact values, with no tolerance.
@@ -219,7 +242,10 @@ class OvalPlanetary(Displayed):
 
         """
         sign = self._direction()
-        return invert_odd("phi3", phi3, lambda size: sign * self._invert(size, sign))
+        units = Units(degrees)
+        target = units.take("phi3", phi3, "rad")
+        found = invert_odd("phi3", target, lambda size: sign * self._invert(size, sign))
+        return units.give(found, "rad")
 
     @property
     def _numbers(self) -> tuple[Any, Any, Any]:

@@ -34,6 +34,10 @@ class Motion(NamedTuple):
     rests: tuple[tuple[float, float], ...]
 
 
+# The figures of a motion that are angles, and their unit.
+ANGLES = dict.fromkeys(("drift", "amplitude", "period", "rests"), "rad")
+
+
 class OnePair(NamedTuple):
     """One oval pair that acts like both: driver at rate*(phi1 - phase), E, and 1 - E."""
 

@@ -1,7 +1,8 @@
 """Thickness of involute gear teeth at the constant chord, measured at a height below the tip.
 
-Lengths in mm, angles in radians. Heights grow from the tip towards the wheel's centre; a
-deviation of thickness is positive for a thicker tooth.
+Lengths in mm, angles in radians, or in degrees with `degrees=True`; quantities of pint are taken
+and given back in their units. Heights grow from the tip towards the wheel's centre; a deviation of
+thickness is positive for a thicker tooth.
 
 >>> from mechproof import ToothThickness
 >>> wheel = ToothThickness.published()
@@ -16,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import InitVar, asdict, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.mechanisms.units import Units
 from mechproof.notebook import Displayed
 
 __all__ = ["ToothThickness"]
@@ -43,7 +45,9 @@ class ToothThickness(Displayed):
     z : int
         Number of teeth, at least 4.
     alpha : float
-        Profile angle of the basic rack (rad), 0 < alpha < pi/4.
+        Profile angle of the basic rack (rad), 0 < alpha < pi/4; 20° if left out.
+    degrees : bool
+        Whether alpha is in degrees; no field.
 
     Raises
     ------
@@ -61,11 +65,16 @@ class ToothThickness(Displayed):
     m: float
     z: int
     alpha: float = math.pi / 9
+    degrees: InitVar[bool] = field(default=False, kw_only=True)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, degrees: bool) -> None:
         """Check the parameters and convert them."""
-        for name in ("m", "alpha"):
-            object.__setattr__(self, name, check_real(name, getattr(self, name)))
+        units = Units(degrees)
+        for name, unit in (("m", "mm"), ("alpha", "rad")):
+            # The angle that is left out is in radians.
+            is_usual = name == "alpha" and self.alpha is ToothThickness.alpha
+            given = getattr(self, name) if is_usual else units.take(name, getattr(self, name), unit)
+            object.__setattr__(self, name, check_real(name, given))
         # From 4 on the flank's tangent is less than a right angle from the axis up to the tip.
         object.__setattr__(self, "z", check_count("z", self.z, least=4))
         check_domain(kernels.DOMAIN, asdict(self))
@@ -113,7 +122,7 @@ class ToothThickness(Displayed):
         Raises
         ------
         TypeError
-            If `dh` is complex, not numeric or carries a unit.
+            If `dh` is complex, not numeric or no length.
 
         Notes
         -----
@@ -122,26 +131,32 @@ class ToothThickness(Displayed):
         times its influence 2*tan of the flank's angle <= 2, and as often the eps of the tilt.
 
         """
-        (given,) = as_floats("dh", dh)
+        units = Units()
+        (given,) = as_floats("dh", units.take("dh", dh, "mm"))
         depth = np.asarray(given)
         proper = (depth >= -self.chord_height) & (depth <= self.deepest)
         tilt = self._invert(np.where(proper, depth, 0.0).astype(np.float64))
         change = kernels.thickness_change(tilt, self.m, self.z, self.alpha)
         proper &= self.constant_chord + change >= 0
-        return follow_kind(given, np.where(proper, change, np.nan).astype(depth.dtype))
+        found = follow_kind(given, np.where(proper, change, np.nan).astype(depth.dtype))
+        return units.give(found, "mm")
 
     def thickness_change_linear(self, dh: ArrayLike) -> Any:
         """Return the change of thickness to first order, 2*tan(alpha)*dh."""
-        return kernels.thickness_change_linear(dh, self.alpha)
+        units = Units()
+        depth = units.take("dh", dh, "mm")
+        return units.give(kernels.thickness_change_linear(depth, self.alpha), "mm")
 
     def linearisation_bound(self, dh: ArrayLike) -> Any:
         """Bound the excess of the first order: 0 <= linear - exact <= bound (mm).
 
         NaN where |dh| > `deepest`; see `kernels.tooth_thickness.linearisation_bound`.
         """
-        depth = as_numpy(*as_floats("dh", dh))
+        units = Units()
+        depth = as_numpy(*as_floats("dh", units.take("dh", dh, "mm")))
         within = np.where(np.abs(depth) <= self.deepest, depth, depth.dtype.type(np.nan))
-        return kernels.linearisation_bound(within, self.m, self.z, self.alpha)
+        bound = kernels.linearisation_bound(within, self.m, self.z, self.alpha)
+        return units.give(bound, "mm")
 
     def thickness_error(self, e_tip: ArrayLike, height_error: ArrayLike) -> Any:
         """Return the error of the measured thickness, to first order (mm).
@@ -149,7 +164,10 @@ class ToothThickness(Displayed):
         `e_tip` is the deviation of the tip diameter, `height_error` that of the gauge's height,
         positive if set too deep. A larger tip diameter makes the measured tooth thinner.
         """
-        return kernels.thickness_error(e_tip, height_error, self.alpha)
+        units = Units()
+        tip = units.take("e_tip", e_tip, "mm")
+        height = units.take("height_error", height_error, "mm")
+        return units.give(kernels.thickness_error(tip, height, self.alpha), "mm")
 
     def _invert(self, depth: Any) -> Any:
         """Solve height_change(tilt) = depth; the chord falls as the tangent turns to the axis."""

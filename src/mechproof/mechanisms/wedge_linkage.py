@@ -1,7 +1,8 @@
 """Pusher, lever, rod, roller lever and wedge: a chain of four Assur groups with a clearance.
 
-Lengths are in millimetres, angles in radians from Ox, positive counter-clockwise; displacements
-and rotations are counted from the position x1 = 0.
+Lengths are in millimetres, angles in radians, or in degrees with `degrees=True`, from Ox, positive
+counter-clockwise; displacements and rotations are counted from the position x1 = 0. Quantities of
+pint are taken and given back in their units.
 
 >>> from mechproof import WedgeLinkage
 >>> linkage = WedgeLinkage.published(1)
@@ -13,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import asdict, dataclass
+from dataclasses import InitVar, asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from mechproof.arguments.scalars import check_items, check_mapping, check_real, 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.units import Units
 from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
@@ -50,6 +52,8 @@ class WedgeLinkage(Displayed):
         Lengths and the clearance l_GH (mm), positive.
     alpha_DE, alpha_KL, alpha_LM : float
         Directions of the arms at x1 = 0 (rad), 0 < alpha_KL < pi.
+    degrees : bool
+        Whether the directions are in degrees; no field.
 
     Raises
     ------
@@ -72,11 +76,14 @@ class WedgeLinkage(Displayed):
     alpha_DE: float  # noqa: N815
     alpha_KL: float  # noqa: N815
     alpha_LM: float  # noqa: N815
+    degrees: InitVar[bool] = field(default=False, kw_only=True)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, degrees: bool) -> None:
         """Check the sizes and convert them to floats."""
+        units = Units(degrees)
         for name, size in asdict(self).items():
-            object.__setattr__(self, name, check_real(name, size))
+            given = units.take(name, size, "rad" if name.startswith("alpha") else "mm")
+            object.__setattr__(self, name, check_real(name, given))
         check_domain(kernels.DOMAIN, asdict(self))
 
     @classmethod
@@ -87,7 +94,9 @@ class WedgeLinkage(Displayed):
         the crossing at -29.4 mm and the largest spread at -40 mm; set 2 meets the crossing and
         deviations of 10 %. Both were fitted to the crossing: it does not confirm them.
         """
-        return cls(**{name: size.nominal for name, size in cls.published_sizes(set).items()})
+        sizes = cls.published_sizes(set).items()
+        nominal: dict[str, Any] = {name: size.nominal for name, size in sizes}
+        return cls(**nominal)
 
     @staticmethod
     def published_sizes(set: int) -> dict[str, Size]:
@@ -112,22 +121,31 @@ class WedgeLinkage(Displayed):
             Where |R| > l_KL; both name the first displacement concerned.
 
         """
-        self._check_reach(x1)
-        return kernels.position(x1, **asdict(self))
+        units = Units()
+        moved = units.take("x1", x1, "mm")
+        self._check_reach(moved)
+        return units.give(kernels.position(moved, **asdict(self)), "mm")
 
     def velocity(self, x1: ArrayLike) -> Any:
         """Return dy9/dx1, the velocity of the wedge at unit speed of the pusher.
 
         0 before contact; at its start the value in contact. Raises as `position`.
         """
-        self._check_reach(x1)
-        return kernels.velocity(x1, **asdict(self))
+        units = Units()
+        moved = units.take("x1", x1, "mm")
+        self._check_reach(moved)
+        return units.give(kernels.velocity(moved, **asdict(self)), "1")
 
-    def sensitivities(self, x1: ArrayLike) -> dict[str, Any]:
-        """Return the derivative of y9 by every size (mm per mm or rad). Raises as `position`."""
-        self._check_reach(x1)
-        columns = np.moveaxis(kernels.sensitivities(x1, **asdict(self)), -1, 0)
-        return {name: column[()] for name, column in zip(asdict(self), columns, strict=True)}
+    def sensitivities(self, x1: ArrayLike, *, degrees: bool = False) -> dict[str, Any]:
+        """Return the derivative of y9 by every size (mm per mm, rad or °). Raises as `position`."""
+        units = Units(degrees)
+        moved = units.take("x1", x1, "mm")
+        self._check_reach(moved)
+        columns = np.moveaxis(kernels.sensitivities(moved, **asdict(self)), -1, 0)
+        return {
+            name: units.give(column[()], "mm/rad" if name.startswith("alpha") else "1")
+            for name, column in zip(asdict(self), columns, strict=True)
+        }
 
     def tolerance_range(
         self,

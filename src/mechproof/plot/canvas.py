@@ -15,6 +15,7 @@ from mechproof.extras import require_modules
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "import_matplotlib",
     "label",
     "make_canvas",
+    "tick_degrees",
     "use_style",
     "write",
 ]
@@ -36,6 +38,9 @@ MILLIMETRE = 1 / 25.4
 COLUMN = 85.0
 # Points; what is smaller cannot be read at the width of a column.
 SMALL = 7.0
+# Steps of an axis in degrees, and how many it may have.
+DEGREES = (*(1e-6, 1e-5, 1e-4, 1e-3), 0.01, 0.1, 1, 2, 5, 10, 15, 30, 60, 90, 180, 360, 720, 3600)
+MOST_TICKS = 12
 STYLE: Mapping[str, Any] = {
     "axes.labelsize": SMALL,
     "axes.linewidth": 0.6,
@@ -124,6 +129,15 @@ def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axe
     fits = len(axes) == count and all(isinstance(one, Axes) for one in axes)
     require(fits, name, given, needed, TypeError)
     return axes
+
+
+def tick_degrees(axis: Axis, span: float) -> None:
+    """Tick an axis of so many degrees every 30, or at multiples or parts of it that can be read."""
+    from matplotlib.ticker import MultipleLocator
+
+    fitting = (step for step in DEGREES if step <= span / 2 and span <= MOST_TICKS * step)
+    step = 30.0 if 60 <= span <= MOST_TICKS * 30 else next(fitting, span / 2)
+    axis.set_major_locator(MultipleLocator(step))
 
 
 def write(value: float, digits: int = 4) -> str:

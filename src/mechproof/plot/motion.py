@@ -9,7 +9,7 @@ import numpy as np
 
 from mechproof.arguments.scalars import require
 from mechproof.mechanisms import EllipticPlanetary, OvalPlanetary
-from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, write
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, tick_degrees, write
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,7 +36,7 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
     Parameters
     ----------
     mechanism : EllipticPlanetary or OvalPlanetary
-        What moves; angles are drawn in degrees.
+        What moves; angles are drawn in degrees, with a tick every 30.
     axes : three matplotlib Axes, optional
         To draw on, from the top; without, on a new figure of a column's width.
     eta : real number or decimal string, optional
@@ -71,6 +71,8 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
         panel.axhline(0.0, **LineStyle.AXIS)
         panel.plot(np.degrees(angles), values, **LineStyle.FIRST)
         panel.set_ylabel(name, fontsize=SMALL)
+    tick_degrees(panels[-1].xaxis, float(np.degrees(extremes.period)))
+    tick_degrees(panels[0].yaxis, float(np.ptp(curves[0])))
     panels[0].set_title(title, loc="left", fontsize=SMALL)
     panels[-1].set_xlabel("carrier φ₁, ° (one period of the ratio)", fontsize=SMALL)
     _mark_extremes(panels[1], extremes)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from mechproof.arguments.scalars import check_real
 from mechproof.kernels import oval_planetary as oval_kernels
 from mechproof.mechanisms import CylindricalPair, EllipticPlanetary, OvalPlanetary
+from mechproof.mechanisms.units import Units
 from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, write
 from mechproof.plot.motion import Planetary, check_planetary
 
@@ -53,7 +54,9 @@ class Wheel(NamedTuple):
         return self.point(np.linspace(0.0, 2 * np.pi, SAMPLES))
 
 
-def pitch_curves(mechanism: Planetary, phi1: float, ax: Any = None) -> Axes:
+def pitch_curves(
+    mechanism: Planetary, phi1: float, ax: Any = None, *, degrees: bool = False
+) -> Axes:
     """Draw the wheels in mesh at the carrier angle `phi1` (rad), to scale.
 
     Each wheel carries its number; a line shows its longest radius; B and D are the
@@ -66,6 +69,8 @@ def pitch_curves(mechanism: Planetary, phi1: float, ax: Any = None) -> Axes:
         The wheels.
     phi1 : float
         Angle of the carrier (rad).
+    degrees : bool
+        Whether the angle is in degrees.
     ax : matplotlib Axes, optional
         To draw on; without, on a new figure of a column's width.
 
@@ -83,7 +88,7 @@ def pitch_curves(mechanism: Planetary, phi1: float, ax: Any = None) -> Axes:
 
     """
     check_planetary("mechanism", mechanism)
-    angle = check_real("phi1", phi1)
+    angle = check_real("phi1", Units(degrees).take("phi1", phi1, "rad"))
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     wheels = place_wheels(mechanism, angle)
     for wheel in wheels:

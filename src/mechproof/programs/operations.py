@@ -75,7 +75,9 @@ class Kind:
     It means `sympy`, or what `meaning` puts together in an arithmetic; what acts on axes of arrays
     has neither. With both, expressions have the first, and an arithmetic that does not know it the
     second. `head` is its name in expressions, if that is no function of SymPy's own.
-    Languages that have no spelling take the function of `elementary`.
+    Languages that have no spelling take the function of `elementary`, formulas what it means.
+    Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads,
+    too, `javascript` and `structured_text` of IEC 61131-3.
     """
 
     name: str
@@ -86,6 +88,10 @@ class Kind:
     numba: Spelling | None = None
     c: Spelling | None = None
     head: str = ""
+    python: Spelling | None = None
+    octave: Spelling | None = None
+    javascript: Spelling | None = None
+    structured_text: Spelling | None = None
 
     @property
     def is_composed(self) -> bool:
@@ -144,14 +150,17 @@ def _sinc(on: Arithmetic, a: Any) -> Any:
     return on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a)
 
 
-def _function(name: str, sympy: Callable[..., sp.Basic]) -> Kind:
-    """Return a function that NumPy has and that is compiled from arithmetic."""
-    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}")
+def _function(name: str, sympy: Callable[..., sp.Basic], short: str) -> Kind:
+    """Return a function that libraries have and that is compiled from arithmetic."""
+    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}",
+                octave=short, javascript=f"Math.{short}",
+                structured_text=short.upper())  # fmt: skip
 
 
-def _library(name: str, sympy: Callable[..., sp.Basic], c: str) -> Kind:
-    """Return a function of the libraries of all languages."""
-    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c)
+def _library(name: str, sympy: Callable[..., sp.Basic], c: str, text: str | None = None) -> Kind:
+    """Return a function of the libraries of all languages; `text` is that of Structured Text."""
+    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c,
+                octave=c, javascript=f"Math.{c}", structured_text=text)  # fmt: skip
 
 
 def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., Any]) -> Kind:
@@ -161,23 +170,27 @@ def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., 
 
 def _near_one(name: str, meaning: Callable[..., Any]) -> Kind:
     """Return a function of the libraries that keeps what cancels in its meaning."""
-    return Kind(name, LIBRARY, None, meaning, f"_np.{name}", f"_math.{name}", name, head=name)
+    return Kind(name, LIBRARY, None, meaning, f"_np.{name}", f"_math.{name}", name, head=name,
+                octave=name, javascript=f"Math.{name}")  # fmt: skip
 
 
-def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any]) -> Kind:
-    """Return an operation of arithmetic that all languages spell alike."""
+def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any], point: str = "") -> Kind:
+    """Return an operation of arithmetic that all languages spell alike, Octave with a `point`."""
     infix = Infix(sign, level)
-    return Kind(name, NEAREST, None, meaning, infix, infix, infix)
+    octave = Infix(f"{point}{sign}", level)
+    return Kind(name, NEAREST, None, meaning, infix, infix, infix, "", infix, octave, infix, infix)
 
 
-def _compare(name: str, sign: str, sympy: Callable[..., sp.Basic]) -> Kind:
+def _compare(name: str, sign: str, sympy: Callable[..., sp.Basic], other: str = "") -> Kind:
+    """Return a comparison; `other` is its sign where = assigns nothing."""
     infix = Infix(sign, COMPARISON)
-    return Kind(name, EXACT, sympy, None, infix, infix, infix)
+    text = Infix(other or sign, COMPARISON)
+    return Kind(name, EXACT, sympy, None, infix, infix, infix, "", infix, infix, infix, text)
 
 
-def _join(name: str, signs: tuple[str, str], level: Level, sympy: Callable[..., sp.Basic]) -> Kind:
-    python, c = (Infix(sign, level) for sign in signs)
-    return Kind(name, EXACT, sympy, None, python, python, c)
+def _join(name: str, signs: tuple[str, ...], level: Level, sympy: Callable[..., sp.Basic]) -> Kind:
+    python, c, text = (Infix(sign, level) for sign in signs)
+    return Kind(name, EXACT, sympy, None, python, python, c, "", python, python, c, text)
 
 
 def _view(name: str, pattern: str, level: Level) -> Kind:
@@ -186,29 +199,36 @@ def _view(name: str, pattern: str, level: Level) -> Kind:
 
 
 _NEGATIVE = Pattern("-{}", SIGN, SIGN)
+_QUESTION = Pattern("{} ? {} : {}", EITHER, CHOICE)
 _ROWS = (
     # What a machine computes.
     _sign("add", "+", SUM, lambda on, a, b: a + b),
     _sign("subtract", "-", SUM, lambda on, a, b: a - b),
-    _sign("multiply", "*", PRODUCT, lambda on, a, b: a * b),
-    _sign("divide", "/", PRODUCT, lambda on, a, b: a / b),
-    Kind("negate", EXACT, None, lambda on, a: -a, _NEGATIVE, _NEGATIVE, _NEGATIVE),
+    _sign("multiply", "*", PRODUCT, lambda on, a, b: a * b, "."),
+    _sign("divide", "/", PRODUCT, lambda on, a, b: a / b, "."),
+    Kind("negate", EXACT, None, lambda on, a: -a, _NEGATIVE, _NEGATIVE, _NEGATIVE, "",
+         _NEGATIVE, _NEGATIVE, _NEGATIVE, _NEGATIVE),
     Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", "fma"),
     Kind("square", NEAREST, None, lambda on, a: a * a,
          Support("functions", "square"), Pattern("{} ** 2", ATOM, POWER), f"{HELPER}square"),
-    Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt"),
-    Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs"),
-    Kind("sign", EXACT, sp.sign, None, "_np.sign"),
-    Kind("fmod", EXACT, None, _take_multiple_off, "_np.fmod", "_np.fmod", "fmod"),
+    Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt",
+         octave="sqrt", javascript="Math.sqrt", structured_text="SQRT"),
+    Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs",
+         python="abs", octave="abs", javascript="Math.abs", structured_text="ABS"),
+    Kind("sign", EXACT, sp.sign, None, "_np.sign", octave="sign", javascript="Math.sign"),
+    Kind("fmod", EXACT, None, _take_multiple_off, "_np.fmod", "_np.fmod", "fmod",
+         octave="rem", javascript=Infix("%", PRODUCT)),
     Kind("copysign", EXACT, None, lambda on, a, b: on.absolute(a) * on.sign(b),
          "_np.copysign", "_copysign", "copysign"),
-    Kind("floor", EXACT, sp.floor, None, Support("functions", "floor"), "_floor", "floor"),
+    Kind("floor", EXACT, sp.floor, None, Support("functions", "floor"), "_floor", "floor",
+         python="_np.floor", octave="floor", javascript="Math.floor"),
     Kind("rint", EXACT, None, lambda on, a: on.floor(a + on.number(0.5)), None, "_rint", "rint"),
     Kind("power_of_two", EXACT, lambda n: 2**n, None,
          None, "_power_of_two", f"{HELPER}power_of_two"),
     Kind("maximum", EXACT, sp.Max, None,
-         Support("functions", "maximum"), "_maximum", f"{HELPER}maximum"),
-    Kind("minimum", EXACT, sp.Min, None, "_np.minimum"),
+         Support("functions", "maximum"), "_maximum", f"{HELPER}maximum",
+         python="_np.maximum", javascript="Math.max"),
+    Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min"),
     Kind("copy", EXACT, None, _keep),
     # What is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
@@ -217,13 +237,16 @@ _ROWS = (
     _compare("less_equal", "<=", sp.Le),
     _compare("greater", ">", sp.Gt),
     _compare("greater_equal", ">=", sp.Ge),
-    _compare("equal", "==", sp.Eq),
-    _join("both", ("&", "&&"), BOTH, sp.And),
-    _join("either", ("|", "||"), EITHER, sp.Or),
+    _compare("equal", "==", sp.Eq, "="),
+    _join("both", ("&", "&&", "AND"), BOTH, sp.And),
+    _join("either", ("|", "||", "OR"), EITHER, sp.Or),
     Kind("choose", EXACT, lambda condition, a, b: sp.Piecewise((a, condition), (b, True)), None,
-         Support("functions", "choose_where"), "_choose", Pattern("{} ? {} : {}", EITHER, CHOICE)),
+         Support("functions", "choose_where"), "_choose", _QUESTION,
+         python="_np.where", javascript=_QUESTION,
+         structured_text=Pattern("SEL({0}, {2}, {1})", CHOICE, ATOM)),
     Kind("is_finite", EXACT, lambda a: sp.And(a > -sp.oo, a < sp.oo), None,
-         Support("domains", "is_finite"), "_is_finite", "isfinite"),
+         Support("domains", "is_finite"), "_is_finite", "isfinite",
+         python="_np.isfinite", octave="isfinite", javascript="Number.isFinite"),
     Kind("is_positive", EXACT, None,
          lambda on, a: on.both(on.greater(a, on.number(0)), on.is_finite(a)),
          Support("domains", "is_positive")),
@@ -231,24 +254,27 @@ _ROWS = (
          lambda on, a: on.both(on.greater_equal(a, on.number(0)), on.is_finite(a)),
          Support("domains", "is_nonnegative")),
     # Functions.
-    _function("sin", sp.sin),
-    _function("cos", sp.cos),
-    _function("tan", sp.tan),
-    _function("arctan", sp.atan),
-    _function("arctan2", sp.atan2),
-    _function("exp", sp.exp),
-    _library("arcsin", sp.asin, "asin"),
-    _library("arccos", sp.acos, "acos"),
-    _library("log", sp.log, "log"),
+    _function("sin", sp.sin, "sin"),
+    _function("cos", sp.cos, "cos"),
+    _function("tan", sp.tan, "tan"),
+    _function("arctan", sp.atan, "atan"),
+    _function("arctan2", sp.atan2, "atan2"),
+    _function("exp", sp.exp, "exp"),
+    _library("arcsin", sp.asin, "asin", "ASIN"),
+    _library("arccos", sp.acos, "acos", "ACOS"),
+    _library("log", sp.log, "log", "LN"),
     _library("sinh", sp.sinh, "sinh"),
     _library("cosh", sp.cosh, "cosh"),
     _library("tanh", sp.tanh, "tanh"),
     _library("arcsinh", sp.asinh, "asinh"),
     _library("arccosh", sp.acosh, "acosh"),
     _library("arctanh", sp.atanh, "atanh"),
-    _library("power", sp.Pow, "pow"),
-    Kind("cbrt", LIBRARY, sp.cbrt, None, "_np.cbrt", "_np.cbrt", "cbrt"),
-    Kind("mod", NEAREST, sp.Mod, None, "_np.mod"),
+    Kind("power", LIBRARY, sp.Pow, None, "_np.power", "_math.pow", "pow",
+         octave=Pattern("{}.^{}", ATOM, POWER), javascript="Math.pow",
+         structured_text="EXPT"),
+    Kind("cbrt", LIBRARY, sp.cbrt, None, "_np.cbrt", "_np.cbrt", "cbrt",
+         javascript="Math.cbrt"),
+    Kind("mod", NEAREST, sp.Mod, None, "_np.mod", octave="mod"),
     Kind("sinc", LIBRARY, sp.sinc, _sinc, Support("functions", "sinc")),
     # What is computed by others.
     _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),
@@ -260,7 +286,8 @@ _ROWS = (
     _near_one("expm1", lambda on, a: on.exp(a) - on.number(1)),
     _near_one("log1p", lambda on, a: on.log(on.number(1) + a)),
     Kind("hypot", LIBRARY, None, lambda on, a, b: on.sqrt(a * a + b * b),
-         Support("functions", "hypot"), head="hypot"),
+         Support("functions", "hypot"), head="hypot",
+         python="_np.hypot", octave="hypot", javascript="Math.hypot"),
     Kind("normal_tail", LIBRARY, lambda a: sp.erfc(sp.Abs(a) / sp.sqrt(2)) / 2),
     # What a rounding left, and functions of small or reduced arguments.
     Kind("product_rest", EXACT, None, lambda on, a, b, p: a * b - p,

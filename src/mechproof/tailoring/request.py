@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
@@ -17,7 +16,13 @@ from flint import arb
 from mechproof.arguments.scalars import check_items, check_real, refuse, require
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import TaylorExpression, working
-from mechproof.derivation import find_systems, load_kernels, load_paper, packaged_directory
+from mechproof.derivation import (
+    check_folder,
+    find_systems,
+    load_kernels,
+    load_paper,
+    packaged_directory,
+)
 from mechproof.mechanisms.facts import check_domain
 from mechproof.record import Paper, Quantity, Root
 from mechproof.record.substitution import resolve
@@ -132,7 +137,7 @@ def read_request(
 
     Raises TypeError or ValueError "name = value: what is allowed".
     """
-    folder = None if derivations is None else _check_folder(derivations)
+    folder = None if derivations is None else check_folder(derivations)
     paper, quantity = _find_quantity(name, folder)
     error = check_real("error", error)
     require(error > 0, "error", error, "must be more than 0")
@@ -153,14 +158,6 @@ def read_request(
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
     # One kernel is everybody's that unpickles it.
     return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)
-
-
-def _check_folder(derivations: Any) -> Path:
-    allowed = "must be the path of a folder of derivations"
-    is_path = isinstance(derivations, str | os.PathLike)
-    require(is_path, "derivations", derivations, allowed, TypeError)
-    require(Path(derivations).is_dir(), "derivations", derivations, allowed)
-    return Path(derivations).resolve()
 
 
 def _read_size(

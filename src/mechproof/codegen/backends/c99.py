@@ -69,6 +69,20 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     return render_c_kernels(file, kernels, about, notes, paper.together, single=single)
 
 
+def render_c_formula(name: str, paper: Paper) -> str:
+    """Render one kernel as a source that includes no header of its own.
+
+    Raises NotImplementedError for a kernel that C cannot compute point by point.
+    """
+    kernels = [kernel for kernel in list_scalars(paper) if kernel.name == name]
+    if not kernels:
+        raise NotImplementedError(f"{paper.system}.{name}: C cannot compute it point by point")
+    about = paper.reference, ACCURACY[False], paper.system
+    notes = {name: _describe(kernels[0], paper, None)}
+    header, source = render_c_kernels(paper.system, kernels, about, notes).values()
+    return source.replace(f'#include "{paper.system}.h"\n', header)
+
+
 def _describe(kernel: Kernel, paper: Paper, errors: Mapping[str, str] | None) -> list[str]:
     """Write the lines of a function: formula, domain, accuracy, source."""
     quantity = kernel.quantity

@@ -1,0 +1,26 @@
+"""Modules of a package that are found under their names without an import of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from types import ModuleType
+
+
+def find_modules(package: str) -> Callable[[str], ModuleType]:
+    """Return the `__getattr__` of a package, which imports its modules when they are first named.
+
+    It raises AttributeError for what is no module of the package.
+    """
+
+    def find(name: str) -> ModuleType:
+        full = f"{package}.{name}"
+        if not name.startswith("_"):
+            try:
+                return import_module(full)
+            except ModuleNotFoundError as error:
+                if error.name != full:
+                    raise
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+
+    return find

@@ -1,0 +1,89 @@
+"""Functions where a language has neither them nor a fused multiply-add: by sums and products.
+
+Products are split by Veltkamp's method (1968) and recovered by Dekker's (1971), as the kernels of
+NumPy do it.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from inspect import signature
+from types import MappingProxyType
+
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.machine import choose
+from mechproof.programs.operations import KINDS, NEAREST, Rounding
+from mechproof.programs.program import Program
+from mechproof.programs.trace import TRACED, Value, trace
+
+# A factor splits a double into two of at most 26 bits; scaled down, the largest does not overflow.
+FACTOR, DOWN, UP = 2.0**27 + 1, 2.0**-28, 2.0**28
+
+
+def fma(a: Value, b: Value, c: Value) -> Value:
+    """Return a*b + c, off by hardly more than one rounding: an error-free product, then a sum."""
+    p = a * b
+    s = p + c
+    return s + (s.apply("total_rest", p, c, s) + p.apply("product_rest", a, b, p))
+
+
+def product_rest(a: Value, b: Value, p: Value) -> Value:
+    """Return a*b - p for p the rounded a*b: exact above 2**-969."""
+    (a_high, a_low), (b_high, b_low) = _split(a), _split(b)
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def quotient_rest(a: Value, b: Value, q: Value) -> Value:
+    """Return a/b - q for q the rounded a/b."""
+    p = q * b
+    return ((a - p) - p.apply("product_rest", q, b, p)) / b
+
+
+def maximum(a: Value, b: Value) -> Value:
+    """Return the larger number, NaN if one is."""
+    return choose(a == a, choose(a >= b, a, b), a)
+
+
+def copysign(a: Value, b: Value) -> Value:
+    """Return |a| with the sign of b, which zero has, too."""
+    size = abs(a)
+    return choose((b < 0.0) | (1.0 / b < 0.0), -size, size)
+
+
+def is_finite(a: Value) -> Value:
+    """Say whether a is a number and no infinity."""
+    return a.apply("equal", a - a, 0.0)
+
+
+def _split(a: Value) -> tuple[Value, Value]:
+    small = a * DOWN
+    scaled = small * FACTOR
+    high = (scaled - (scaled - small)) * UP
+    return high, a - high
+
+
+_FUNCTIONS = (fma, product_rest, quotient_rest, maximum, copysign, is_finite)
+PLAIN = MappingProxyType({f.__name__: f for f in _FUNCTIONS})
+_MEANT = TRACED.but(number=float)
+
+
+@cache
+def write_plainly(kind: str) -> Program:
+    """Return what a kind is computed from, where a language does not have it.
+
+    A function of libraries is what it means in others of them; what a rounding left is not.
+    Raises NotImplementedError for a kind that is neither.
+    """
+    row = KINDS[kind]
+    if kind in PLAIN:
+        body = PLAIN[kind]
+        return trace(body, tuple(signature(body).parameters))
+    is_meant = row.rounding is Rounding.LIBRARY or (row.rounding is NEAREST and kind not in BODIES)
+    if row.meaning is not None and is_meant:
+        meaning = row.meaning
+        inputs = tuple(signature(meaning).parameters)[1:]
+        return trace(lambda *values: meaning(_MEANT, *values), inputs)
+    if kind in BODIES:
+        return build(kind, DOUBLE).program
+    raise NotImplementedError(f"the language has no {kind}")
