@@ -9,6 +9,7 @@ import pytest
 import mechproof
 from mechproof import choose
 from mechproof.choice import EXTRAS
+from mechproof.extras import tell_install
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -168,7 +169,7 @@ class TestDecision:
         assert chosen.faster is not None
         assert chosen.faster.way == "kernel, compiled"
         assert str(chosen).endswith(
-            " With pip install 'mechproof[fast]': kernel, compiled, error 3e-15 rad (measured), "
+            f" With {tell_install('fast')}: kernel, compiled, error 3e-15 rad (measured), "
             "1 ns per point."
         )
         assert not any(other.needs for other in chosen.others)
@@ -200,7 +201,7 @@ class TestDecision:
         monkeypatch.setattr("mechproof.choice.EXTRAS", {"fast": "nothing", "derive": "json"})
         without = choose("angle", error=1e-5, measured=folder, **sizes)
         assert without.way == "fine"
-        assert "With pip install 'mechproof[derive,fast]': tailored" in str(without)
+        assert f"With {tell_install('derive,fast')}: tailored" in str(without)
 
     def test_nothing_qualifies(self, folder: Path) -> None:
         says = r"for all sizes of phi 0 to 5, e 0 to 0\.9, z 4 to 9; gear\.angle: fine, error 3e-15"

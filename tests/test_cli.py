@@ -14,6 +14,7 @@ from command import PROVED, hear_hangups, in_process, run, write
 from weights import first_of
 
 from mechproof.__main__ import EXTRA
+from mechproof.extras import tell_install
 
 
 @pytest.mark.parametrize(
@@ -58,8 +59,7 @@ def test_a_plain_install_is_told_what_it_lacks(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
-        "mechproof needs rich, sympy, typer, the extra derive: in the folder of the sources, "
-        "pip install '.[derive]'\n"
+        f"mechproof needs rich, sympy, typer, the extra derive: {tell_install('derive')}\n"
     )
 
 
@@ -70,8 +70,7 @@ def test_the_check_names_what_the_extra_installs() -> None:
         for requirement in importlib.metadata.requires("mechproof") or ()
         if re.search(r"extra == .derive.", requirement)
     }
-    # The formatter has a program and a module that no list of packages names.
-    assert {homes[name][0].lower() for name in EXTRA if name != "ruff"} == required - {"ruff"}
+    assert {homes[name][0].lower() for name in EXTRA} == required
 
 
 @pytest.mark.parametrize("derivations", [None, (), ("mine.py",)])

@@ -13,6 +13,7 @@ from import_graph import split
 
 import mechproof
 from mechproof import derivations, kernels, mechanisms
+from mechproof.extras import tell_install
 
 HEAVY = frozenset({"sympy", "jinja2", "lark", "flint", "matplotlib", "numba", "scipy"})
 
@@ -38,7 +39,7 @@ LOADED = {
     "kernel_support": {"numpy", "mechproof.arguments", "mechproof.kernel_support"},
     "compiled_support": {
         *("numpy", "numba", "llvmlite"),
-        *("mechproof.compiled_support", "mechproof.kernel_support"),
+        *("mechproof.compiled_support", "mechproof.extras", "mechproof.kernel_support"),
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
@@ -54,8 +55,8 @@ LOADED = {
         *("numpy", "mechproof.arguments", "mechproof.kernel_support", "mechproof.measurement"),
     },
     "tolerance": {
-        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
-        "mechproof.tolerance",
+        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.extras"),
+        *("mechproof.laws", "mechproof.tolerance"),
     },
     "mechanisms": {
         "numpy",
@@ -91,7 +92,7 @@ LOADED = {
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
-        "mechproof.executors",
+        *("mechproof.executors", "mechproof.extras"),
         *("mechproof.codegen", "mechproof.programs", "mechproof.arithmetic", "mechproof.proof"),
         *("mechproof.record", "mechproof.roundoff"),
         *("mechproof.cache", "mechproof.files"),
@@ -266,4 +267,4 @@ except ImportError as error:
     print(error)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert "pip install '.[fast]'" in done.stdout
+    assert tell_install("fast") in done.stdout

@@ -18,7 +18,16 @@ Room = tuple[str, ...]
 # the room of its longest name. The rooms of one layer do not know each other.
 LAYERS: tuple[Mapping[str, Room], ...] = (
     {
-        "tools": ("cache", "files", "json_rows", "made", "notebook", "processes", "reads"),
+        "tools": (
+            "cache",
+            "extras",
+            "files",
+            "json_rows",
+            "made",
+            "notebook",
+            "processes",
+            "reads",
+        ),
         "arguments": ("arguments",),
     },
     {

@@ -11,8 +11,6 @@ from zipfile import ZipFile
 
 import pytest
 
-pytest.importorskip("setuptools", minversion="77")
-
 ROOT = Path(__file__).parents[1]
 FOLDERS = {
     "src/mechproof": "mechproof",
@@ -21,7 +19,7 @@ FOLDERS = {
 }
 DATA = (
     *("*.tex", "*.txt", "templates/*", "measured/*.json", "certificates/*.json", "py.typed"),
-    *("*.schema.json", "font/*"),
+    *("*.schema.json", "font/*", "*.v"),
 )
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import json
 import re
+import shlex
 from pathlib import Path
 
 import pytest
@@ -19,13 +20,15 @@ from mechproof.record import MARKS
 
 ROOT = Path(__file__).parents[1]
 PAGES = {
-    name: (ROOT / name).read_text(encoding="utf-8")
-    for name in ("README.md", "docs/uses.md", "docs/verdicts.md")
+    file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8")
+    for file in (ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")))
 }
 README = PAGES["README.md"]
 BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
+# How lines begin that a user types.
+TYPED = (">>", "..", "$ ")
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
-MODULES = [block for block in BLOCKS["docs/uses.md"] if ">>>" not in block]
+MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]
 
 
 @pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if blocks])
@@ -41,8 +44,37 @@ def test_examples_print_what_they_show(
     assert result.failed == 0
 
 
+CONSOLES = {
+    name: found
+    for name, text in PAGES.items()
+    if (found := re.findall(r"```console\n(\$ .*?)```", text, re.DOTALL))
+}
+
+
+@pytest.mark.parametrize("name", CONSOLES)
+def test_commands_print_what_is_shown(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three dots stand for whatever else a command prints."""
+    monkeypatch.chdir(tmp_path)
+    for block in CONSOLES[name]:
+        for shown in re.split(r"^\$ mechproof ", block, flags=re.MULTILINE)[1:]:
+            command, _, printed = shown.partition("\n")
+            output = CliRunner().invoke(app, shlex.split(command)).stdout
+            parts = [re.escape(part) for part in printed.split("...\n")]
+            assert re.fullmatch(r"(?s:.*)".join(parts), output), (command, output)
+
+
+@pytest.mark.parametrize("name", sorted(name for name in PAGES if name.startswith("docs/tasks/")))
+def test_a_task_takes_less_than_ten_lines(name: str) -> None:
+    blocks = re.findall(r"```\w+\n(.*?)```", PAGES[name], re.DOTALL)
+    assert 0 < sum(len(block.splitlines()) for block in blocks) < 16
+    typed = [line for block in blocks for line in block.splitlines() if line[:2] in TYPED]
+    assert 0 < len(typed) < 10
+
+
 def test_the_paper_shown_has_the_outcomes_shown() -> None:
-    page = PAGES["docs/uses.md"]
+    page = PAGES["docs/check.md"]
     (paper,) = re.findall(r"```latex\n(.*?)```", page, re.DOTALL)
     (shown,) = re.findall(r"```text\n(.*?)\n```", page, re.DOTALL)
     rows = [f"{row.name}  {row.outcome}" for row in check("paper.tex", paper).rows]

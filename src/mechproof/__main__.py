@@ -9,10 +9,11 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import NoReturn
 
+from mechproof.extras import tell_install
 from mechproof.processes import ENDING
 
 # What the extra `derive` installs, as it is imported.
-EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "ruff", "sympy", "typer")
+EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "sympy", "typer")
 
 
 def main() -> None:
@@ -66,8 +67,7 @@ def _run() -> None:
     if missing:
         names = ", ".join(missing)
         print(
-            f"mechproof needs {names}, the extra derive: in the folder of the sources, "
-            "pip install '.[derive]'",
+            f"mechproof needs {names}, the extra derive: {tell_install('derive')}",
             file=sys.stderr,
         )
         sys.exit(2)

@@ -24,6 +24,7 @@ from mechproof.arguments.scalars import (
     refuse,
     require,
 )
+from mechproof.extras import tell_install
 from mechproof.measured import (
     FOLDER as MEASURED,
     KERNELS,
@@ -107,7 +108,7 @@ class Choice:
             text += f"; the next better: {self.better._describe()}."
         if self.faster is None:
             return text
-        return f"{text} With {_tell_install(self.faster.needs)}: {self.faster._describe()}."
+        return f"{text} With {tell_install(self.faster.needs)}: {self.faster._describe()}."
 
     def _describe(self) -> str:
         how = "proved bound" if self.bound == self.error else "measured"
@@ -228,10 +229,6 @@ def _find_faster(rated: Sequence[Choice], first: Choice) -> Choice | None:
     lacking = [way for way in rated if not _is_installed(way) and way.error <= first.asked]
     fastest = min(lacking, key=lambda way: way.time, default=None)
     return fastest if fastest and fastest.quartiles[1] < first.quartiles[0] else None
-
-
-def _tell_install(extra: str) -> str:
-    return f"pip install 'mechproof[{extra}]'"
 
 
 def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:

@@ -21,6 +21,7 @@ from pathlib import Path
 from mechproof.certification import certify_derivations
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
+from mechproof.extras import require_modules
 from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
@@ -88,6 +89,8 @@ def regenerate(
     """
     if not locations:
         raise ValueError("locations: there are none, at least one derivation is needed")
+    with _refuse(ImportError):
+        require_modules("what is generated", "regenerate", ("ruff",))
     with (
         _refuse(DerivationError, VerificationError),
         progress(name_judging(locations)) as report,

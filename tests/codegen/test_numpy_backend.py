@@ -71,7 +71,8 @@ def test_templates_hold_layout_only() -> None:
     """No call of NumPy and no long stretch without a placeholder."""
     for template in TEMPLATES.glob("*.jinja"):
         text = template.read_text(encoding="utf-8")
-        assert "np." not in text
+        # A formula in Python stands alone: what kernels call of their support it has to say itself.
+        assert "np." not in text or template.name == "python.py.jinja"
         plain = [len(part.splitlines()) for part in text.replace("{%", "{{").split("{{")]
         assert max(plain) <= 20, template.name
 

@@ -44,6 +44,10 @@ NUMBERS = [
     (r"v^{\top}[A]v", (E["v"].T * E["A"] * E["v"])[0]),
     (r"(1, 2, 3)\cdot(x, y, s)", x + 2 * y + 3 * s),
     (r"|P|", P[0, 0] * P[1, 1] - P[0, 1] * P[1, 0]),
+    (r"|v|", sp.sqrt(v[0, 0] ** 2 + v[1, 0] ** 2 + v[2, 0] ** 2)),
+    (r"\|v\|^2", v[0, 0] ** 2 + v[1, 0] ** 2 + v[2, 0] ** 2),
+    (r"\left\|(x, y)\right\|", sp.sqrt(x**2 + y**2)),
+    (r"\Vert x\Vert y", sp.Abs(x) * y),
     (r"\det P", P[0, 0] * P[1, 1] - P[0, 1] * P[1, 0]),
     (r"x\times y", x * y),
     (r"[A][2, 3:3]", A[1, 2]),
@@ -53,6 +57,9 @@ MATRICES = [
     (r"\vec{u}\times v", E["u"].cross(E["v"])),
     (r"v\times\vec{u}", -E["u"].cross(E["v"])),
     (r"x\,v\times(w+\vec{u})", x * E["v"].cross(E["w"] + E["u"])),
+    (r"[v]_\times w", E["v"].cross(E["w"])),
+    (r"[(x, y, s)]_{\times}", sp.Matrix([[0, -s, y], [s, 0, -x], [-y, x, 0]])),
+    (r"\mathbf B^{-1}\;[A]v", E["B"].inv() * E["A"] * E["v"]),
     (r"[A](v\times w)", E["A"] * E["v"].cross(E["w"])),
     (r"(1, 0, 0)\times(0, 1, 0)", sp.Matrix([[0, 0, 1]])),
     (r"[A]\times\mathbf B", E["A"] * E["B"]),
@@ -92,7 +99,6 @@ REFUSED = [
     *((latex, "taken first") for latex in (r"\vec{u}\cdot v\cdot w", r"v\cdot[A]\cdot w")),
     *((latex, "do not fit") for latex in (r"\vec{u}v", "v^2", r"P\cdot v")),
     (r"\begin{bmatrix}P&x\\0&1\end{bmatrix}", "do not fit"),
-    (r"|v|", "do not fit"),
     (r"|2P|", "where a number is meant"),
     (r"x^{\top}", "the transposed of what is no matrix"),
     (r"[A][0:2, 1]", "0 to 2 of 3"),
@@ -101,7 +107,9 @@ REFUSED = [
     (r"x[1:2, 1]", "of what is no matrix"),
     (r"0\;0+P", "a blank within a number"),
     (r"\begin{pmatrix}1 2&3\end{pmatrix}", "a blank within a number"),
-    (r"\cos x(y+1)", "belong to the argument"),
+    (r"\cos x(y+1)", "a bracket after"),
+    (r"\|P\|", "where a number is meant"),
+    (r"[x]_\times", "do not fit"),
 ]
 
 
@@ -126,5 +134,5 @@ def test_a_function_may_be_declared_as_it_is_printed() -> None:
     with pytest.raises(ReadingError, match="its inverse or its reciprocal"):
         reader.parse(r"\sin^{-1}x")
     assert reader.collect(r"\cos z_1(y+1)") == ["z_{1}"]
-    with pytest.raises(ReadingError, match="belong to the argument"):
+    with pytest.raises(ReadingError, match="a bracket after"):
         reader.collect(r"\sin z_1(y+1)")

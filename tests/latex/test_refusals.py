@@ -42,7 +42,7 @@ REFUSED = [
     (r"\cos x y", "y", "belong to the argument", "brackets"),
     (r"\cos 2xy", "y", "belong to the argument", "brackets"),
     (r"\cos\frac xy a", "a", "belong to the argument", "brackets"),
-    (r"\cos x(1+y)", "(1+y)", "belong to the argument", "brackets"),
+    (r"\cos x(1+y)", "(1+y)", "a factor, or the argument", "factors"),
     (r"\cos\sin(x)^2", "^2", "of the function or of the argument", r"\cos^2"),
     (r"\cos^2(x)^2", "^2", "of the function or of the argument", r"\cos^2"),
     (r"\log_2(x)^2", "^2", "of the function or of the argument", r"\cos^2"),
@@ -168,7 +168,7 @@ MEANINGLESS = [
     *(
         (latex.replace("M", r"\begin{pmatrix}1&x\\0&1\end{pmatrix}"), "where a number is meant")
         for latex in (
-            *(r"\left|(x, y)\right|", r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
+            *(r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
             *(r"\sqrt{M}", r"\sum_{i=1}^2M", r"\int_0^1M\,dx", r"\lim_{x\to0}M"),
             r"\frac{d}{dx}M",
         )

@@ -24,6 +24,7 @@ from mechproof import (
     plot,
 )
 from mechproof.conformity import Normal, Shares
+from mechproof.extras import tell_install
 from mechproof.kernels import wedge_linkage
 from mechproof.plot.canvas import SMALL
 from mechproof.plot.pitch_curves import place_wheels
@@ -269,7 +270,7 @@ def test_without_matplotlib_the_extra_is_named() -> None:
         "try:\n    plot.motion(EllipticPlanetary.published(2))\n"
         "except ImportError as error:\n    print(error)"
     )
-    assert "mechproof[plot]" in run(code)
+    assert tell_install("plot") in run(code)
 
 
 SHARES = inspect(LIMITS).shares()

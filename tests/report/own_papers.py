@@ -34,7 +34,7 @@ PAPER = Paper(
 
 def write_slider_crank(folder: Path) -> Path:
     """Write the paper that the uses show."""
-    uses = (TESTS.parent / "docs" / "uses.md").read_text(encoding="utf-8")
+    uses = (TESTS.parent / "docs" / "verify.md").read_text(encoding="utf-8")
     found = re.search(r'```python\n("""Slider-crank.*?)```', uses, re.DOTALL)
     assert found is not None
     file = folder / "slider_crank.py"

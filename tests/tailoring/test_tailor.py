@@ -21,10 +21,11 @@ from typer.testing import CliRunner
 from weights import first_of
 
 import mechproof
+from mechproof import extras
 from mechproof.cache import VARIABLE
 from mechproof.cli.commands import app
 from mechproof.kernels import elliptic_planetary
-from mechproof.tailoring import kernel as kernels, receiving
+from mechproof.tailoring import kernel as kernels
 from mechproof.tailoring.build import build
 from mechproof.tailoring.kernel import NUMBA, NUMPY, Tailored, make_kernel
 from mechproof.tailoring.request import read_request
@@ -306,13 +307,13 @@ def test_what_is_missing_where_it_arrives_is_named(
     backend: str, module: str, message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     written = pickle.dumps(tailored(backend))
-    monkeypatch.setattr(receiving, "find_spec", lambda name: None if name == module else name)
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name == module else name)
     with pytest.raises(ImportError, match=message):
         pickle.loads(written)
 
 
 def test_without_the_extra_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(receiving, "find_spec", lambda name: None if name == "flint" else name)
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name == "flint" else name)
     with pytest.raises(ImportError, match=r"needs flint, the extra derive"):
         mechproof.tailor(NAME, error=1e-6, **SIZES)
 

@@ -174,7 +174,7 @@ def test_branches_that_need_not_meet_are_rejected() -> None:
 
 def test_a_missing_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
-    with pytest.raises(ImportError, match="flint: install mechproof with the extra `derive`"):
+    with pytest.raises(ImportError, match="needs flint, the extra derive: pip install"):
         certified_range("wedge_linkage", "position", 0.0, SIZES)
 
 

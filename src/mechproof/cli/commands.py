@@ -38,6 +38,7 @@ from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
+from mechproof.extras import list_other_versions, tell_install
 from mechproof.made import Change
 from mechproof.proof.ledger import to_json
 from mechproof.proof.verdict import State, Verdict
@@ -170,6 +171,8 @@ def regenerate(
     say(f"{places.generated}: {len(done.files)} files, {_count(done.changes, check)}")
     if check and done.changes:
         say(f"run `mechproof regenerate{places.options}`")
+        for other in list_other_versions("regenerate"):
+            say(f"generated files may differ by {other}: {tell_install('regenerate')}")
         raise typer.Exit(1)
 
 

@@ -15,9 +15,10 @@ try:
     from numba import njit, typeof, types
     from numba.extending import intrinsic, overload
 except ImportError as error:
+    from mechproof.extras import tell_install
+
     raise ImportError(
-        "compiled kernels and shares need numba, the extra fast: in the folder of the sources, "
-        "pip install '.[fast]'"
+        f"compiled kernels and shares need numba, the extra fast: {tell_install('fast')}"
     ) from error
 
 from mechproof.compiled_support.keeping import compile_kept

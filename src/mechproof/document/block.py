@@ -1,8 +1,9 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
-begins with a word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single
-equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
+begins with a word: `factor`, `function`, `where`, `let`, `branch`, `natural`, `integer`,
+`imaginary`, `from`, `sizes`, and,
+of single equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ _PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
 _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
-_MODULO = re.compile(r"(.+?)\s+(\(.*|[^\s\\]+)\Z")
+_MODULO = re.compile(r"(.+?)\s+(\(.*|display \d.*|[^\s\\]+)\Z")
 
 
 class BlockError(ValueError):
@@ -56,12 +57,15 @@ class Block:
 
     letters: list[Declared] = field(default_factory=list)
     factors: list[str] = field(default_factory=list)
+    functions: dict[str, str] = field(default_factory=dict)
     where: list[str] = field(default_factory=list)
     values: list[str] = field(default_factory=list)
     branches: list[str] = field(default_factory=list)
     natural: list[str] = field(default_factory=list)
+    integer: list[str] = field(default_factory=list)
     sizes: list[str] = field(default_factory=list)
     start: str = ""
+    imaginary: str = ""
     constraints: list[str] = field(default_factory=list)
     identities: list[str] = field(default_factory=list)
     modulo: dict[str, str] = field(default_factory=dict)
@@ -193,24 +197,46 @@ def _follow(block: Block, rest: str) -> None:
     block.follows |= dict.fromkeys(_find_references(equations), found)
 
 
+def _function(block: Block, rest: str) -> None:
+    pairs = _read_pairs(rest)
+    if not pairs:
+        raise ValueError(r"say which function a print is: function \tan^{-1} is \arctan")
+    block.functions |= pairs
+
+
+def _read_pairs(text: str) -> dict[str, str]:
+    """Read what is said to be something else, A is A_r, B is B_r; nothing if a part says none."""
+    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(text)]
+    return {} if any(len(pair) != 2 for pair in pairs) else dict(pairs)
+
+
 def _scope(block: Block, rest: str) -> None:
     equations, *said = _COLON.split(rest, maxsplit=1)
-    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(said[0])] if said else []
-    if not pairs or any(len(pair) != 2 for pair in pairs):
+    pairs = _read_pairs(said[0]) if said else {}
+    if not pairs:
         raise ValueError("say which print is which declared letter: in (8)-(13): A is A_r")
-    block.scopes.append((_find_references(equations), dict(pairs)))
+    block.scopes.append((_find_references(equations), pairs))
 
 
 def _start(block: Block, rest: str) -> None:
     block.start = rest
 
 
+def _imaginary(block: Block, rest: str) -> None:
+    if not (len(rest) == 1 and rest.isalpha()):
+        raise ValueError("say which letter is the imaginary unit: imaginary j")
+    block.imaginary = rest
+
+
 _WORDS: dict[str, Callable[[Block, str], None]] = {
     "factor": _add("factors"),
+    "function": _function,
     "where": _add("where"),
     "let": _add("values"),
     "branch": _branch,
     "natural": _add("natural"),
+    "integer": _add("integer"),
+    "imaginary": _imaginary,
     "from": _start,
     "sizes": _add("sizes"),
     "constraint": _refer("constraints"),

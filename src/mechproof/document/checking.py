@@ -247,7 +247,8 @@ def _list_standing(
             groups.append([])
         groups[-1].append(name_member(number, first))
     largest = max(map(len, groups))
-    return [group for group in groups if len(group) == largest]
+    cases = [one.sign.first for one in task.others if not one.sign.first.endswith(f" of {first}")]
+    return [[*group, *cases] for group in groups if len(group) == largest]
 
 
 # Constraints ------------------------------------------------------------------------------------

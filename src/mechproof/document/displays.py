@@ -7,7 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, count, pairwise
 
-from mechproof.document.lines import cut_gaps, goes_on, join_lines, split_lines
+from mechproof.document.lines import (
+    begins_with_sign,
+    cut_gaps,
+    goes_on,
+    join_lines,
+    split_lines,
+)
 from mechproof.document.macros import Defined, Macro, expand, find_macros
 from mechproof.document.sources import DocumentError
 from mechproof.document.text import Text, join
@@ -41,17 +47,32 @@ _SHOWN = re.compile(
 )
 _ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+# Words before a display that may tell of another case, and how far before it they are looked for.
+_ALTERNATIVE = re.compile(
+    r"\b(?:or|oder|ou|или|other|otherwise|second|another|alternative(?:ly)?|respectively|elbow|"
+    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when|for|else)\b",
+    re.IGNORECASE,
+)
+_NEAR = 200
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _TAG, _UNNUMBERED)))
 
 
 @dataclass(frozen=True)
 class Printed:
-    """One equation of a text: how it is named, its labels, its LaTeX, or why it has none."""
+    """One equation of a text: how it is named, its labels, its LaTeX, or why it has none.
+
+    Equations of one display have one `group`; `is_case` tells of words before it, such as "or",
+    that may announce another case. The first `taken` characters of its LaTeX are those that the
+    display before it ends in.
+    """
 
     name: str
     latex: Text
     labels: tuple[str, ...] = ()
     fault: str = ""
+    group: int = 0
+    is_case: bool = False
+    taken: int = 0
 
 
 @dataclass
@@ -133,6 +154,8 @@ def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
     """
     counter, unnumbered = _Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
+    group, last = 0, 0
+    before: Printed | None = None
     for match in _EVENT.finditer(text.string):
         if match["heading"]:
             if not match["star"]:
@@ -151,7 +174,24 @@ def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
             continue
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
-            yield from _read_display(text, match, macros, counter, unnumbered, cut=cut)
+            words = text.string[max(last, match.start() - _NEAR) : match.start()]
+            is_case = bool(_ALTERNATIVE.search(words))
+            group, end = group + 1, match.end()
+            for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
+                printed = replace(found, group=group, is_case=is_case)
+                if cut and before and not before.fault:
+                    printed = _go_on(before, printed)
+                before = printed
+                yield printed
+            last = end
+
+
+def _go_on(before: Printed, printed: Printed) -> Printed:
+    """Return an equation that begins with its sign with what the display before it ends in."""
+    if not begins_with_sign(printed.latex.string):
+        return printed
+    taken = join([before.latex, before.latex.put(" ", -1)])
+    return replace(printed, latex=taken + printed.latex, taken=len(taken))
 
 
 def _expand_frames(defined: Sequence[Defined], text: Text) -> tuple[list[Defined], Text]:

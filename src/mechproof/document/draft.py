@@ -8,16 +8,17 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     Collected,
     collect_letters,
-    find_shapes,
     is_vector,
     name_symbol,
 )
+from mechproof.document.rows import Document
 from mechproof.document.said import Said, find_said
 from mechproof.document.sources import Source
 
@@ -29,6 +30,8 @@ _RATE = re.compile(
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
 # Characters between a reference and the equation that it is made for.
 _NEAR = 400
+# Seconds to find out whether a letter is a matrix.
+_LIMIT = 10.0
 _DEPENDS = re.compile(r"(.+?)\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 # Letters that could be something else where nothing declares them.
 _ASKED = {
@@ -50,8 +53,9 @@ def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
-    collected = collect_letters(prints, guess=True)
-    shapes = dict(find_shapes(prints))
+    unit = find_unit(prints)
+    collected = collect_letters(prints, guess=True, imaginary=unit)
+    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
     said = dict(find_said(source))
     lines = [
         line
@@ -61,6 +65,8 @@ def draft_block(source: Source) -> str:
     if collected.factors:
         lines.append("# A bracket with more than letters stands behind these: it is multiplied.")
         lines += [f"factor {name}" for name in collected.factors]
+    lines += [f"imaginary {unit}"] if unit else []
+    lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
     lines += _ask_what_follows(source, displays)
     for number, reason in collected.unread.items():
         place = source.files.locate(displays[number].latex.offsets[0])

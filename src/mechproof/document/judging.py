@@ -17,7 +17,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Equality, Holds, RecordError
+from mechproof.record import Equality, Holds, Part, RecordError
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -68,6 +68,20 @@ def _judge_alone(task: Task) -> Judgement | str:
         return str(error)
     if found.verdict is Verdict.REFUTED and task.is_rounded:
         return "the two sides differ, but a decimal is a rounded number"
+    if found.verdict is Verdict.REFUTED and task.is_solution:
+        return (
+            f"it differs from {task.sign.first}, and may be another solution or case; the block of "
+            "letters may say that it is an identity"
+        )
+    if (
+        found.verdict is Verdict.REFUTED
+        and task.asserts
+        and (letters := _list_to_be_positive(task))
+    ):
+        return (
+            "it holds where all letters are positive and differs elsewhere; the block of letters "
+            f"may say which are: {letters}>0"
+        )
     if found.verdict is Verdict.REFUTED and task.is_alone:
         return f"another value than at the sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
@@ -78,6 +92,23 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
         return replace(found, reason=f"it is true nowhere: {found.reason}")
     return _take_as_given(task, found)
+
+
+def _list_to_be_positive(task: Task) -> str:
+    """Return the letters of which nothing is said, if an equation holds where they are positive."""
+    says = task.row.says
+    free = Domain.of(task.paper, task.row.on)
+    if not isinstance(says, Equality) or task.residual is None:
+        return ""
+    letters = sorted(task.residual.free_symbols, key=str)
+    letters = [s for s in letters if free.within.get(s) == sp.S.Reals]
+    within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
+    positive = Part("all letters are positive", within)
+    try:
+        answer = decide(says, Domain.of(task.paper, task.row.on, positive))
+    except (RecordError, ContradictionError):
+        return ""
+    return ", ".join(map(str, letters)) if answer.verdict is Verdict.PROVED else ""
 
 
 def _is_nowhere_true(task: Task) -> bool:

@@ -11,6 +11,7 @@ import sympy as sp
 from mechproof.document.cells import name_unit
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
+from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.record import Notation, Variable
 
@@ -18,19 +19,24 @@ REMEDIES = Remedies(
     name="Declare it in the block of letters: {0} : its meaning",
     bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
     "letter.",
-    function="Print a function that is the same everywhere (ln, lg, arctg).",
+    function=r"Say in the block of letters: function \{0} is, and which function it is.",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say in the block of letters: from 0, or where else it starts.",
     family="Leave {0} out of the block of letters.",
-    membership="Print an interval as a relation, 0<x<1, or say natural for a letter that counts.",
+    membership="Say in the block of letters natural or integer for a letter that counts; "
+    "an interval is printed as a relation, 0<x<1.",
 )
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
+_INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
+# What is mostly meant by the power -1 of a function.
+INVERSES = {
+    **{"sin": "arcsin", "cos": "arccos", "tan": "arctan"},
+    **{"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"},
+}
 _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
-# Letters in a bracket, which then holds arguments.
-_ARGUMENT = r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*"
-_ARGUMENTS = re.compile(
-    rf"(?:\\left\s*)?\((?P<inner>{_ARGUMENT}(?:,{_ARGUMENT})*)(?:\\right\s*)?\)"
-)
+# A bracket, and what of it holds arguments: one letter, or several parts.
+_BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
+_ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
 # Prints in which such a letter is no quantity.
 _NO_LETTER = {
     "e": re.compile(r"(?<![A-Za-z\\])e\s*\^"),
@@ -39,10 +45,16 @@ _NO_LETTER = {
 }
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
-    r"\\begin\{(?:[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{\w+\}"
+    r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
     # With a factor behind it it has another shape than the letter.
-    r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|\\|[,;]))",
+    r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|end|\\|[,;]))",
     re.DOTALL,
+)
+
+
+# The beginning of a table of equations.
+_TABLE = re.compile(
+    r"\\begin\{(?:array|matrix|aligned)\}(?:\{[lcr|]+\})?(?=[^&\\]*(?:_\{[^{}]*\}\s*)?=)"
 )
 
 
@@ -61,23 +73,29 @@ def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class Collected:
-    """Letters that are not declared, those before a bracket, and why some prints show none.
+    """Letters that are not declared, those before a bracket, functions with the power -1.
 
     `guessed` are letters that the reader asks for, whole prints as f(x) among them. What could not
-    be read is keyed by the number of its print.
+    be read is keyed by the number of its print, with the reason.
     """
 
     letters: list[str]
     factors: list[str]
+    functions: Mapping[str, str]
     unread: Mapping[int, str]
     guessed: list[str] = field(default_factory=list)
 
 
-def collect_letters(printed: Iterable[str], *, guess: bool = False) -> Collected:
-    """Collect the letters of prints; with `guess` those, too, that the reader would ask for."""
+def collect_letters(
+    printed: Iterable[str], *, guess: bool = False, imaginary: str = ""
+) -> Collected:
+    """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
+
+    `imaginary` is the letter of the imaginary unit.
+    """
     prints = list(printed)
     letters: dict[str, None] = {}
-    guesses = _Guesses("\n".join(prints), declares=guess)
+    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary)
     unread: dict[int, str] = {}
     for number, latex in enumerate(prints):
         found = _collect_from(latex, guesses)
@@ -86,7 +104,7 @@ def collect_letters(printed: Iterable[str], *, guess: bool = False) -> Collected
         else:
             letters |= dict.fromkeys(found)
     kept = [x for x in letters if "#" not in x]
-    return Collected(kept, list(guesses.factors), unread, list(guesses.letters))
+    return Collected(kept, [*guesses.factors], guesses.functions, unread, [*guesses.letters])
 
 
 @dataclass
@@ -95,18 +113,26 @@ class _Guesses:
 
     all_prints: str
     declares: bool
+    imaginary: str
     factors: dict[str, None] = field(default_factory=dict)
     letters: dict[str, None] = field(default_factory=dict)
+    functions: dict[str, str] = field(default_factory=dict)
 
     def take(self, error: ReadingError) -> bool:
         """Take what would mend a refusal; return whether there is something new."""
+        inverse = _INVERSE.search(error.remedy) if self.declares else None
+        if inverse and inverse[1] in INVERSES:
+            printed = rf"\{inverse[1]}^{{-1}}"
+            is_new = printed not in self.functions
+            self.functions[printed] = rf"\{INVERSES[inverse[1]]}"
+            return is_new
         asked = _ASKS.search(error.reason)
         named = _NAMES.search(error.remedy) if self.declares else None
         if asked:
-            arguments = _ARGUMENTS.match(error.latex, error.place) if self.declares else None
+            arguments = find_arguments(error.latex, error.place) if self.declares else ""
             if not arguments:
                 return _enter(asked[1], self.factors)
-            return _enter(f"{asked[1]}({arguments['inner'].strip()})", self.letters)
+            return _enter(f"{asked[1]}({arguments})", self.letters)
         if not named or self._is_taken_up(named[1]):
             return False
         return _enter(named[1], self.letters)
@@ -125,7 +151,14 @@ def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
     """Return the letters of a print, or why it cannot be read."""
     while True:
         names = tuple(Variable(sp.Symbol(name_symbol(x)), "", latex=(x,)) for x in guesses.letters)
-        notation = Notation(factors=tuple(guesses.factors), name_unit=name_unit)
+        functions = {x[1:]: FUNCTIONS[is_[1:]] for x, is_ in guesses.functions.items()}
+        factors = tuple(guesses.factors)
+        notation = Notation(
+            factors=factors,
+            functions=functions,
+            name_unit=name_unit,
+            imaginary=guesses.imaginary,
+        )
         try:
             return Reader(names, notation, REMEDIES).collect(latex)
         except ReadingError as error:
@@ -133,6 +166,13 @@ def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
                 return error.reason
         except RecursionError:
             return "it is nested too deeply"
+
+
+def find_arguments(latex: str, place: int) -> str:
+    """Return what stands in a bracket that holds arguments and no factor."""
+    bracket = _BRACKET.match(latex, place)
+    is_list = bracket is not None and _ARGUMENTS.fullmatch(bracket["inner"])
+    return bracket["inner"].strip() if bracket and is_list else ""
 
 
 def is_vector(letter: str) -> bool:
@@ -143,7 +183,7 @@ def is_vector(letter: str) -> bool:
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
     """Yield the letters that are printed to be a matrix, and its numbers of rows and columns."""
     for latex in prints:
-        for match in _MATRIX.finditer(latex):
+        for match in _MATRIX.finditer(_TABLE.sub("", latex)):
             rows = [row for row in match["body"].split(r"\\") if row.strip()]
             columns = rows[0].count("&") + 1 if rows else 1
             yield name_symbol(match["name"]), (len(rows), columns)

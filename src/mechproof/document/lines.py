@@ -19,6 +19,11 @@ _WRAPPING = re.compile(
     r"(?:\{\d+\})?"
 )
 _SPACING = re.compile(r"\s*(?:\[-?[\d.]*\s*(?:px|pt|em|ex|cm|mm|\\[A-Za-z]+)\]|\*)")
+# A brace over equations, at the beginning of a line: a system, no values of a function.
+_SYSTEM = re.compile(
+    r"\\begin\s*\{d?cases\}|\\left\s*\\\{\s*(?:\\begin\s*\{(?:array|matrix)\}(?:\s*\{[lcr|\s]*\})?)?"
+)
+_TABLE_END = re.compile(r"\\end\s*\{(?:array|matrix)\}\s*\Z")
 _INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{[^{}]*\}")
 _STEP = re.compile(
     r"\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|\\\\"
@@ -32,8 +37,18 @@ _EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
 _RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
+# What an index runs through, and a name before an equation.
+_RANGE = re.compile(
+    r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
+    r"(?<![A-Za-z])[a-z]\s*(?:=|\\in\s*\\\{)\s*\d+\s*,\s*(?:\d+\s*,\s*)*"
+    r"(?:\\[lc]?dots|\.\.\.)\s*,?\s*(?:\d+|[A-Za-z])(?:\s*\\\})?\s*\Z"
+)
+_TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
-_AND = re.compile(r"\\(?:text|mbox|textrm)\{\s*(?:and|,|;)?\s*\}\Z")
+_WORD = r"\\(?:text|mbox|textrm|mathrm)\s*\{[\s\\;,~]*(?:and|or|resp\.?|,|;)?[\s\\;,~]*\}"
+_AND = re.compile(rf"(?:{_WORD})\Z")
+_BETWEEN = re.compile(_WORD)
+_CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
 
 
 def split_lines(body: Text) -> list[Text]:
@@ -45,8 +60,26 @@ def split_lines(body: Text) -> list[Text]:
             lines.append(body[start:place])
             spacing = _SPACING.match(body.string, place + 2)
             start = spacing.end() if spacing else place + 2
-    kept = [line for line in (*lines, body[start:]) if line.string.strip(" \t\n&")]
-    return kept or [body]
+    kept = [line for line in (*lines, body[start:]) if line.string.strip(" \t\n&")] or [body]
+    before = ["", *(line.string for line in kept[:-1])]
+    return [part for pair in zip(kept, before, strict=True) for part in _open(*pair)]
+
+
+def _open(line: Text, before: str) -> Iterator[Text]:
+    """Yield the lines of the systems of equations that a line consists of."""
+    latex = _drop_leads(line)
+    brace = _SYSTEM.match(latex.string)
+    signs = list(walk_signs(latex.string))
+    close = next((n for n, (_, place, depth) in enumerate(signs) if place and not depth), None)
+    if not brace or close is None or ends_open(before):
+        yield line
+        return
+    inside = latex[brace.end() : signs[close][1]].replace(_TABLE_END, lambda _: "")
+    end = signs[close + 1][1] if close + 1 < len(signs) else len(latex)
+    yield from split_lines(inside)
+    rest = _clean(latex[end:])
+    if len(rest):
+        yield from _open(rest, "")
 
 
 def walk_signs(string: str) -> Iterator[tuple[str, int, int]]:
@@ -63,12 +96,30 @@ def walk_signs(string: str) -> Iterator[tuple[str, int, int]]:
 
 def goes_on(before: str, line: str) -> bool:
     """Return whether a line belongs to the one before it."""
-    signs = [sign for sign, _, _ in walk_signs(line) if not (sign.isspace() or sign in _BLANK)]
-    ending = [sign for sign, _, _ in walk_signs(before) if not (sign.isspace() or sign in _BLANK)]
-    if not signs or not ending or ending[-1] in (*_RELATIONS, *_OPERATORS):
+    signs = _list_signs(line)
+    if not signs or not _list_signs(before) or ends_open(before):
         return True
     has_relation = any(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
     return signs[0] in _RELATIONS or not has_relation
+
+
+def begins_with_sign(line: str) -> bool:
+    """Return whether a line begins with a sign of equality, its other side before it."""
+    return any(sign in _EQUALITY for sign in _list_signs(line)[:1])
+
+
+def count_signs(line: str) -> int:
+    """Return how many relation signs a line has."""
+    return sum(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
+
+
+def ends_open(line: str) -> bool:
+    """Return whether a line ends with a sign behind which something has to stand."""
+    return any(sign in (*_RELATIONS, *_OPERATORS) for sign in _list_signs(line)[-1:])
+
+
+def _list_signs(line: str) -> list[str]:
+    return [sign for sign, _, _ in walk_signs(line) if not (sign.isspace() or sign in _BLANK)]
 
 
 def join_lines(lines: Sequence[Text], *, has_columns: bool = True) -> Text:
@@ -104,24 +155,29 @@ def _drop_leads(latex: Text) -> Text:
 
 def _clean(latex: Text) -> Text:
     """Drop what leads to an equation, and the stop behind it."""
-    latex = _drop_leads(latex).strip(end=".,;~")
-    while latex.string.endswith(_BLANK[:6]):
+    latex = _drop_leads(latex.replace(_TITLE_AT_START, lambda _: "")).strip(end=".,;~")
+    if (found := _RANGE.search(latex.string)) and found.start():
+        latex = latex[: found.start()]
+    while latex.string.endswith((*_BLANK[:6], ",\\")):
         latex = latex[: latex.string.rindex("\\")].strip(end=".,;~")
     return latex
 
 
 def cut_gaps(latex: Text) -> Iterator[Text]:
-    """Yield the equations of a line that wide gaps part."""
+    """Yield the equations of a line that wide gaps part, or a word such as "or"."""
     signs = list(walk_signs(latex.string))
-    places = [n for n, (sign, _, depth) in enumerate(signs) if sign in _BLANK[:2] and depth == 0]
+    words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
+    places = {p: p for sign, p, depth in signs if sign in _BLANK[:2] and depth == 0}
+    places |= {p: words[p] for _, p, depth in signs if p in words and depth == 0}
     start = 0
-    for gap in places:
-        place = signs[gap][1]
-        before, behind = latex[start:place], latex[place:]
+    for place in sorted(places):
+        before, behind = latex[start:place], latex[places[place] :]
+        if _CONDITION.search(before.string):
+            continue
         if _is_equation(before.string) and _is_equation(_until_gap(behind.string)):
             yield _clean(_drop_and(before))
-            start = place
-    yield _clean(latex[start:])
+            start = places[place]
+    yield _clean(_drop_and(latex[start:]))
 
 
 def _drop_and(latex: Text) -> Text:

@@ -21,6 +21,7 @@ from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.reader import Print
+from mechproof.latex.sides import turn
 from mechproof.latex.tree import (
     Add,
     Approach,
@@ -33,6 +34,7 @@ from mechproof.latex.tree import (
     Node,
     Number,
     Product,
+    shows_matrix,
     walk,
 )
 from mechproof.latex.values import differentiate
@@ -76,7 +78,9 @@ class Sign:
 class Known:
     """What is known of letters: their values, which equation printed them first, which were met.
 
-    `others` are the further members of the chains that printed them first, and which these are.
+    `others` are the further members of the chains that printed them first, and which these are;
+    `cases` are further prints that may be other solutions. `sizes` are those of letters that are
+    declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     """
 
     symbols: Symbols
@@ -84,6 +88,9 @@ class Known:
     printed: dict[sp.Basic, str] = field(default_factory=dict)
     met: set[sp.Basic] = field(default_factory=set)
     others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
+    cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
+    sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
+    entries: Values = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -93,6 +100,11 @@ class Known:
                 break
             expression = expression.xreplace({symbol: self.values[symbol] for symbol in met})
         return expression
+
+    def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
+        """Return whether a letter, or an entry of it, stands in a value."""
+        own = {symbol, *self.entries.get(symbol, ())}
+        return bool(own & self.settle(value).free_symbols)
 
     def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
         """Take what is printed of a letter as its definition, and what follows of its rates."""
@@ -116,7 +128,7 @@ class Known:
         moving = self.symbols.moving
         by, rates = next((m for m in moving.values() if symbol in m[1]), (symbol, ()))
         letter = next((s for s, (_, own) in moving.items() if symbol in own), symbol)
-        for name, value in self.others.get(letter, ()):
+        for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
             with suppress(ValueError):
                 for _ in rates[: rates.index(symbol) + 1 if rates else 0]:
                     value = differentiate(self.settle(value, {letter}), by, moving)
@@ -135,7 +147,8 @@ def give_values(texts: Sequence[str], known: Known) -> None:
     """Take relations, k=a/b, as definitions; `ValueError` for what is none."""
     reader = known.symbols.reader()
     for text, relation in ((t, r) for t in texts for r in read_relations(t, reader)):
-        if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+        is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
+        if not (isinstance(relation, sp.Equality) and is_letter):
             raise ValueError(f"let: {text}: a value is said as letter=expression")
         symbol, value = relation.args
         if symbol in known.values or symbol in known.settle(value).free_symbols:
@@ -164,7 +177,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.RELATION)
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
     try:
-        sides = one, other = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+        worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+        sides = one, other = turn((nodes[0], nodes[1]), worked_out)
     except ReadingError:
         if has_place:
             # What it is a value of may be printed behind it.
@@ -176,20 +190,21 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         symbol = node.symbol if isinstance(node, Letter) else symbol
         if has_place and symbol in known.met:
             return Sign(Role.VALUE, sides=sides)
-        if not value.free_symbols:
+        is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
+        if not value.free_symbols and not is_matrix:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
             return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
-        is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
         is_fit = is_matrix <= isinstance(symbol, sp.MatrixSymbol)
         if not is_fit:
-            raise read.source.refuse(
-                node.start, f"{symbol} is a matrix here", "Say its size behind its name: 3x1."
-            )
+            if not any(map(_may_have_vectors, walk(nodes))):
+                known.sizes[symbol] = value.shape
+            remedy = f"Say its size behind its name: {value.shape[0]}x{value.shape[1]}."
+            raise read.source.refuse(node.start, f"{symbol} is a matrix here", remedy)
         if symbol not in known.values and _is_special(symbol, value, chain, known):
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
             return Sign(Role.DEFINITION, symbol, name, sides)
-        if symbol not in known.values and symbol not in known.settle(value).free_symbols:
+        if symbol not in known.values and not known.is_shown(symbol, value):
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
         if symbol in known.values:
@@ -274,6 +289,13 @@ def _is_number(node: Node) -> bool:
     return isinstance(_split_sign(node)[1], Number | Measure | Degrees)
 
 
+def _may_have_vectors(node: Node) -> bool:
+    """Return whether a letter that is taken as a number stands beside a matrix as a factor."""
+    factors = node.factors if isinstance(node, Product) else ()
+    has_matrix = any(shows_matrix(part) for part in walk(factors))
+    return has_matrix and any(isinstance(x, Letter) and not shows_matrix(x) for x in factors)
+
+
 def _compare(symbol: sp.Basic, known: Known) -> Role:
     is_rate = any(symbol in rates for _, rates in known.symbols.moving.values())
     return Role.DERIVATIVE if is_rate else Role.REPEATED
@@ -285,7 +307,9 @@ def _is_bare(node: Node) -> bool:
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
     """Return a member, with the values of letters where it cannot be said without them."""
+    matrices = {s: v for s, v in known.values.items() if isinstance(v, sp.MatrixBase)}
+    matrices |= known.entries
     try:
-        return read.meaning().of(node)
+        return read.meaning(matrices).of(node)
     except ReadingError:
-        return read.meaning(known.values).of(node)
+        return read.meaning({**known.values, **known.entries}).of(node)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import Block, Declared, read_block
+from mechproof.document.block import Declared, read_block
+from mechproof.document.complex_parts import find_unit, is_complex, split_parts
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     collect_letters,
@@ -19,16 +20,17 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
+from mechproof.document.lines import count_signs
+from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
 from mechproof.document.roles import (
-    EQUAL,
     Known,
     Role,
     Sign,
     find_roles,
     give_values,
-    is_sum_of_letters,
 )
 from mechproof.document.scopes import add_scopes
+from mechproof.document.sides import have_same_letters, list_related, list_sides
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sources import Source
 from mechproof.document.special_cases import (
@@ -44,19 +46,15 @@ from mechproof.document.tabulars import find_tabulars
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
-from mechproof.latex.reader import Print
-from mechproof.latex.tree import Letter, Measure, walk
 from mechproof.processes import limit_time
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import (
-    Conjunction,
     Definition,
     Equality,
     Equation,
     Paper,
     PrintedNumber,
     Row,
-    ValueWhere,
 )
 
 T = TypeVar("T")
@@ -77,23 +75,56 @@ class Document:
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)
-        letters = (
-            []
-            if source.has_block
-            else collect_letters(p.latex.string for p in self.printed).letters
-        )
-        shapes = dict(find_shapes(p.latex.string for p in self.printed))
+        self.limit = 0.0
+        self.papers: dict[bool, Paper] = {}
+        self.taken: tuple[str, ...] = ()
+        if not source.has_block:
+            self._take_letters()
+        refuse_unknown(self.block, self.printed)
+        self._declare()
+
+    def _take_letters(self) -> None:
+        """Take letters that no block declares as numbers, or as the matrices they are printed."""
+        prints = [p.latex.string for p in self.printed]
+        self.block.imaginary = find_unit(prints)
+        letters = collect_letters(prints, imaginary=self.block.imaginary).letters
+        shapes = dict(find_shapes(prints))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [
             Declared(names, shape=shapes.get(name_symbol(names[0])))
             for names in group_alike(self.taken)
         ]
-        _refuse_unknown(self.block, self.printed)
+
+    def _declare(self) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
         self.known = Known(self.symbols)
         give_values(self.block.values, self.known)
-        self.limit = 0.0
-        self.papers: dict[bool, Paper] = {}
+
+    def _parse_all(self) -> list[list[Sign] | Left]:
+        """Read all equations once; again where letters are matrices, or such without a value."""
+        while True:
+            reader = self.symbols.reader()
+            read = [self._parse(printed, reader) for printed in self.printed]
+            sizes = {str(symbol): shape for symbol, shape in self.known.sizes.items()}
+            if self.taken and sizes:
+                self.block.letters = [
+                    replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
+                    for x in self.block.letters
+                ]
+                self._declare()
+                continue
+            symbols, entries = self.symbols.show_entries(self.known.values)
+            if not entries or self.known.entries:
+                return read
+            self._declare()
+            self.symbols = self.known.symbols = symbols
+            self.known.entries = entries
+
+    def find_sizes(self, limit: float) -> dict[str, tuple[int, int]]:
+        """Return the sizes of the letters that are printed to be matrices, by their names."""
+        self.limit = limit
+        self._parse_all()
+        return {name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape}
 
     def read(self, limit: float) -> list[Task | Left]:
         """Read all equations in their order: first what they define, then what they assert.
@@ -101,11 +132,11 @@ class Document:
         One that takes longer than `limit` seconds is left.
         """
         self.limit = limit
-        reader = self.symbols.reader()
-        read = [self._parse(printed, reader) for printed in self.printed]
-        values = self.known.values
+        read = self._parse_all()
+        values = self.known.values = {**self.known.values, **self.known.entries}
+        real = {symbol: v for symbol, v in values.items() if not is_complex(self.known.settle(v))}
         self.papers = {
-            with_units: self.symbols.paper(self.system, values, with_units=with_units)
+            with_units: self.symbols.paper(self.system, real, with_units=with_units)
             for with_units in (True, False)
         }
         again = self.symbols.reader(values)
@@ -122,7 +153,7 @@ class Document:
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:
             return self._leave(printed, State.NOT_READ, printed.fault)
-        if reason := _look_up(printed, self.block.skipped):
+        if reason := look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
@@ -131,9 +162,9 @@ class Document:
         read = reader.parse(latex, printed.name, int(branch is None))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
-        _refuse_units(read)
+        refuse_units(read)
         double = _DOUBLE.search(latex) if branch is None else None
-        follows = _is_listed(printed, [*self.block.follows])
+        follows = is_listed(printed, [*self.block.follows])
         if double is None and not follows:
             return find_roles(printed.name, read, self.known)
         # What has two signs, or follows, defines no letter.
@@ -165,6 +196,11 @@ class Document:
         bare = {s.letter for s in said} | {side for s in said for side in s.sides}
         known = {*derived, *self.known.values}
         defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in known)
+        defines += tuple(
+            s.letter
+            for s in signs
+            if s.role is Role.DEFINITION and isinstance(s.letter, sp.MatrixSymbol)
+        )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
 
         own = next((s.letter for s in signs if s.letter is not None), None)
@@ -172,7 +208,10 @@ class Document:
 
         def prepare() -> list[Task | Left]:
             rows = read_row(row, reader)
-            return [self._prepare(printed, *pair, own) for pair in zip(rows, signs, strict=True)]
+            pairs = [*zip(rows, signs, strict=True)]
+            judged = count_signs(printed.latex.string[: printed.taken])
+            parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
+            return [self._prepare(printed, *part, own) for part in parts]
 
         found = self._guard(printed, prepare)
         return [found] if isinstance(found, Left) else found
@@ -206,7 +245,13 @@ class Document:
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
+        if task.is_solution and not isinstance(sign.sides[0], sp.MatrixBase):
+            one, other = sign.sides
+            value = other if one == sign.letter else one
+            self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
         for name, value in self.known.list_others(sign.letter):
+            if name == printed.name:
+                continue
             sides = [value if side == sign.letter else side for side in sign.sides]
             other = replace(row, says=Equality(sides[0], sides[1], "member"))
             others.append(self._make(printed, other, replace(sign, first=name), own))
@@ -219,6 +264,9 @@ class Document:
         if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
             row = replace(row, says=Equality(*members, "member"))
+        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
+        if isinstance(says, Equality) and is_introduced:
+            row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
         if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
             values = [side for side in sign.sides if not side.free_symbols]
             row = replace(row, says=Definition(sign.letter, values[0]))
@@ -231,13 +279,14 @@ class Document:
                 return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
             row = replace(row, says=number)
         row = replace(row, says=split_branches(row.statement, self.known))
-        turn = _look_up(printed, self.block.modulo)
+        turn = look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
             row = replace(
                 row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
             )
-        sides = _list_sides(row, sign, self.known)
+        sides = list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
+        letters |= list_related(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
         has_units = not (letters & self.symbols.bare or sign.number or is_special)
         paper = self.papers[has_units]
@@ -245,11 +294,14 @@ class Document:
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
             residual = sides[0] - sides[1]
         block = self.block
-        is_claimed = _is_listed(printed, [*block.identities, *block.modulo, *block.follows])
+        is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         asserts = is_claimed or self._asserts(printed, sign, sides)
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
-        follows = self._list_named(_look_up(printed, self.block.follows) or ())
+        follows = self._list_named(look_up(printed, self.block.follows) or ())
+        group = next((one.group for one in self.printed if one.name == sign.first), None)
+        is_case = printed.is_case or group == printed.group
+        is_solution = sign.role is Role.REPEATED and is_case and not is_claimed
         return Task(
             row,
             place,
@@ -260,6 +312,7 @@ class Document:
             residual,
             rates,
             is_either,
+            is_solution,
             follows=follows,
         )
 
@@ -273,21 +326,23 @@ class Document:
 
         Sides of different letters say something of the letters.
         """
-        if _is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
+        if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
+            return True
+        if is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        return _have_same_letters(sides)
+        return have_same_letters(sides)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether a constraint of two compound sides may be a wrong identity."""
-        is_said = _is_listed(printed, self.block.constraints)
+        is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
-        return is_compound and not is_said and _have_same_letters(sides)
+        return is_compound and not is_said and have_same_letters(sides)
 
     def _locate(self, printed: Printed, place: int = 0) -> Place:
         offsets = printed.latex.offsets
-        return self.files.locate(offsets[min(place, len(offsets) - 1)])
+        return self.files.locate(offsets[min(place or printed.taken, len(offsets) - 1)])
 
     def _leave(self, printed: Printed, state: State, reason: str, remedy: str = "") -> Left:
         latex = printed.latex.string
@@ -303,71 +358,3 @@ def _name_system(file: str) -> str:
     """Name a paper as its file: letters, digits and underscores."""
     name = re.sub(r"\W", "_", Path(file).stem).strip("_")
     return name if name.isidentifier() else f"paper_{name}"
-
-
-def _refuse_units(read: Print) -> None:
-    """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
-    for chain in read.chains:
-        limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
-        beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
-        if not (isinstance(chain.members[0], Letter) or is_sum_of_letters(chain.members[0])):
-            beside |= {*range(len(chain.members))}
-        for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
-            for node in walk(part):
-                if isinstance(node, Measure):
-                    raise read.source.refuse(
-                        node.start,
-                        f"a unit, {node.unit}, beside no letter whose number it is",
-                        "Print the number alone, in the unit of the letters.",
-                    )
-
-
-def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
-    """Refuse what is said of equations that are not there."""
-    known = {name for one in printed for name in (one.name, *one.labels)}
-    said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
-    said = (*said, *block.follows, *(name for names in block.follows.values() for name in names))
-    if unknown := [name for name in said if name not in known]:
-        raise ValueError(
-            f"the block of letters names {unknown[0]}: no equation has that name or label"
-        )
-
-
-def _look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
-    return next((said[key] for key in (printed.name, *printed.labels) if key in said), None)
-
-
-def _is_listed(printed: Printed, names: Sequence[str]) -> bool:
-    return any(key in names for key in (printed.name, *printed.labels))
-
-
-def _have_same_letters(sides: Sequence[Any]) -> bool:
-    one, other = map(_list_letters, sides)
-    return bool(one == other)
-
-
-def _list_letters(side: Any) -> set[sp.Basic]:
-    """Return the letters of which a side is a function, as far as it is seen without a proof."""
-    shown = side.replace(ValueWhere, lambda value, _: value)
-    for limit in shown.atoms(sp.Limit):
-        there = limit.args[0].subs(limit.args[1], limit.args[2])
-        if not there.has(sp.nan, sp.zoo, sp.oo):
-            shown = shown.xreplace({limit: there})
-    free: set[sp.Basic] = set(shown.free_symbols)
-    # SymPy lists the members of families that a sum runs over, too.
-    return {x for x in free if not (isinstance(x, sp.Indexed) and _list_indices(x) - free)}
-
-
-def _list_indices(member: sp.Indexed) -> set[sp.Basic]:
-    return {symbol for index in member.indices for symbol in index.free_symbols}
-
-
-def _list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
-    says = row.says
-    if isinstance(says, Conjunction) and sign.sides != (None, None):
-        return [known.settle(side) for side in sign.sides]
-    if isinstance(says, Equality):
-        return [known.settle(says.printed), known.settle(says.rebuilt)]
-    if isinstance(says, Definition):
-        return [says.printed]
-    return []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
@@ -16,6 +16,7 @@ from mechproof.document.letters import REMEDIES, name_symbol
 from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.latex import Reader
+from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.values import Moving
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 
@@ -62,6 +63,28 @@ class Symbols:
         declared = (v.dimension for v in self.variables if v.symbol == symbol)
         return next(declared) if symbol in self.scales else None
 
+    def show_entries(self, given: Mapping[sp.Basic, Any]) -> tuple[Symbols, dict[sp.Basic, Any]]:
+        """Return these letters with those of the entries of matrices that nothing gives."""
+        new, values = [], {}
+        for v in self.variables:
+            if isinstance(v.symbol, sp.MatrixSymbol) and v.symbol not in given:
+                entries = sp.ImmutableMatrix(
+                    *v.symbol.shape,
+                    lambda row, column, v=v: sp.Symbol(
+                        f"{v.symbol}[{row + 1}, {column + 1}]", real=True
+                    ),
+                )
+                values[v.symbol] = entries
+                new += [replace(v, symbol=entry, latex=()) for entry in entries]
+        bare = {entry for s in values.keys() & self.bare for entry in values[s]}
+        scales = {entry: self.scales[s] for s in values.keys() & self.scales for entry in values[s]}
+        return replace(
+            self,
+            variables=(*self.variables, *new),
+            bare=self.bare | bare,
+            scales={**self.scales, **scales},
+        ), values
+
     def reader(self, given: Mapping[sp.Basic, Any] | None = None) -> Reader:
         """Return the reader of the paper's prints, with the values of letters that are defined."""
         values = given or {}
@@ -90,7 +113,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     With `assume` SymPy is told which are positive: of these no equation of the paper may say what
     they are.
     """
-    letters = _add_running(block.letters)
+    letters = _add_running(_name_values(block.letters))
     variables: list[Variable] = []
     depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
@@ -116,18 +139,45 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     dimensions = {v.symbol: v.dimension for v in variables if v.symbol not in bare}
     notation = Notation(
         factors=factors,
+        functions={
+            name.removeprefix("\\"): _find_function(what) for name, what in block.functions.items()
+        },
         moving=moving,
         name_unit=name_unit,
         phases=phases,
         dimensions=dimensions,
+        imaginary=block.imaginary,
     )
-    for name in (*block.branches, *block.natural):
+    for name in (*block.branches, *block.natural, *block.integer):
         if name not in symbols:
-            raise ValueError(f"{name} is said to be a branch or natural: it is not declared")
+            raise ValueError(f"{name} is said to be a branch or to count: it is not declared")
     if len(block.branches) == 1:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
     return _say(Symbols(tuple(variables), notation, bare=frozenset(bare), scales=known), block)
+
+
+def _name_values(letters: Sequence[Declared]) -> list[Declared]:
+    r"""Let a letter that depends, with another argument, be one of its own: \dot x(t_1)."""
+    known: dict[str, str] = {}
+    found = []
+    for letter in letters:
+        first, by = letter.names[0], letter.running
+        if by and known.get(name_symbol(first), by) != by:
+            found.append(replace(letter, names=(f"{first}({by})", *letter.names[1:]), running=""))
+            continue
+        rates = (rate for order in ORDERS for rate in _print_rate(first, by, order)) if by else ()
+        known |= {name_symbol(latex): by for latex in (first, *rates) if by}
+        found.append(letter)
+    return found
+
+
+def _find_function(latex: str) -> Callable[..., sp.Expr]:
+    """Return the function that is printed so."""
+    name = latex.strip().removeprefix("\\")
+    if name not in FUNCTIONS:
+        raise ValueError(f"function: {latex} is none of the functions that are read")
+    return FUNCTIONS[name]
 
 
 def _add_running(letters: Sequence[Declared]) -> list[Declared]:
@@ -172,6 +222,8 @@ def _make(
     symbol = sp.Symbol(name, positive=True) if is_positive else sp.Symbol(name, real=True)
     if first in block.natural:
         symbol, within = sp.Symbol(name, integer=True, positive=True), sp.S.Naturals
+    if first in block.integer:
+        symbol, within = sp.Symbol(name, integer=True), sp.S.Integers
     if first in block.branches:
         within = sp.FiniteSet(-1, 1)
     yield Variable(symbol, meaning, dimension, within, sign=convention, latex=printed)
@@ -180,7 +232,11 @@ def _make(
             sp.Symbol(f"d{order if order > 1 else ''}{name}", real=True),
             f"derivative of {meaning or first} by {letter.running}, order {order}",
             units[order].dimension,
-            latex=tuple(_print_rate(first, letter.running, order)),
+            latex=tuple(
+                printed
+                for rate in _print_rate(first, letter.running, order)
+                for printed in (rate, f"{rate}({letter.running})")
+            ),
         )
 
 

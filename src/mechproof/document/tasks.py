@@ -21,9 +21,9 @@ class Task:
     `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
     `residual` is their difference, the values of letters put in, `rates` are its derivatives.
     `is_either` tells a constraint that may also be meant as an identity: both sides have the same
-    letters, and the block does not say which it is. `others` compare the same print with further
-    members of the chain that it is compared with. `follows` names what the block says that it
-    follows from.
+    letters, and the block does not say which it is. `is_solution` tells a later print of a letter
+    that may be another solution. `others` compare the same print with further members of the chain
+    that it is compared with. `follows` names what the block says that it follows from.
     """
 
     row: Row
@@ -35,6 +35,7 @@ class Task:
     residual: sp.Expr | None = None
     rates: tuple[sp.Expr, ...] = ()
     is_either: bool = False
+    is_solution: bool = False
     others: tuple[Task, ...] = ()
     follows: tuple[str, ...] = ()
 

@@ -9,6 +9,7 @@ from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import read_measure
 from mechproof.latex.numerals import read_number
+from mechproof.latex.products import make_cross_matrix
 from mechproof.latex.tokens import DOTS
 from mechproof.latex.tree import (
     Bracket,
@@ -19,6 +20,7 @@ from mechproof.latex.tree import (
     Letter,
     Magnitude,
     Node,
+    PrintedFunction,
     Quotient,
     Root,
     Table,
@@ -52,6 +54,8 @@ def read_atom(parser: Parser) -> Node:
         return _read_bracket(parser, start)
     if text == "|":
         return _read_magnitude(parser, start)
+    if text == r"\|":
+        return _read_norm(parser, start)
     if text == places.LEFT:
         return places.read_enclosed(parser)
     if text == r"\lvert":
@@ -93,8 +97,19 @@ def _read_bracket(parser: Parser, start: int) -> Node:
         return _repeat_bracket(parser, start)
     parts = parser.read_inside(parser.text, lambda: read_list(parser), closing)
     if len(parts) == 1:
-        return Bracket(parts[0], start=start, end=parser.end)
+        bracket = Bracket(parts[0], start=start, end=parser.end)
+        return _read_cross(parser, bracket) if closing == "]" else bracket
     return Entries(tuple(parts), start=start, end=parser.end)
+
+
+def _read_cross(parser: Parser, bracket: Bracket) -> Node:
+    r"""Read [a]_\times, the matrix by which a cross product multiplies."""
+    texts = [token.text for token in parser.rest[:4]]
+    if texts != ["_", "{", r"\times", "}"]:
+        return bracket
+    parser.place += 4
+    make = PrintedFunction("cross", make_cross_matrix)
+    return Call(make, (bracket.inside,), start=bracket.start, end=parser.end)
 
 
 def read_list(parser: Parser) -> list[Node]:
@@ -127,10 +142,21 @@ def _read_magnitude(parser: Parser, start: int) -> Node:
     return _enclose(parser, inside, start)
 
 
+def _read_norm(parser: Parser, start: int) -> Node:
+    parser.take(r"\|")
+    parser.norms += 1
+    inside = parser.read_sum()
+    parser.norms -= 1
+    parser.take(r"\|")
+    return Magnitude(inside, start=start, end=parser.end)
+
+
 def _enclose(parser: Parser, inside: Node, start: int) -> Node:
     """Return what bars say: the determinant of a printed matrix, else the absolute value."""
     table = inside.inside if isinstance(inside, Bracket) else inside
     is_symbol = isinstance(table, Letter) and shows_matrix(table)
+    if isinstance(table, Letter) and is_symbol and 1 in table.symbol.shape:
+        return Magnitude(inside, start=start, end=parser.end)
     if isinstance(table, Table) or is_symbol:
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
     if parser.collects and isinstance(table, Letter) and _shows_determinant(parser):

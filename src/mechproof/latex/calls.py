@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus
+from mechproof.latex import atoms, calculus, conditions
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.tokens import DOTS
 from mechproof.latex.tree import (
@@ -124,6 +124,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
         argument = argument.rows[0][0]
     printed = "".join(token.text for token in parser.tokens[place : parser.place])
     if printed not in parser.factors:
+        _check_bracket(parser, place)
         _check_reach(parser)
     return (argument,)
 
@@ -183,6 +184,16 @@ def _is_matrix_next(parser: Parser) -> bool:
     match = parser.names.match(parser.tokens, parser.place)
     is_named = match is not None and isinstance(match.name.symbol, sp.MatrixSymbol)
     return is_named or parser.text.startswith(r"\begin{")
+
+
+def _check_bracket(parser: Parser, place: int) -> None:
+    r"""Refuse a bracket behind the argument of a function that begins at a place: \sin q(a+b)."""
+    if parser.text == "(" and not conditions.is_bracketed(parser):
+        printed = parser.source.latex[parser.tokens[place].start : parser.end]
+        raise parser.refuse(
+            f"a bracket after {printed}: a factor, or the argument of a function?",
+            parser.remedies.bracket.format(printed),
+        )
 
 
 def _check_reach(parser: Parser) -> None:

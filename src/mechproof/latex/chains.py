@@ -9,10 +9,17 @@ from __future__ import annotations
 from mechproof.latex import conditions, groups
 from mechproof.latex.conditions import ChainPart
 from mechproof.latex.layout import Line
+from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.parser import Parser
-from mechproof.latex.relations import RELATIONS, place_between, read_condition, read_interval
+from mechproof.latex.relations import (
+    RELATIONS,
+    place_between,
+    read_condition,
+    read_interval,
+    skip_set,
+)
 from mechproof.latex.tokens import NARROW, WIDE
-from mechproof.latex.tree import Bracket, Cases, Chain, Node, Product
+from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Product
 from mechproof.latex.words import AND, ELSE, IF
 
 _LEFT_OVER = {
@@ -46,7 +53,7 @@ def _find_end(parser: Parser, behind: Line | None) -> int:
 
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
     """Read the chains of a line up to its end."""
-    if parser.text in (*IF, r"\forall"):
+    if parser.text in (*IF, r"\forall") and not (_skip_membership(parser) and parser.skip(",")):
         raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
     parts = [ChainPart(_read_chain(parser))]
     while parser.text:
@@ -76,6 +83,8 @@ def _refuse_rest(parser: Parser) -> Exception:
 
 def _read_parts(parser: Parser) -> list[ChainPart]:
     """Read what follows a comma or a gap: a chain, or conditions that are said to be some."""
+    if _skip_membership(parser):
+        return []
     if conditions.is_bracketed(parser):
         closing = {"(": ")", "[": "]"}[parser.text]
         return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
@@ -94,6 +103,28 @@ def _read_parts(parser: Parser) -> list[ChainPart]:
             start,
         )
     return [ChainPart(chain, said=True)]
+
+
+def _skip_membership(parser: Parser) -> bool:
+    r"""Go on behind k,m\in\mathbb{Z} if that is declared of the letters."""
+    place, count = parser.place, len(parser.collected)
+    if r"\mathbb" not in {token.text for token in parser.rest}:
+        return False
+    parser.skip(WIDE)
+    parser.skip(*IF, r"\forall")
+    found: list[Letter] = []
+    while begins_letter(parser.text):
+        letter = parser.read_atom()
+        if not isinstance(letter, Letter):
+            break
+        found.append(letter)
+        if skip_set(parser, found):
+            return True
+        if not parser.skip(","):
+            break
+    parser.place = place
+    del parser.collected[count:]
+    return False
 
 
 def _read_bracketed(parser: Parser) -> list[ChainPart]:
@@ -117,7 +148,7 @@ def _read_chain(parser: Parser) -> Chain:
         relations.append(parser.take().text)
         members.append(parser.read_sum())
     condition = None
-    if parser.text in IF:
+    if parser.text in IF and not _skip_membership(parser):
         value = members.pop()
         cases = _read_cases(parser, value)
         if len(cases.pieces) == 1 and cases.otherwise is None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tree import (
     Approach,
     Bracket,
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LARGEST_FACTORIAL = 1000
+_OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
 PARTIAL = r"\partial"
 
 
@@ -29,7 +31,7 @@ PARTIAL = r"\partial"
 
 
 def is_derivative(parser: Parser) -> bool:
-    r"""Return whether a fraction is d…/dx: both parts begin with a d that is no declared name.
+    r"""Return whether a fraction is d…/dx: both parts begin with a d that begins no longer name.
 
     Two \partial make a partial derivative.
     """
@@ -40,7 +42,12 @@ def is_derivative(parser: Parser) -> bool:
         texts[:2] == ["{", d] and texts[below : below + 2] == ["{", d] for d in ("d", PARTIAL)
     )
     is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
-    return is_d and is_alone and not any(parser.names.match(parser.tokens, s) for s in starts)
+    names = [found for s in starts if (found := parser.names.match(parser.tokens, s))]
+    if all(found.end in (s + 1 for s in starts) for found in names) and names:
+        # Nobody prints a quotient of two products with the same factor d.
+        inside = texts[below + 2 : below + _find_close(texts[below:])]
+        return is_d and is_alone and begins_letter(inside[0]) and not _OPERATORS & {*inside}
+    return is_d and is_alone and not names
 
 
 def _find_close(texts: list[str]) -> int:

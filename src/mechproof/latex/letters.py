@@ -97,6 +97,10 @@ def _list_nodes(value: object) -> list[Node]:
 def read_letter(parser: Parser, match: Match | None) -> Node:
     """Read the longest declared name, a bound letter, or a constant."""
     start, place = parser.start, parser.place
+    unit = parser.notation.imaginary
+    if unit and parser.text in (unit, "e") and match is None:
+        value = sp.E if parser.text == "e" else sp.I
+        return Constant(value, parser.take().text, start=start, end=parser.end)
     if match is None or match.end == place + 1:
         _refuse_italics(parser)
     if parser.text in parser.bound and (match is None or match.end == place + 1):
@@ -158,7 +162,9 @@ def _read_name(parser: Parser, match: Match) -> Node:
     letter = Letter(match.name.symbol, text, indices, start=start, end=parser.end)
     if places.is_value(parser, letter):
         return places.read_value(parser, letter)
-    if parser.text == "(" and (other := parser.names.longer(match.name, "(")):
+    other = parser.names.longer(match.name, "(") if parser.text == "(" else None
+    is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
+    if other and not is_rate and letter.text not in parser.factors:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",
             parser.remedies.name.format(f"{latex}(…)"),

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from mechproof.latex.blocks import assemble, cut
-from mechproof.latex.products import UnclearProductError, is_matrix, multiply
-from mechproof.latex.tree import Entries, Excerpt, Product, Table, Transposed
+from mechproof.latex.products import UnclearProductError, is_matrix, multiply, show_entries
+from mechproof.latex.tree import Entries, Excerpt, Magnitude, Product, Table, Transposed
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
@@ -52,6 +52,16 @@ def give_excerpt(meaning: Meaning, node: Excerpt) -> Any:
             f"rows and columns that this matrix does not have: {error}",
             "They count from 1 to the last one that is named, [1:3, 4].",
         ) from error
+
+
+def give_magnitude(meaning: Meaning, node: Magnitude) -> sp.Expr:
+    """Return an absolute value, or the length of a vector."""
+    inside = meaning.of(node.inside)
+    if not is_matrix(inside):
+        return sp.Abs(inside)
+    if 1 not in inside.shape:
+        raise meaning.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
+    return sp.sqrt(sp.Add(*(entry**2 for entry in show_entries(inside))))
 
 
 def give_transposed(meaning: Meaning, node: Transposed) -> Any:

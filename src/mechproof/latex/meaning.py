@@ -16,6 +16,7 @@ from mechproof.latex.matrix_meaning import (
     ENTRIES,
     give_entries,
     give_excerpt,
+    give_magnitude,
     give_product,
     give_table,
     give_transposed,
@@ -92,6 +93,7 @@ class Meaning:
         self.values = values
         self.lower_limit = notation.lower_limit
         self.moving = notation.moving
+        self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
 
@@ -121,7 +123,7 @@ class Meaning:
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
-        if is_scalar and name_turns(found).is_extended_real is False:
+        if is_scalar and not self.is_complex and name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
         if is_scalar:
             self._met |= dict.fromkeys(list_partial(found))
@@ -171,6 +173,9 @@ class Meaning:
         base, exponent = self.of(node.base), self.of(node.exponent)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             raise self.source.refuse(node.start, _UNFIT)
+        if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
+            # Elimination would simplify at each step.
+            return base.adjugate(method="berkowitz") / base.det(method="berkowitz")
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
                 node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
@@ -352,7 +357,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Entries: give_entries,
     Excerpt: give_excerpt,
     Transposed: give_transposed,
-    Magnitude: lambda meaning, node: sp.Abs(meaning._number(node.inside)),
+    Magnitude: give_magnitude,
     Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
     Cases: Meaning._cases,
 }

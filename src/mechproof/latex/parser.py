@@ -105,7 +105,7 @@ class Parser:
         """Begin to read these signs, which end at a place of the source."""
         self.tokens: Sequence[Token] = conditions.keep_gaps(tokens)
         self.last = last
-        self.place = self.bars = self.depth = 0
+        self.place = self.bars = self.norms = self.depth = 0
 
     # Walking --------------------------------------------------------------------------------
 
@@ -243,6 +243,8 @@ class Parser:
         """Return whether no factor follows."""
         if self.text == "|":
             return self.bars > 0
+        if self.text == r"\|":
+            return self.norms > 0
         is_word = self.text.startswith((r"\text", r"\end"))
         ends = self.text in ENDING or self.text in self.signs
         return is_word or ends or calculus.is_over(self) or conditions.is_bracketed(self)
@@ -321,9 +323,9 @@ class Parser:
         """Read what stands between two signs, a level deeper."""
         self.take(opening)
         self.depth += 1
-        bars, self.bars = self.bars, 0
+        bars, self.bars, norms, self.norms = self.bars, 0, self.norms, 0
         inside = read()
-        self.bars = bars
+        self.bars, self.norms = bars, norms
         self.depth -= 1
         self.take(closing)
         return inside

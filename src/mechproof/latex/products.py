@@ -30,6 +30,12 @@ def show_entries(value: Any) -> Any:
     return value.as_explicit() if isinstance(value, sp.MatrixExpr) else value
 
 
+def make_cross_matrix(vector: Any) -> sp.ImmutableMatrix:
+    """Return the matrix of a cross product; `ValueError` for what has not three entries."""
+    x, y, z = show_entries(vector)
+    return sp.ImmutableMatrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
 def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
     """Return a product; `UnclearProductError` where brackets are missing between vectors."""
     if not any(map(is_matrix, values)):

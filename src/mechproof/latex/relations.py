@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.numerals import read_number
-from mechproof.latex.tree import Chain, Node
+from mechproof.latex.tree import Chain, Letter, Node
 from mechproof.latex.words import AND, ELSE
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
+# Sets of numbers, and what is known of the symbols of letters in them.
+_SETS = {"Z": "integer", "N": "positive", "R": "real"}
 _LIMITS = {"(": "<", "[": r"\le", ")": "<", "]": r"\le"}
 
 
@@ -94,6 +96,18 @@ def _read_end(parser: Parser) -> Node:
     if is_digit(parser.text) and is_alone:
         return read_number(parser, in_list=True)
     return parser.read_sum()
+
+
+def skip_set(parser: Parser, letters: Sequence[Letter]) -> bool:
+    r"""Go on behind \in\mathbb{Z} if the letters before it are declared to lie in that set."""
+    texts = [token.text for token in parser.rest[:3]]
+    if texts[:2] != [r"\in", r"\mathbb"]:
+        return False
+    facts = _SETS.get(texts[2], "")
+    if not facts or not all(getattr(x.symbol, f"is_{facts}", False) for x in letters):
+        raise parser.refuse("sets are not read", parser.remedies.membership)
+    parser.place += 3
+    return True
 
 
 def place_between(head: Node, low: Chain, high: Chain) -> Chain:

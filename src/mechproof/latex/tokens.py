@@ -46,10 +46,12 @@ _SAME = {
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
     "*": r"\cdot",
     **dict.fromkeys((r"\vert",), "|"),
+    **dict.fromkeys((r"\Vert", r"\lVert", r"\rVert"), r"\|"),
     **{r"\rightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     r"\neq": r"\ne",
+    **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
     r"\lt": "<",
     r"\gt": ">",
     r"\{": "[",
@@ -62,6 +64,8 @@ _ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
 _PRIME = r"\prime"
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
+# What marks its argument, but says nothing of it.
+_MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
 _DEGREE = ("°", r"\degree")
 
 
@@ -114,16 +118,29 @@ def _split(latex: str) -> list[Token]:
         if sign.text in (*_OPENING, *_CLOSING):
             size, place = sign.text, sign.start
             continue
+        if size in _OPENING and sign.text == "." and _closes_nothing(signs):
+            # A bracket goes on in another line: \left(a\right.\left.b\right).
+            while signs.pop().text in GAPS.values():
+                pass
+            size = ""
+            continue
         if size in _CLOSING and sign.text == ".":
             sign = replace(sign, text=r"\right.")
         text = _BARS.get((size, sign.text), GAPS.get(sign.text, sign.text))
         if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text in ("<", ">"):
             text = {"<": r"\le", ">": r"\ge"}[signs[-1].text]
             sign = replace(sign, start=signs.pop().start)
+        if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text == ":":
+            sign = replace(sign, start=signs.pop().start)
         start = place if text == r"\lvert" and size else sign.start
         signs.append(Token(text, start, sign.end))
         size = ""
     return signs
+
+
+def _closes_nothing(signs: list[Token]) -> bool:
+    texts = [sign.text for sign in signs if sign.text not in GAPS.values()]
+    return texts[-1:] == [r"\right."]
 
 
 class _Normaliser:
@@ -174,6 +191,9 @@ class _Normaliser:
             return True
         base, inside = left_scripts.find_base(texts, first)
         is_parted = first > 0 or signs[-1].text in GAPS
+        if self._is_printed(signs[-1], r"\;") and texts[base:]:
+            # Nobody prints so wide a blank before a power.
+            return left_scripts.may_begin(texts[base])
         if not is_parted or not texts[base:] or not left_scripts.may_begin(texts[base]):
             return False
         if left_scripts.is_power(inside):
@@ -182,6 +202,9 @@ class _Normaliser:
                 r"Print x^2\cdot y for a power, x\cdot{}^2y for a script at the left.",
             )
         return True
+
+    def _is_printed(self, sign: Token, latex: str) -> bool:
+        return self.source.latex[sign.start : sign.end] == latex
 
     def _read_left(self) -> list[Token]:
         """Read the scripts at the left of a letter, the upper one first."""
@@ -213,6 +236,12 @@ class _Normaliser:
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
         if first.text == r"\num":
             return self._read_argument()[1:-1]
+        if first.text in _MARKS:
+            *inner, last = self._read_argument()[1:]
+            if first.text == r"\boxed" or not {"+", "-"} & {t.text for t in inner}:
+                self.groups[-1:] = []
+            inner[-1:] = [replace(t, end=last.end) for t in inner[-1:]]
+            return inner
         if first.text in QUANTITIES:
             return self._read_quantity(first)
         if first.text in UPRIGHT:

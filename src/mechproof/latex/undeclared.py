@@ -50,7 +50,7 @@ _UNREAD = {
         (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
         r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
     ),
-    **dict.fromkeys((r"\mid", r"\Vert", r"\|"), r"Print | or \left| for an absolute value."),
+    r"\mid": r"Print | or \left| for an absolute value.",
     **dict.fromkeys(VECTORS, "Vectors need their components: check these."),
 }
 
@@ -196,7 +196,10 @@ def _find_end(parser: Parser, place: int) -> int:
     end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
     while end < len(tokens) and tokens[end].text in ("_", "'"):
         end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
-    return end
+    # Nobody prints a power as x^{(i)}.
+    texts = [token.text for token in tokens[end : end + 6]]
+    is_index = [*texts[:3], *texts[4:]] == ["^", "{", "(", ")", "}"]
+    return end + 6 if is_index else end
 
 
 def _find_base(tokens: Sequence[Token], place: int) -> int:

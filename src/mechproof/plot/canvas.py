@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mechproof.arguments.scalars import require
+from mechproof.extras import require_modules
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -79,12 +80,9 @@ class LineStyle:
 
 def import_matplotlib() -> ModuleType:
     """Return matplotlib; ImportError names the extra where it is missing."""
-    try:
-        import matplotlib
-    except ImportError as error:
-        raise ImportError(
-            "pictures need matplotlib: pip install 'mechproof[plot]', or '.[plot]' in its folder"
-        ) from error
+    require_modules("a picture", "plot", ("matplotlib",))
+    import matplotlib
+
     return matplotlib
 
 

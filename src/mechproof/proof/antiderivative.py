@@ -30,14 +30,20 @@ def decide_by_derivative(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
     return None
 
 
-def explain_break(expression: sp.Expr, domain: Domain) -> str:
-    """Say which subexpression is not continuous or was not shown to be, empty if all are."""
+def explain_break(expression: sp.Expr, domain: Domain, *, is_shown: bool = False) -> str:
+    """Say which subexpression is not continuous or was not shown to be, empty if all are.
+
+    With `is_shown` only what is not continuous is told.
+    """
     expression = domain.resolve(expression)
     for variable in _variables(expression, domain):
         found = find_break(expression, variable, domain)
-        if found is not None:
-            told = "is not" if has_pole(found, variable, domain) else "was not shown to be"
-            return f"{found} {told} continuous in {variable} over the domain"
+        if found is None:
+            continue
+        if has_pole(found, variable, domain):
+            return f"{found} is not continuous in {variable} over the domain"
+        if not is_shown:
+            return f"{found} was not shown to be continuous in {variable} over the domain"
     return ""
 
 

@@ -21,7 +21,7 @@ class Coordinates:
 
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
     """Let a number of an interval be written by one that is positive or not negative."""
-    if where in COUNTS:
+    if where in COUNTS and where != sp.S.Integers:
         where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
     if not isinstance(where, sp.Interval) or where == sp.S.Reals:
         return

@@ -15,7 +15,9 @@ from mechproof.record import RecordError
 def check_set(symbol: sp.Basic, where: sp.Set) -> None:
     """Refuse sets without a rule for points, and values that SymPy is told do not occur."""
     if not (where in COUNTS or isinstance(where, sp.Interval | sp.FiniteSet)):
-        raise RecordError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
+        raise RecordError(
+            f"{symbol} in {where}: allowed are Interval, FiniteSet, Naturals, Integers"
+        )
     if excess := find_excess(symbol, facts_of(where)):
         raise RecordError(
             f"{symbol} in {where}: the SymPy symbol is declared to be narrower: "

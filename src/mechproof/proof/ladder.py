@@ -153,7 +153,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
-        reason = explain_break(printed, domain) or "the two sides differ"
+        reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
         return Answer(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
     return _report_unproved(comparison, why)

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.proof.set_values import place, radical_inverse
+from mechproof.proof.set_values import COUNTS, place, radical_inverse
 from mechproof.record.relations import find_slack
 
 Values = Mapping[sp.Basic, sp.Expr]
@@ -121,7 +121,7 @@ def _choose(
     return point if left is not None else None
 
 
-_PLACED = (sp.Interval, sp.FiniteSet, sp.Range, sp.Union, type(sp.S.Naturals), type(sp.S.Naturals0))
+_PLACED = (sp.Interval, sp.FiniteSet, sp.Range, sp.Union, *map(type, COUNTS))
 
 
 def _ranges(sets: Mapping[sp.Basic, sp.Set]) -> Ranges:

@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-COUNTS = (sp.S.Naturals, sp.S.Naturals0)
+COUNTS = (sp.S.Naturals, sp.S.Naturals0, sp.S.Integers)
 # Where formulas that hold at ordinary points fail: zero, one, fractions of a turn.
 _SPECIAL = tuple(
     sign * value
@@ -37,7 +37,7 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
     if where in COUNTS:
-        return sp.Integer(1 + step % 7)
+        return sp.Integer(step % 7 + (-3 if where == sp.S.Integers else 1))
     if isinstance(where, sp.Range):
         return where.inf + step % int(min(where.sup - where.inf + 1, 7))
     if isinstance(where, sp.FiniteSet):

@@ -62,7 +62,8 @@ class Notation:
     first one first. `name_unit` returns the unit that is printed so, nothing for what is none:
     units are read behind numbers then. `phases` are pairs of letters whose product is an angle: a
     function without brackets takes both, `\cos\omega t`. `dimensions` are those of letters with a
-    unit: they tell the brackets that multiply one from those that hold an argument.
+    unit: they tell the brackets that multiply one from those that hold an argument. `imaginary` is
+    the letter of the imaginary unit; e is Euler's number beside it.
     """
 
     factors: tuple[str, ...] = ()
@@ -79,6 +80,7 @@ class Notation:
     name_unit: Callable[[str], str] | None = None
     phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()
     dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=lambda: MappingProxyType({}))
+    imaginary: str = ""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,8 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from mechproof.executors import BALLS
-from mechproof.tailoring.receiving import NEEDED, require_modules
+from mechproof.extras import require_modules
+from mechproof.tailoring.receiving import NEEDED
 
 if TYPE_CHECKING:
     from mechproof.tailoring.kernel import Tailored

@@ -6,27 +6,16 @@ Nothing of the extra is loaded before it is known to be there.
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterable
 from functools import lru_cache
-from importlib.util import find_spec
 from typing import Any
 
 from mechproof.executors import BALLS
+from mechproof.extras import require_modules
 
 # What tailoring needs of the extra, as it is imported.
-NEEDED = ("flint", "jinja2", "mpmath", "ruff", "sympy")
+NEEDED = ("flint", "jinja2", "mpmath", "sympy")
 # Backends that are modules of the extra fast.
 FAST = ("numba",)
-
-
-def require_modules(what: str, extra: str, modules: Iterable[str]) -> None:
-    """Raise ImportError, naming the extra, if a module is not installed."""
-    missing = [module for module in modules if find_spec(module) is None]
-    if missing:
-        raise ImportError(
-            f"{what} needs {', '.join(missing)}, the extra {extra}: in the folder of the "
-            f"sources, pip install '.[{extra}]'"
-        )
 
 
 def receive(backend: str, written: bytes) -> Any:

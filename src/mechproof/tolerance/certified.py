@@ -30,6 +30,7 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_number, check_text, require
 from mechproof.executors import BALLS, check_executor, run_in_order
+from mechproof.extras import tell_install
 from mechproof.tolerance.problem import Bounds, Problem
 from mechproof.tolerance.sizes import Floats, Progress, Report, Size, check_sizes
 
@@ -189,7 +190,7 @@ def _load(system: str | Paper) -> Paper:
         from mechproof.record import Paper
     except ImportError as error:
         raise ImportError(
-            f"certified_range needs {error.name}: install mechproof with the extra `derive`"
+            f"certified_range needs {error.name}, the extra derive: {tell_install('derive')}"
         ) from error
     if not isinstance(system, str):
         require(isinstance(system, Paper), "system", system, "must be a name or a Paper", TypeError)

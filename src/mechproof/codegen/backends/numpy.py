@@ -7,6 +7,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 from types import MappingProxyType
 
@@ -205,7 +206,12 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
 
 
 def format_source(source: str) -> str:
-    """Format with `ruff format`; ValueError with the formatter's message if it is not Python."""
+    """Format with `ruff format`, which only `regenerate` needs: without it the text stays as it is.
+
+    ValueError with the formatter's message if it is not Python.
+    """
+    if find_spec("ruff") is None:
+        return source
     command = [sys.executable, "-m", "ruff", "format", "--isolated", "--target-version", "py311"]
     arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", "kernel.py", "-"]
     done = subprocess.run(

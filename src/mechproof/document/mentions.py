@@ -1,0 +1,52 @@
+"""What a block says of single equations, and units that say nothing of any letter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TypeVar
+
+from mechproof.document.block import Block
+from mechproof.document.displays import Printed
+from mechproof.document.roles import EQUAL, is_sum_of_letters
+from mechproof.latex.reader import Print
+from mechproof.latex.tree import Letter, Measure, walk
+
+T = TypeVar("T")
+
+
+def refuse_units(read: Print) -> None:
+    """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
+    for chain in read.chains:
+        limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
+        beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
+        if not (isinstance(chain.members[0], Letter) or is_sum_of_letters(chain.members[0])):
+            beside |= {*range(len(chain.members))}
+        for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
+            for node in walk(part):
+                if isinstance(node, Measure):
+                    raise read.source.refuse(
+                        node.start,
+                        f"a unit, {node.unit}, beside no letter whose number it is",
+                        "Print the number alone, in the unit of the letters.",
+                    )
+
+
+def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
+    """Refuse what is said of equations that are not there."""
+    known = {name for one in printed for name in (one.name, *one.labels)}
+    said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
+    said = (*said, *block.follows, *(name for names in block.follows.values() for name in names))
+    if unknown := [name for name in said if name not in known]:
+        raise ValueError(
+            f"the block of letters names {unknown[0]}: no equation has that name or label"
+        )
+
+
+def look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
+    """Return what is said of an equation, by its name or a label."""
+    return next((said[key] for key in (printed.name, *printed.labels) if key in said), None)
+
+
+def is_listed(printed: Printed, names: Sequence[str]) -> bool:
+    """Return whether an equation is among those that are named."""
+    return any(key in names for key in (printed.name, *printed.labels))

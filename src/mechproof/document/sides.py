@@ -1,0 +1,52 @@
+"""What stands on the sides of a row, and of which letters it is a function."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.roles import Known, Sign
+from mechproof.record import Conjunction, Definition, Equality, Holds, Row, ValueWhere
+
+
+def have_same_letters(sides: Sequence[Any]) -> bool:
+    """Return whether both sides are functions of the same letters."""
+    one, other = map(_list_letters, sides)
+    return bool(one == other)
+
+
+def list_related(says: Any) -> set[sp.Basic]:
+    """Return the letters of relations that are no equations."""
+    if isinstance(says, Conjunction):
+        return {letter for part in says.parts for letter in list_related(part)}
+    return set(says.relation.free_symbols) if isinstance(says, Holds) else set()
+
+
+def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
+    """Return what a row says to be equal, the values of letters put in."""
+    says = row.says
+    if isinstance(says, Conjunction) and sign.sides != (None, None):
+        return [known.settle(side) for side in sign.sides]
+    if isinstance(says, Equality):
+        return [known.settle(says.printed), known.settle(says.rebuilt)]
+    if isinstance(says, Definition):
+        return [says.printed]
+    return []
+
+
+def _list_letters(side: Any) -> set[sp.Basic]:
+    """Return the letters of which a side is a function, as far as it is seen without a proof."""
+    shown = side.replace(ValueWhere, lambda value, _: value)
+    for limit in shown.atoms(sp.Limit):
+        there = limit.args[0].subs(limit.args[1], limit.args[2])
+        if not there.has(sp.nan, sp.zoo, sp.oo):
+            shown = shown.xreplace({limit: there})
+    free: set[sp.Basic] = set(shown.free_symbols)
+    # SymPy lists the members of families that a sum runs over, too.
+    return {x for x in free if not (isinstance(x, sp.Indexed) and _list_indices(x) - free)}
+
+
+def _list_indices(member: sp.Indexed) -> set[sp.Basic]:
+    return {symbol for index in member.indices for symbol in index.free_symbols}

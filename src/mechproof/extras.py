@@ -1,0 +1,58 @@
+"""Optional dependencies: what is missing, and the command that installs it where one is."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable
+from importlib.metadata import PackageNotFoundError, distribution, requires, version
+from importlib.util import find_spec
+from pathlib import Path
+from urllib.parse import urlsplit
+
+
+def tell_install(extra: str) -> str:
+    """Return the command that installs an extra, from the sources if mechproof came from them."""
+    return f"pip install '{_find_source()}[{extra}]'"
+
+
+def require_modules(what: str, extra: str, modules: Iterable[str]) -> None:
+    """Raise ImportError, which names the command to run, if a module is not installed."""
+    missing = [module for module in modules if find_spec(module) is None]
+    if missing:
+        names = ", ".join(missing)
+        raise ImportError(f"{what} needs {names}, the extra {extra}: {tell_install(extra)}")
+
+
+def list_other_versions(extra: str) -> list[str]:
+    """Say which packages that an extra pins have another version here, or are not installed."""
+    pinned = re.compile(rf"([\w.-]+)==([\w.]+) *; *extra == .{extra}.")
+    found = (pinned.match(line) for line in requires("mechproof") or ())
+    wanted = {match[1]: match[2] for match in found if match}
+    here = {name: _find_version(name) for name in wanted}
+    return [f"{n} {here[n]} instead of {wanted[n]}" for n in wanted if here[n] != wanted[n]]
+
+
+def _find_version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "missing"
+
+
+def _find_source() -> str:
+    """Return what pip is given: the folder that was installed, if it is still there, or the name.
+
+    Installers record a folder as `direct_url.json` beside the metadata (PEP 610).
+    """
+    from urllib.request import url2pathname
+
+    try:
+        recorded = distribution("mechproof").read_text("direct_url.json")
+    except PackageNotFoundError:
+        recorded = None
+    url = urlsplit(json.loads(recorded)["url"]) if recorded else None
+    if url is None or url.scheme != "file":
+        return "mechproof"
+    folder = Path(url2pathname(url.path))
+    return str(folder) if (folder / "pyproject.toml").exists() else "mechproof"

@@ -1,0 +1,80 @@
+"""What a user is told to install, and what still works without it."""
+
+from __future__ import annotations
+
+import json
+import re
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+from command import PROVED, run, write
+
+from mechproof import extras
+from mechproof.codegen.backends import numpy as numpy_backend
+
+
+class Installed(metadata.Distribution):
+    """A distribution with the files that are given."""
+
+    def __init__(self, url: str | None) -> None:
+        self.url = url
+
+    def read_text(self, filename: str) -> str | None:
+        wanted = filename == "direct_url.json" and self.url is not None
+        return json.dumps({"url": self.url}) if wanted else None
+
+    def locate_file(self, path: object) -> Path:
+        raise NotImplementedError
+
+
+def install_from(url: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extras, "distribution", lambda name: Installed(url))
+
+
+@pytest.mark.parametrize("url", [None, "https://example.org/mechproof.zip", "file:///not/there"])
+def test_without_a_folder_the_package_is_named(
+    url: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    install_from(url, monkeypatch)
+    assert extras.tell_install("fast") == "pip install 'mechproof[fast]'"
+
+
+def test_the_folder_that_was_installed_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "with a blank"
+    folder.mkdir()
+    (folder / "pyproject.toml").touch()
+    install_from(folder.as_uri(), monkeypatch)
+    assert extras.tell_install("derive") == f"pip install '{folder}[derive]'"
+
+
+def test_what_is_not_there_is_named_with_the_command() -> None:
+    with pytest.raises(ImportError, match=re.escape("a drawing needs no_such_module, the extra x")):
+        extras.require_modules("a drawing", "x", ("json", "no_such_module"))
+
+
+def test_versions_that_differ_from_the_pinned_ones_are_named(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert extras.list_other_versions("regenerate") == []
+    pinned = ["sympy==1.14.0; extra == 'regenerate'", "none==1.0 ; extra == 'regenerate'"]
+    monkeypatch.setattr(extras, "requires", lambda name: [*pinned, "numpy>=2", "x==1; extra=='y'"])
+    monkeypatch.setattr(extras, "_find_version", {"sympy": "1.15.0", "none": "missing"}.get)
+    said = ["sympy 1.15.0 instead of 1.14.0", "none missing instead of 1.0"]
+    assert extras.list_other_versions("regenerate") == said
+
+
+def test_only_what_is_written_needs_the_formatter(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (numpy_backend, extras):
+        monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ruff" else object())
+    assert numpy_backend.format_source("x = ( 1)\n") == "x = ( 1)\n"
+    (tmp_path / "derivations").mkdir()
+    write(tmp_path / "derivations", PROVED)
+    result = run("regenerate", "--root", str(tmp_path))
+    assert (result.exit_code, list(tmp_path.iterdir())) == (1, [tmp_path / "derivations"])
+    said = "what is generated needs ruff, the extra regenerate: pip install"
+    assert said in " ".join(result.output.split())
