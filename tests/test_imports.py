@@ -100,7 +100,7 @@ LOADED = {
     },
     "exports": {
         *("numpy", "mechproof.exports", "mechproof.arguments", "mechproof.files"),
-        *("mechproof.mechanisms", "mechproof.plot"),
+        *("mechproof.extras", "mechproof.mechanisms", "mechproof.plot"),
     },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
-import sys
+import re
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from PIL import Image
 from scipy.special import ellipe
 
 import mechproof
-from mechproof import CylindricalPair, EllipticPlanetary, OvalPair, OvalPlanetary, export
+from mechproof import CylindricalPair, EllipticPlanetary, OvalPair, OvalPlanetary, export, extras
 from mechproof.exports import cut_teeth
 from mechproof.exports.curves import place_in_mm, trace_outline
 from mechproof.exports.teeth import measure_perimeter
@@ -192,10 +192,12 @@ def test_a_pair_without_a_size_needs_one(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("library", ["ezdxf", "ncgears"])
 def test_the_extra_is_named(library: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, library, None)
+    monkeypatch.setattr(extras, "find_spec", lambda name: None if name == library else name)
     calls: dict[str, Any] = {
         "ezdxf": lambda: export(OVAL, tmp_path / "pair.dxf"),
         "ncgears": lambda: cut_teeth(OVAL, 30, tmp_path),
     }
-    with pytest.raises(ImportError, match=r"pip install 'mechproof\[cad\]'"):
+    with pytest.raises(
+        ImportError, match=rf"needs {library}.*{re.escape(extras.tell_install('cad'))}"
+    ):
         calls[library]()

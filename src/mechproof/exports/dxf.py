@@ -7,6 +7,7 @@ from types import ModuleType
 from typing import Any
 
 from mechproof.exports.curves import find_ellipse, measure_centres, trace_outline
+from mechproof.extras import require_modules
 from mechproof.plot.pitch_curves import Wheel
 
 # The unit of a drawing that is millimetres, and the colour of each wheel's layer.
@@ -49,9 +50,8 @@ def _add_curve(space: Any, wheel: Wheel, attributes: dict[str, str], tolerance: 
 
 def import_ezdxf() -> ModuleType:
     """Import ezdxf; ImportError that names the extra."""
-    try:
-        import ezdxf
-        import ezdxf.units
-    except ModuleNotFoundError as error:
-        raise ImportError("DXF needs ezdxf: pip install 'mechproof[cad]'") from error
+    require_modules("DXF", "cad", ("ezdxf",))
+    import ezdxf
+    import ezdxf.units
+
     return ezdxf

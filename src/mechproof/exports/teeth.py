@@ -15,6 +15,7 @@ import numpy as np
 
 from mechproof.arguments.scalars import check_count, require
 from mechproof.exports.curves import place_in_mm
+from mechproof.extras import require_modules
 from mechproof.plot.motion import Planetary, check_planetary
 
 __all__ = ["cut_teeth"]
@@ -59,11 +60,10 @@ def cut_teeth(
         What ncgears cannot cut, such as wheels of great eccentricity with few teeth.
 
     """
-    try:
-        import ncgears
-        import sympy as sp
-    except ModuleNotFoundError as error:
-        raise ImportError("teeth need ncgears: pip install 'mechproof[cad]'") from error
+    require_modules("cut_teeth", "cad", ("ncgears", "sympy"))
+    import ncgears
+    import sympy as sp
+
     check_planetary("mechanism", mechanism)
     is_path = isinstance(folder, str | os.PathLike)
     require(is_path, "folder", folder, "must be the path of a folder", TypeError)
