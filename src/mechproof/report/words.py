@@ -69,11 +69,13 @@ GREEK = {
     )
     for name in names.split()
 } | {"varphi": "φ", "varepsilon": "ε"}  # fmt: skip
-# A Greek letter by its name, or a letter with an index.
+RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+SUPERSCRIPTS = str.maketrans("-0123456789", RAISED)
+# A Greek letter by its name, or a letter with an index, which ends before a power.
 NAME = re.compile(
-    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d\b))(?:_(\w+)|(\d+))?)(?!\w)"
+    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d\b))(?:_([^\W{RAISED}]+)|(\d+))?)"
+    rf"(?![^\W{RAISED}])"
 )
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def look_of(verdict: str) -> VerdictStyle:
