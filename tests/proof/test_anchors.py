@@ -60,5 +60,7 @@ def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
     assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
         "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
     )
-    assert set_prose("Delta_n**2*K, tau**2") == "Δ<sub>n</sub>²*K, τ²"
+    assert set_prose("Delta_n**2*K, tau**2, x1**2, C99") == (
+        "Δ<sub>n</sub>²·K, τ², x<sub>1</sub>², C99"
+    )
     assert set_prose("<b_1> & 'pi'") == "&lt;b<sub>1</sub>&gt; &amp; &#39;π&#39;"

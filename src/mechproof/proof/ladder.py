@@ -321,10 +321,13 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     if failed:
         return next(iter(failed.values())) if len(answers) == 1 else _tell_all(failed)
     evidence = tuple(item for answer in answers for item in answer.evidence)
+    rung = _join([d.rung for d in answers])
+    if all(d.verdict is Verdict.DEFINITION for d in answers):
+        introduced = f"introduces {len(answers)} symbols; dimensions and bound symbols agree"
+        reason = introduced if len(answers) > 1 else answers[0].reason
+        return Answer(Verdict.DEFINITION, rung, reason, evidence)
     reason = f"{_count(len(answers))} parts hold" if len(answers) > 1 else "holds"
-    only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
-    verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
-    return Answer(verdict, _join([d.rung for d in answers]), reason, evidence)
+    return Answer(Verdict.PROVED, rung, reason, evidence)
 
 
 def _decide_completions(statement: Completions, domain: Domain) -> Answer:

@@ -14,7 +14,7 @@ from mechproof.report.mathml import measure, read_text, write_formula
 # Formulas within words are broken at their commas if they have more letters than a line.
 LONG = 40
 # Signs from which a formula is set smaller, and smaller still: the line of a page holds some 50.
-MANY, MOST = 48, 56
+MANY, MOST = 49, 60
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
 
