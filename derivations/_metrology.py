@@ -58,7 +58,7 @@ def unbiased_row(number: str) -> Claim:
         f"{number} is free of bias",
         r"E\,s^2(q_k)=\sigma^2",
         Equality(expected_squares(), (n - 1) * sigma2),
-        note="For independent observations of one variance; the reason for n - 1.",
+        note="For independent observations of equal variance; this is why the divisor is n - 1.",
         marks=("ours",),
     )
 
@@ -77,8 +77,8 @@ def estimate_row(
             expected_squares(),
             n * (n - 1) * Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
         ),
-        note="Its expected value is the variance of the mean of independent observations of one "
-        "variance; written without the divisor n (n - 1).",
+        note="Its expected value is the variance of the mean of independent observations of equal "
+        "variance; both sides are multiplied by n (n - 1).",
         marks=marks,
         cites=cites,
     )

@@ -71,8 +71,8 @@ def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
                 Definition(diameter, 22 * millimetre),
             )
         ),
-        note="Resolution, linearity, reading speed, output signal, diameter; no formula uses them. "
-        "The text at hand does not say of what the 0.3 % is taken: 1.08 deg of 360 deg.",
+        note="Resolution, linearity, reading speed, output signal, diameter; no formula uses "
+        "them. The text at hand does not say what the 0.3 % refers to; of 360 deg it is 1.08 deg.",
         cites=cites,
     )
 
@@ -139,8 +139,8 @@ def interval_of_errors(
             r"confidence level of 95 \% is determined as }\bar q\pm2u",
             of_mean,
         ),
-        note="Coverage by Student's t, normal observations assumed. If u is the standard deviation "
-        "of single errors, the words are right, and u is not what the formulas before make of it.",
+        note="Coverage by Student's t, for normal observations. If u is the standard deviation of "
+        "single errors, the words are right, but u is not what the preceding formulas make it.",
         marks=(*marks, "inferred"),
         cites=cites,
     )
@@ -183,7 +183,7 @@ def table_row(table: str, equations: str, cites: tuple[str, ...], **marks: Any) 
     return Claim(
         f"{table} by {equations}",
         rf"\text{{applying equations {equations} to the results, we get the values of {table}}}",
-        NotCheckable("the readings q_k are not printed in the text at hand"),
+        NotCheckable("the readings q_k are not in the text at hand"),
         cites=cites,
         **marks,
     )
@@ -195,9 +195,7 @@ def adequacy_row(cites: tuple[str, ...]) -> Claim:
         ADEQUACY,
         r"\text{the measured position functions of all variants are adequate to the kinematic "
         r"model built}",
-        NotCheckable(
-            "neither a criterion of adequacy nor the readings are printed in the text at hand"
-        ),
+        NotCheckable("neither a criterion of adequacy nor the readings are in the text at hand"),
         cites=cites,
     )
 

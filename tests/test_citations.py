@@ -17,7 +17,15 @@ from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
 
 # The papers of which every sentence of the transcription is judged or laid aside.
-READ_THROUGH = ("track_wheel",)
+READ_THROUGH = (
+    "elliptic_planetary",
+    "oval_planetary",
+    "tooth_thickness",
+    "track_wheel",
+    "wedge_linkage",
+)
+# Claims whose number names what they judge: blocks of a flow chart, which has no sentences.
+BLOCKS = ("controlled parameters", "step 10")
 KEPT = Path(__file__).with_name("kept_ids.txt")
 
 for_each_paper = pytest.mark.parametrize(
@@ -53,8 +61,9 @@ def test_every_sentence_is_judged_or_laid_aside_with_a_reason(system: str) -> No
 
 
 @for_each_paper
-def test_every_printed_row_cites_its_sentence(system: str) -> None:
-    assert [j.number for j in list_printed(system) if not j.cites] == []
+def test_every_printed_row_but_equations_cites_its_sentence(system: str) -> None:
+    rows = [j for j in list_printed(system) if j.kind != "equation" and j.number not in BLOCKS]
+    assert [j.number for j in rows if not j.cites] == []
 
 
 @for_each_paper

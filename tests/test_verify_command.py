@@ -224,13 +224,13 @@ def test_a_run_ends_in_a_line_for_each_finding_and_the_totals(tmp_path: Path) ->
 def test_cards_and_rows_are_shown_when_asked_for(tmp_path: Path) -> None:
     file = write(tmp_path, PROVED, WRONG)
     cards = run("verify", "--findings", str(file)).output
-    labels = ("mine (3): REFUTED (as typed): changes a", "  printed   ", "  wrong ", "  costs ")
+    labels = ("mine (3): REFUTED (as typed): changes a", "  printed   ", "  why ", "  costs ")
     places = [cards.index(label) for label in labels]
     assert places == sorted(places)
     assert not re.search(r"^\(1\)", cards, re.MULTILINE)
     shown = run("verify", "--all", str(file)).output
     assert re.search(r"^\(1\) \(as typed\) +PROVED", shown, re.MULTILINE)
-    assert "  wrong " not in shown
+    assert "  why " not in shown
 
 
 def test_what_a_mend_changes_is_marked(tmp_path: Path) -> None:

@@ -54,19 +54,20 @@ FINDINGS = (
     ),
     Finding(
         INTERVAL,
-        "u by (15) and (16) is the uncertainty of the mean, so mean ± 2u is an interval of the "
-        "mean error; of the errors, whose interval it is called, it holds 11 to 12 %. Or the "
-        "printed u is the standard deviation s, to which (15) was not applied.",
+        "By (15) and (16) u is the uncertainty of the mean, so that mean ± 2u is an interval for "
+        "the mean error; it is called one of the errors, of which it covers only 11 to 12 %. Or "
+        "else the printed u is the standard deviation s, to which (15) was not applied.",
         costs=costs_of_interval(READINGS, (1, 3)),
         weight=Weight.CONCLUSION,
         check=check_of_interval(READINGS[1]),
     ),
     Finding(
         ADEQUACY,
-        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's own "
-        "numbers the interval of variant 3 excludes an error of zero, and single errors of "
-        "variants 1, 2 and 4 scatter by more than two encoders of 0.3 % of 360° allow, or u is no "
-        "uncertainty of the mean; then all four means are far from zero.",
+        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
+        "own numbers the interval of variant 3 excludes a mean error of zero, and the single "
+        "errors of variants 1, 2 and 4 scatter by more than two encoders with 0.3 % of 360° "
+        "allow; or u is not an uncertainty of the mean, but then all four means are far from "
+        "zero.",
         costs=(
             Cost(
                 "variant 3",
@@ -91,16 +92,16 @@ FINDINGS = (
         ),
         weight=Weight.CONCLUSION,
         check=Check(
-            "Mean error by u of variant 3: 0.68/0.28 = {0}, more than 2.",
+            "Variant 3, mean error over u: 0.68/0.28 = {0}, more than 2.",
             (READINGS[3].mean / READINGS[3].uncertainty,),
             1,
         ),
     ),
     Finding(
         "table 3, interval 3",
-        "The interval of variant 3 is the mean and once the uncertainty u; the other three and "
-        "the text have twice u. Half-width and u do not fit, and which of the two is the misprint "
-        "is not decided: the half-width is to be 0.56°, or the u of table 3 is to be 0.14°.",
+        "The interval of variant 3 is the mean plus or minus u; the other three, and the text, "
+        "have twice u. Half-width and u do not agree. Which of the two is the misprint is not "
+        "decided: either the half-width should be 0.56°, or the u of table 3 should be 0.14°.",
         costs=(
             Cost(
                 "half-width of variant 3",
@@ -123,8 +124,8 @@ FINDINGS = (
         ),
         weight=Weight.NUMBER,
         check=Check(
-            "Half-width by u: variants 1, 2 and 4 have 1.64/0.82 = {0}, 2.72/1.36 = {1}, 2.02/1.01 "
-            "= {2}, variant 3 has 0.28/0.28 = {3}.",
+            "Half-width over u: 1.64/0.82 = {0}, 2.72/1.36 = {1} and 2.02/1.01 = {2} in variants "
+            "1, 2 and 4, but 0.28/0.28 = {3} in variant 3.",
             tuple(
                 Rational(HALF_WIDTHS[variant]) / READINGS[variant].uncertainty
                 for variant in (1, 2, 4, 3)
@@ -150,8 +151,8 @@ FINDINGS = (
         follows=("(10), fourth equals sign",),
         weight=Weight.FORMULA,
         check=Check(
-            "At x = 90° and e = 0.28 the first expression integrates 1/a_1 = {0}, the fourth "
-            "(1/2)/(2 a_1) = {1}.",
+            "At x = 90° and e = 0.28 the integrand of the first expression is 1/a_1 = {0}, that "
+            "of the fourth (1/2)/(2 a_1) = {1}.",
             (at_quarter(RIGHT_INTEGRAL), at_quarter(PRINTED_INTEGRAL)),
         ),
     ),

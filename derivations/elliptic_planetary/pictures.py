@@ -86,13 +86,17 @@ def draw_rates(canvas: Any) -> None:
     for pair, panels in zip(PAIRS, (rows[:2], rows[2:]), strict=True):
         for number in pair:
             mechanism, angle = MECHANISMS[number], np.radians(degrees)
-            panels[0].plot(degrees, mechanism.ratio(angle), **LOOKS[number])
-            panels[1].plot(degrees, mechanism.acceleration(angle), **LOOKS[number])
+            look = {**LOOKS[number], "label": name_variant(number)}
+            panels[0].plot(degrees, mechanism.ratio(angle), **look)
+            panels[1].plot(degrees, mechanism.acceleration(angle), **look)
         _mark_extremes(panels[0], pair)
         panels[0].set_ylabel("dφ₃/dφ₁")
         panels[1].set_ylabel("d²φ₃/dφ₁²")
         panels[1].axhline(0.0, **LineStyle.AXIS)
-        panels[0].set_title(" and ".join(name_variant(number) for number in pair))
+        panels[0].set_title(f"R₁ = {mechanism.R1:g} mm, R₂ = {mechanism.R2:g} mm")
+        low, high = panels[1].get_ylim()
+        panels[1].set_ylim(low, high + (high - low))
+        panels[1].legend(loc="upper left", frameon=False)
     rows[-1].set_xlabel("carrier φ₁, °")
     rows[-1].set_xticks(np.arange(0, 181, 30))
 
@@ -149,9 +153,9 @@ FIGURES = (
         "lines are the integral of (8), thin ones (12) as printed, cut where it falls back. Up to "
         "there, on the first branch of its arctangent, (12) is too small by up to "
         f"{lack_at_branch_end(1):.1f}° for e = {MECHANISMS[1].e:g} and "
-        f"{lack_at_branch_end(2):.1f}° for e = {MECHANISMS[2].e:g}, whatever the radii. The paper "
-        "names no axes of this figure and says that (8) was used; which formula its curves show "
-        "cannot be seen.",
+        f"{lack_at_branch_end(2):.1f}° for e = {MECHANISMS[2].e:g}, whatever the radii. The text "
+        "at hand names no axes of this figure and says that (8) was used; which formula its curves "
+        "show cannot be seen.",
         "Fig. 3, formula used",
         draw_positions,
         height=125.0,
@@ -159,10 +163,11 @@ FIGURES = (
     Figure(
         "fig-3-rates",
         None,
-        "The ratio swings the more, the larger the eccentricity; it never changes its sign.",
+        "The larger the eccentricity, the more the ratio swings; it never changes its sign.",
         "Ratio (8) of the four variants and its derivative, the analogue of the acceleration, "
-        "which the paper does not print. Marked are the extremes of the ratio in closed form: the "
-        "largest where the satellite has made whole turns, the smallest half a turn later.",
+        "of which the text at hand has no formula. Dots mark the extremes of the ratio, known in "
+        "closed form: the largest where the satellite has made whole turns, the smallest half a "
+        "turn later.",
         "extremes of the ratio, second sign",
         draw_rates,
         height=140.0,
@@ -172,10 +177,10 @@ FIGURES = (
         "Table 3",
         "The interval of variant 3 is half as wide as its uncertainty makes it.",
         "Mean error and interval mean ± 2u of each variant, from the mean and the u of Table 3. "
-        "The printed half-width of variant 3, thin, is once u: either it is to be "
-        f"{2 * float(READINGS[3].uncertainty):.2f}°, or u is to be "
-        f"{float(HALF_WIDTHS[3]) / 2:.2f}°, which is not decided. By both the interval excludes an "
-        "error of zero.",
+        "The printed half-width of variant 3, thin, is once u: either it should be "
+        f"{2 * float(READINGS[3].uncertainty):.2f}°, or u should be "
+        f"{float(HALF_WIDTHS[3]) / 2:.2f}°; which of the two is not decided. Either way the "
+        "interval excludes a mean error of zero.",
         "table 3, interval 3",
         draw_intervals,
         height=62.0,

@@ -46,9 +46,9 @@ CORRECT_12 = (
 EQUATION_12 = PRINT.equation(
     "(12)",
     note=(
-        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
-        "the root of that. Without it the factor before the arctangent is 2 and the quotient "
-        "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
+        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) takes the "
+        "root of that once more. Without it the factor before the arctangent is 2 and the "
+        "quotient inside is (1+e)/(1-e). Besides, the arctangent jumps back after each turn."
     ),
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
@@ -59,7 +59,7 @@ DX_SUPPLIED = Claim(
     "(10), third equals sign, dx supplied",
     r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
     r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
-    note="With the missing differential supplied the numerator is still wrong.",
+    note="With the missing differential supplied, the numerator is still wrong.",
     corrected=Correction(CORRECT_FOURTH),
     on=BRANCH,
     marks=("ours",),
@@ -97,7 +97,7 @@ POSITION_ROWS = (
         "(10), first and last expression",
         rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",
         note=(
-            "Read as integrals from 0. The chain's end is right although its fourth "
+            "Read as integrals from 0. The end of the chain is right, although its fourth "
             "expression is not."
         ),
         on=BRANCH,
@@ -107,15 +107,15 @@ POSITION_ROWS = (
     PRINT.equation(
         "(11)",
         substituted={tan(x / 2): U},
-        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0. At e = 1, no ellipse, "
-        "it would divide by zero.",
+        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0. At e = 1, which is no "
+        "ellipse, it would divide by zero.",
         cites=("S31",),
     ),
     Claim(
         "(11) over all turns",
         r"\int_0^x\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\sqrt{\frac{a_1+b_1}{a_1-b_1}}\,"
         r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}",
-        note="With one constant C the right-hand side falls back at every odd multiple of pi.",
+        note="With a single constant C the right-hand side jumps back at every odd multiple of pi.",
         holds_on=BRANCH,
         singular=("x = (2m+1) pi",),
         corrected=Correction(
@@ -129,8 +129,8 @@ POSITION_ROWS = (
         r"\varphi_3=\varphi_1+2\;\mathrm{arctg}\left(\mathrm{tg}\left(\frac{R_1}{2R_2}"
         r"\varphi_1\right)\cdot\frac{1+e}{1-e}\right)",
         Equality(position_principal, position),
-        note="The factor before the arctangent goes, and so does the sign of the root within. This "
-        "is right up to half a turn of x; the general form goes on.",
+        note="The root before the arctangent is dropped, and so is the one inside. This is right "
+        "up to half a turn of x; the general form holds beyond.",
         on=BRANCH,
         marks=("ours",),
     ),
@@ -145,7 +145,7 @@ POSITION_ROWS = (
         r"2\,\mathrm{arctg}\left(\tfrac{1+e}{1-e}\mathrm{tg}\tfrac x2\right)="
         r"x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}",
         on=BRANCH,
-        note="The right-hand side goes on beyond the branch.",
+        note="The right-hand side also holds beyond the branch.",
         marks=("ours",),
     ),
 )
@@ -180,9 +180,10 @@ POSITION_CLAIMS = (
             PrintedNumber("43.6", of_variant(BRANCH_END, 1)),
             PrintedNumber("67.5", of_variant(BRANCH_END, 3)),
         ),
-        note="What (12) lacks grows with x over the first branch, up to 45.0 deg for e = 0.28 and "
-        "72.6 deg for e = 0.475, whatever the radii. The branch ends at 43.6 deg of the carrier in "
-        "variants 1 and 2, at 67.5 deg in variants 3 and 4; beyond it the arctangent falls back.",
+        note="(12) falls short by an angle that grows with x over the first branch, up to 45.0 "
+        "deg for e = 0.28 and 72.6 deg for e = 0.475, whatever the radii. The branch ends at 43.6 "
+        "deg of the carrier in variants 1 and 2, at 67.5 deg in variants 3 and 4; beyond it the "
+        "arctangent jumps back.",
         on=BRANCH,
         marks=("ours", "consequence"),
     ),

@@ -121,8 +121,8 @@ RATIO_ROWS = (
     PRINT.claim(
         "(4), phi5",
         says=Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
-        note="Against the carrier, as (4) needs it, whose radius lies on the line A-C; against the "
-        "frame the satellite turns by (1 - R1/R2) phi1.",
+        note="Relative to the carrier, as (4) needs it, since its radius lies on the line A-C; "
+        "relative to the frame the satellite turns by (1 - R1/R2) phi1.",
         marks=("inferred",),
         cites=("S25",),
     ),

@@ -26,22 +26,22 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
         r"\text{the kinematic model allowed to obtain the law of motion of the output shaft: the "
         r"position function, the analogues of the angular velocity and acceleration}",
         NotCheckable(
-            "the text at hand prints no formula, graph or value of an acceleration; its abstract "
-            "names the analogue of the speed and the position function only"
+            "the text at hand has no formula, graph or value of an acceleration; its abstract "
+            "names only the analogue of the speed and the position function"
         ),
         cites=("S54",),
     ),
     Claim(
         "conclusion 2, required transfer functions",
         r"\text{the analysis showed the realisability of the required transfer functions}",
-        NotCheckable("the text at hand requires no transfer function of the output"),
+        NotCheckable("the text at hand does not say which transfer functions are required"),
         cites=("S55",),
     ),
     Claim(
         "conclusion 1, compactness",
         r"\text{as compared with linkages the planetary transmissions are characterised by "
         r"compactness and ease of balancing}",
-        NotCheckable("the text at hand prints no size, mass or force of either mechanism"),
+        NotCheckable("the text at hand has no size, mass or force of either mechanism"),
         cites=("S53",),
     ),
     Claim(
@@ -64,8 +64,8 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
                 sp.diff(ratio_with_cylinders_45, phi1),
             ),
         ),
-        note="For two oval pairs, E = (e1 + e2)/(1 + e1 e2), and for a cylindrical pair 4-5, the "
-        "output counted with the carrier.",
+        note="For two oval pairs, with E = (e1 + e2)/(1 + e1 e2), and for a cylindrical pair 4-5; "
+        "the output is counted with the carrier.",
         marks=("ours", "inferred"),
     ),
 )

@@ -31,10 +31,10 @@ CONSEQUENCES: tuple[Row, ...] = (
                 / sp.pi,
             ),
         ),
-        note="Variant 3, called intermittent, rests at one point only; near it the ratio stays "
-        "below a hundredth so long, three times in a turn of the carrier. The output then turns by "
-        "less than half a step of 0.088 deg of the encoder: its reading changes by one step at "
-        "most.",
+        note="Variant 3, called intermittent, rests only at single points; around each of them, "
+        "three times in a turn of the carrier, the ratio stays below a hundredth over this angle. "
+        "The output then turns by less than half a step of the encoder, 0.088 deg: its reading "
+        "changes by one step at most.",
         marks=("ours", "consequence", "inferred"),
     ),
     Claim(
@@ -51,7 +51,8 @@ CONSEQUENCES: tuple[Row, ...] = (
                 )
             )
         ),
-        note="By so much an error of the carrier's angle is enlarged in that of the output.",
+        note="An error in the carrier's angle is multiplied by up to this factor in that of the "
+        "output.",
         marks=("ours", "inferred"),
     ),
     Claim(
@@ -78,10 +79,10 @@ CONSEQUENCES: tuple[Row, ...] = (
                 for variant, line in READINGS.items()
             ),
         ),
-        note="Two encoders that keep 0.3 % of 360 deg may explain how single errors scatter if u "
-        "is that of their mean, whatever offset manufacture adds; in variant 1 only if each is "
-        "nearly at its limit all the time: u at the lower end of its rounding gives 2.315 deg, the "
-        "bound is 2.437 deg.",
+        note="If u belongs to the mean, two encoders that keep to 0.3 % of 360 deg may explain "
+        "how single errors scatter, whatever offset manufacture adds; in variant 1 only if both "
+        "are nearly at their limits all the time: u at the lower end of its rounding gives 2.315 "
+        "deg, and the bound is 2.437 deg.",
         marks=("ours", "inferred", "consequence"),
     ),
     if_u_is_s(

@@ -115,7 +115,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
     PRINT.equation(
         "(2)",
         derived={rho: focal_radius.subs(theta, 2 * phi)},
-        note="The oval has at half the polar angle the focal radius of its ellipse.",
+        note="At half the polar angle the radius of the oval is the focal radius of its ellipse.",
         marks=("rebuilt", "uncertain", "inferred"),
         cites=("S20",),
     ),
@@ -158,8 +158,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
     PRINT.equation(
         "(5)",
         derived={phi6: integrate(sun_radius / (2 * a - sun_radius))},
-        note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
-        "of centres at the lower limit 0.",
+        note="Seen from the carrier, wheel 5 turns at the ratio rho4/rho5; at the lower limit 0 "
+        "the sun's major axis lies on the line of centres.",
         marks=("rebuilt", "uncertain", "inferred"),
         cites=("S23", "S24"),
     ),
@@ -171,8 +171,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
             print_radius(e1, sp.S.Zero) + print_radius(e1, sp.pi / 2 - start) - 2 * a,
             2 * a * e1 * (1 - e1) * sp.sin(start) ** 2 / (1 + e1 * sp.cos(2 * start)),
         ),
-        note="With (3), (6) and the axes 2a apart the lost constant of (5) is 0 (or half turns, "
-        "which change no radius).",
+        note="By (3), (6) and axes that are 2a apart, the lost constant of (5) is 0 (or a number "
+        "of half turns, which change no radius).",
         marks=("ours",),
     ),
     Claim(
@@ -214,16 +214,15 @@ EQUATION_ROWS: tuple[Row, ...] = (
         Equality(
             print_radius(e1, sp.pi / 2 - phi6), focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6})
         ),
-        note="Nothing depends on the sign that may be the bar of a fraction.",
+        note="Nothing depends on the sign, which may be the bar of a fraction.",
         marks=("ours",),
     ),
     PRINT.equation(
         "(7)",
         derived={BD: point_d - point_b},
         readings=(Reading("the distance from D to B", Equality(print_7, -FROM_B_TO_D)),),
-        note="In the order that is legible, here and in (10). The distance is signed: which of "
-        "the two "
-        "radii is larger changes.",
+        note="In the order that is legible, here and in (10). The distance is signed, as either "
+        "of the two radii may be the larger one.",
         marks=("rebuilt", "inferred"),
         cites=("S25",),
     ),
@@ -273,8 +272,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
             r"\varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
             Equality(-print_10, ratio_by_plan),
         ),
-        note="The text at hand does not say in which direction the output is counted. By (3) to "
-        "(6) the integral of (10) has the sign of (10).",
+        note="The text at hand does not say in which direction the output is counted. The "
+        "integral of (10) has the sign of (10).",
         marks=("rebuilt", "inferred"),
         cites=("S26",),
     ),
@@ -284,9 +283,9 @@ EQUATION_ROWS: tuple[Row, ...] = (
             phi3: position_of_one(E_SERIES),
             ratio_symbol: 1 - wheel_3_rate.subs(mount, sp.S.Zero),
         },
-        note="From phi3(0) = 0, two oval pairs, whichever the direction in which the output is "
-        "counted; in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) with the "
-        "carrier, E = (e1 + e2)/(1 + e1 e2). Fig. 2, built by it, is not at hand.",
+        note="From phi3(0) = 0, for two oval pairs, in whichever direction the output is counted; "
+        "in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) counted with the "
+        "carrier, E = (e1 + e2)/(1 + e1 e2). Fig. 2, which was built by it, is not at hand.",
         marks=("rebuilt", "inferred"),
         cites=("S4", "S27", "S28", "S31"),
     ),

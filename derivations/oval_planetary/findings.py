@@ -46,17 +46,18 @@ def place(variant: int, degrees: int) -> dict[sp.Symbol, sp.Expr]:
 FINDINGS = (
     Finding(
         INTERVAL,
-        "u by (14) and (15) is the uncertainty of the mean, so mean ± 2u is an interval of the "
-        'mean error; of the errors, or of "the measured quantities", it holds 11 to 12 %. Or the '
-        "printed u is the standard deviation s, to which (14) was not applied.",
+        "By (14) and (15) u is the uncertainty of the mean, so that mean ± 2u is an interval for "
+        'the mean error; it is called one of the errors, or of "the measured quantities", of '
+        "which it covers only 11 to 12 %. Or else the printed u is the standard deviation s, to "
+        "which (14) was not applied.",
         costs=costs_of_interval(READINGS, (1, 3)),
         weight=Weight.CONCLUSION,
         check=check_of_interval(READINGS[1]),
     ),
     Finding(
         ADEQUACY,
-        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's own "
-        "numbers the intervals of variants 1, 3 and 4 exclude an error of zero.",
+        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
+        "own numbers the intervals of variants 1, 3 and 4 exclude a mean error of zero.",
         costs=tuple(
             Cost(
                 f"variant {variant}",
@@ -71,7 +72,8 @@ FINDINGS = (
         ),
         weight=Weight.CONCLUSION,
         check=Check(
-            "Mean error by u: 0.777/0.18 = {0}, 1.280/0.11 = {1}, 0.540/0.15 = {2}; more than 2.",
+            "Mean error over u in variants 1, 3 and 4: 0.777/0.18 = {0}, 1.280/0.11 = {1}, "
+            "0.540/0.15 = {2}, all more than 2.",
             tuple(abs(READINGS[v].mean) / READINGS[v].uncertainty for v in (1, 3, 4)),
             1,
         ),
@@ -79,13 +81,13 @@ FINDINGS = (
     Finding(
         "conclusion 2, acceleration",
         "Conclusion 2 counts the analogue of the acceleration among the results; the text at hand "
-        "has no formula, graph or value of it, and its abstract names speed and position only.",
+        "has no formula, graph or value of it, and its abstract names only speed and position.",
         weight=Weight.CONCLUSION,
         mend="acceleration by the model",
         check=Check(
-            "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E "
-            "(1 - E²)/(1 + E²)² = {0}; the ratio 1 - (1 - E²)/(1 + E² - 2 E cos 2φ_1) at 45.5° and "
-            "44.5° differs by {1} in one degree, by {2} a radian.",
+            "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E (1 "
+            "- E²)/(1 + E²)² = {0}; between 44.5° and 45.5° the ratio 1 - (1 - E²)/(1 + E² - 2 E "
+            "cos 2φ_1) changes by {1}, which is {2} per radian.",
             (
                 sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE),
                 SECANT,
@@ -96,9 +98,10 @@ FINDINGS = (
     ),
     Finding(
         "special case, angle of wheel 6",
-        "For a cylindrical pair 4-5 only the radii are said to become numbers. (5), left as "
-        "printed with e_1 = 0, turns wheel 6 as far as the carrier; without slip it turns R_4/R_5 "
-        "times as far, and variant 3 rests three times in a turn, not twice.",
+        "For a cylindrical pair 4-5 the text at hand replaces only the radii by numbers. If (5) "
+        "is left as printed, with e_1 = 0, it turns wheel 6 as far as the carrier; without slip "
+        "the wheel turns R_4/R_5 times as far, and variant 3 comes to rest three times in a turn, "
+        "not twice.",
         costs=tuple(
             Cost(
                 f"output of variant {variant}, 60° of the carrier",
@@ -112,7 +115,7 @@ FINDINGS = (
         weight=Weight.NUMBER,
         check=Check(
             "A wheel of R_5 = 20 mm that rolls on R_4 = 30 mm turns {0} times as far as the "
-            "carrier, one of 18 mm on 32 mm {1} times; (5) with e_1 = 0 has {2}.",
+            "carrier, one of 18 mm on 32 mm {1} times; by (5) with e_1 = 0 it would be {2}.",
             (
                 (R4 / R5).subs(VARIANTS[3]),
                 (R4 / R5).subs(VARIANTS[4]),
@@ -122,9 +125,9 @@ FINDINGS = (
     ),
     Finding(
         "(10)",
-        "(7) and (10) count the output against the carrier's direction of rotation, and the text "
-        "at hand does not say so: read with both angles counted the same way, the output turns "
-        "the wrong way.",
+        "(7) and (10) count the output against the carrier's direction of rotation, which the "
+        "text at hand does not say: if both angles are counted the same way, the output turns the "
+        "wrong way.",
         costs=tuple(
             Cost(
                 f"variant 1, {degrees}° of the carrier",
@@ -137,9 +140,9 @@ FINDINGS = (
         ),
         weight=Weight.WORDING,
         check=Check(
-            "Variant 1 at φ_1 = 0, CD = 1.2 a and BC = 0.8 a, so (10) gives "
-            "{0}; with the carrier held, wheel 3 turns (1.2/0.8)² = 2.25 times as far as the sun, "
-            "which is 1 - 2.25 = {1} with the sun held.",
+            "In variant 1 at φ_1 = 0, CD = 1.2 a and BC = 0.8 a, so (10) gives {0}; with the "
+            "carrier held, wheel 3 turns (1.2/0.8)² = 2.25 times as far as the sun, and with the "
+            "sun held 1 - 2.25 = {1} times as far as the carrier.",
             (
                 print_10.subs({rho6: sp.Rational("1.2") * a, rho5: sp.Rational("0.8") * a}),
                 RATIO_1.subs(phi1, 0),

@@ -63,14 +63,16 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
             ),
             Equality(ratio_of_one(E_SERIES), 1 - wheel_3_rate.subs(mount, 0)),
         ),
-        note="Two oval pairs in series are one oval pair; eccentricities add like velocities.",
+        note="Two oval pairs in series act as one; their eccentricities add as velocities do in "
+        "relativity.",
         marks=("ours", "inferred"),
     ),
     Claim(
         "parallel wheels",
         r"\text{major axes of 5 and 6 parallel: }E=\frac{e_1-e_2}{1-e_1e_2}",
         Equality(1 - pair_ratio(E_ALIGNED, COS_4), 1 - wheel_3_rate.subs(mount, sp.pi / 2)),
-        note="Equal ovals mounted so leave the output at rest: the right angle of (6) matters.",
+        note="Equal ovals that are mounted in parallel leave the output at rest: the right angle "
+        "of (6) matters.",
         marks=("ours", "inferred"),
     ),
     Claim(
@@ -108,14 +110,14 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\varphi_3=\mathrm{atan2}(\nu(1-\cos2\varphi_1)-(\lambda-\mu)\sin2\varphi_1,\ "
         r"\lambda+\mu+(\mu-\lambda)\cos2\varphi_1+\nu\sin2\varphi_1)",
         Equality(position_of_map(lam, mu, nu, lam - mu), position_by_one_pair),
-        note="The output never leaves (-pi, pi): two oval pairs only swing it.",
+        note="The output never leaves (-pi, pi): two oval pairs only make it swing.",
         marks=("ours",),
     ),
     Claim(
         "drift, oval pairs",
         r"\varphi_3(\varphi_1+\pi)=\varphi_3(\varphi_1)",
         advances(position_of_map(lam, mu, nu, lam - mu), sp.pi, sp.S.Zero),
-        note="For all eccentricities and mountings: no mean drift.",
+        note="There is no mean drift, whatever the eccentricities and the mounting.",
         marks=("ours", "inferred"),
     ),
     Claim(
@@ -135,7 +137,8 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
             Holds(ratio_of_one(e).subs(phi1, 0) < 0),
             Holds(ratio_of_one(e).subs(phi1, sp.pi / 2) > 0),
         ),
-        note="With no drift: two oval pairs always reciprocate unless E = 0, when they rest.",
+        note="As there is no drift, the output of two oval pairs always reciprocates, unless E = "
+        "0, when it rests.",
         on=Part("0 < e < 1", {e: OVAL}),
         marks=("ours", "inferred"),
     ),
@@ -163,7 +166,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\varphi_3'=1-\frac{R_4}{R_5}\cdot\frac{1-e_2^2}{1+e_2^2-2e_2\cos x},\ "
         r"x=2\tfrac{R_4}{R_5}\varphi_1",
         Equality(ratio_45, ratio_with_cylinders_45),
-        note="The radii of pair 4-5 replaced by numbers in (10), its sign as in the mechanics, "
+        note="(10) with the radii of pair 4-5 replaced by numbers, its sign as in the mechanics, "
         "and wheel 6 turned by (R4/R5) phi1.",
         marks=("ours", "inferred"),
     ),
@@ -179,7 +182,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\varphi_3(\varphi_1+\pi\tfrac{R_5}{R_4})-\varphi_3(\varphi_1)"
         r"=\pi\left(\tfrac{R_5}{R_4}-1\right)",
         advances(position_45, sp.pi * R5 / R4, sp.pi * (R5 / R4 - 1)),
-        note="The mean ratio is 1 - R4/R5, no drift only for R4 = R5.",
+        note="The mean ratio is 1 - R4/R5; only for R4 = R5 is there no drift.",
         marks=("ours", "inferred"),
     ),
     Claim(
@@ -204,8 +207,8 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
             Holds(limit_ratio <= 0),
             Holds(sp.diff(limit_ratio, theta, 2).subs(theta, sp.pi) < 0),
         ),
-        note="A double zero at x = pi. The ratio is analytic and vanishes on no interval: a dwell "
-        "is a double zero.",
+        note="A double zero at x = pi. The ratio is analytic and cannot vanish on an interval: a "
+        "dwell is a double zero.",
         on=PROPER_45,
         marks=("ours", "inferred"),
     ),

@@ -109,8 +109,8 @@ FIGURES = (
         "axes in rad as in the paper, of whose curves nothing else survives. Amplitudes, kinds of "
         "motion and drifts (dotted) follow from the parameters by theorems of the ledger. The thin "
         "line is variant 1 by (10) with the output counted in the carrier's sense: the wrong way "
-        f"round. Grey: |ratio| ≤ {ETA}, a limit of ours; the ratio itself is zero at one point, "
-        "and touches zero without changing its sign.",
+        f"round. Grey: |ratio| ≤ {ETA}, a limit of ours; the ratio itself only touches zero at one "
+        "point, without changing its sign.",
         "(11)",
         draw_positions,
         height=150.0,

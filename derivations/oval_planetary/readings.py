@@ -65,7 +65,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
     estimate_row("(14)", ("rebuilt",), ("S45",), r"\text{variance of the mean value}"),
     PRINT.equation(
         "(15)",
-        note="The right-hand side is lost; by its name the type A standard uncertainty.",
+        note="The right-hand side is lost; by its name it is the type A standard uncertainty.",
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),
         cites=("S46",),
@@ -88,8 +88,8 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
             PrintedNumber("0.777", turned_wheel_6(1, "1.348")),
             PrintedNumber("1.280", turned_wheel_6(3, "2.566")),
         ),
-        note="These two are the large ones; and it may: wheel 6 turned on its shaft by 1.348 deg "
-        "in variant 1, by 2.566 deg in variant 3 makes these mean errors.",
+        note="These two mean errors are the large ones, and it may indeed: they result if wheel 6 "
+        "is mounted 1.348 deg off on its shaft in variant 1, and 2.566 deg off in variant 3.",
         marks=("inferred",),
         cites=("S49",),
     ),

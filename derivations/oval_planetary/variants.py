@@ -82,8 +82,8 @@ def variant_row(number: int, printed: str, pair_45: dict[sp.Symbol, sp.Expr]) ->
         f"variant {number}, sizes",
         rf"{printed},\ e_2=0.2",
         all_of(*sizes, Definition(e2, VARIANTS[number][e2])),
-        note="The pair 3-6 is oval with e = 0.2 in every variant; a is not printed, by (8) it is "
-        "25 mm where the wheels 4 and 5 are cylindrical.",
+        note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at hand, "
+        "by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
         cites=("S30",),
     )
 
@@ -116,7 +116,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
             advances(position_1, sp.pi, sp.S.Zero),
             *reverses(ratio_1, sp.S.Zero, sp.pi / 2),
         ),
-        note="E = 5/13: the output swings by 2 arcsin(5/13), twice for each turn of the carrier.",
+        note="E = 5/13: the output swings through 2 arcsin(5/13), twice in each turn of the "
+        "carrier.",
         marks=("inferred",),
         cites=KINDS,
     ),
@@ -169,8 +170,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
             r"\varphi_6=\frac{R_4}{R_5}\varphi_1",
             Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
         ),
-        note="The text at hand says nothing of (5) in this case. Left as printed, with e1 = 0, "
-        "wheel 6 would turn by phi1; wheels that do not slip turn it by (R4/R5) phi1.",
+        note="The text at hand says nothing about (5) in this case. Left as printed, with e1 = 0, "
+        "it would turn wheel 6 by phi1; wheels that do not slip turn it by (R4/R5) phi1.",
         marks=("rebuilt", "inferred"),
         cites=("S29",),
     ),
@@ -182,17 +183,17 @@ VARIANT_ROWS: tuple[Row, ...] = (
             Holds(with_radii(4, phi6) < 0),
             Equality(with_radii(3, sp.pi / 2), sp.S.Zero),
         ),
-        note="For every angle of wheel 6 the sign is that of rho5 - rho6. But variant 3 rests "
+        note="The sign is that of rho5 - rho6, whatever the angle of wheel 6. But variant 3 rests "
         "where phi6 is an odd multiple of pi/2: three times in a turn of the carrier if wheel 6 "
-        "turns by 1.5 phi1, twice if by phi1.",
+        "turns by 1.5 phi1, twice if it turns by phi1.",
         marks=("ours", "inferred"),
     ),
     Claim(
         "fixed axes",
         ONE_WAY_PRINT,
         Holds(-rho3 / (span - rho3) < 0),
-        note="External mesh, any pitch curves with 0 < rho < L; a train of pairs is a product of "
-        "factors of constant sign.",
+        note="External mesh, any pitch curves with 0 < rho < L; the ratio of a train of pairs is "
+        "a product of factors of constant sign.",
         on=Part("the radius is shorter than the distance of the axes", where=(rho3 < span,)),
         cites=("S14",),
     ),
@@ -200,8 +201,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
         "fixed axes, internal mesh",
         ONE_WAY_PRINT,
         Holds(rho3 / (rho3 - span) > 0),
-        note="The ring has the radius rho > L at the point of contact, its wheel rho - L; where "
-        "the wheel drives, the ratio is the inverse.",
+        note="At the point of contact the ring has the radius rho > L and its wheel rho - L; "
+        "where the wheel drives, the ratio is the inverse.",
         on=Part("the radius exceeds the distance of the axes", where=(span < rho3,)),
         cites=("S14",),
     ),
@@ -209,7 +210,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
         "fixed axes, non-uniform",
         ONE_WAY_PRINT,
         less(pair_ratio(OF_PAIR_36, -sp.S.One), pair_ratio(OF_PAIR_36, sp.S.One)),
-        note="One pair of ovals with e = 0.2 does: its ratio goes from 2/3 to 3/2.",
+        note="One pair of ovals with e = 0.2 gives it: its ratio ranges from 2/3 to 3/2.",
         cites=("S14",),
     ),
 )

@@ -89,10 +89,10 @@ FINDINGS = (
     ),
     Finding(
         "(d)",
-        "IT8 is rejected and IT7 recommended by steps of which the fifth counts the whole "
-        "deviation. With half of it IT8 disturbs less than IT7 does as printed, and IT7 less than "
-        "IT6: of the "
-        "recommended grades 6 and 7 each is one too fine.",
+        "IT8 is rejected and IT7 recommended on the strength of steps of which the fifth counts "
+        "the whole deviation. With half of it, IT8 disturbs the measurement less than IT7 does by "
+        "the printed steps, and IT7 less than IT6: the recommended grades 6 and 7 are each one "
+        "grade too fine.",
         costs=(
             Cost(
                 f"good teeth rejected, perfect gauge, {LAWS}",
@@ -106,8 +106,8 @@ FINDINGS = (
         ),
         weight=Weight.CONCLUSION,
         check=Check(
-            "As printed IT7 makes 0.7284·40 µm = {0} of the thickness, by the geometry IT8 makes "
-            "tg 20°·63 µm = {1}.",
+            "By the printed steps IT7 changes the thickness by 0.7284·40 µm = {0}, by the "
+            "geometry IT8 changes it by tg 20°·63 µm = {1}.",
             tuple(K_PRINTED * s * MICROMETRE for s in (tip_spread(7), tip_spread(8, "involute"))),
             1,
             "µm",
@@ -116,8 +116,8 @@ FINDINGS = (
     ),
     Finding(
         "(b)",
-        "The gauge matters more than a tip diameter of IT6 from a limit error of 2.5 to 3.7 µm on; "
-        "for the gauge that (c) recommends it is the other way round.",
+        "The gauge matters more than a tip diameter of IT6 only above a limit error of 2.5 to 3.7 "
+        "µm; for the gauge that (c) recommends it is the other way round.",
         costs=(
             Cost(
                 f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
@@ -130,7 +130,7 @@ FINDINGS = (
         ),
         weight=Weight.CONCLUSION,
         check=Check(
-            "tip tg 20°·25 µm/6 = {0}, gauge √(1 + 0.7279²)·2 µm/3 = {1}",
+            "Tip: tg 20°·25 µm/6 = {0}; gauge: √(1 + 0.7279²)·2 µm/3 = {1}",
             RECOMMENDED_SPREADS[::-1],
             2,
             "µm",
@@ -140,7 +140,7 @@ FINDINGS = (
     Finding(
         "smallest deviation, smallest prescribed decrease",
         "E_cs = 12 µm is called the smallest prescribed decrease, but with its plus sign step 2 "
-        "passes teeth up to 12 µm thicker than nominal as good; it has to enter with a minus.",
+        "passes teeth that are up to 12 µm thicker than nominal; it has to enter with a minus.",
         costs=(
             Cost(
                 "thickest good tooth, from nominal",
@@ -152,8 +152,8 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "Good by step 2 are deviations from {0} to {1}: so is the nominal tooth, with no "
-            "decrease at all.",
+            "Step 2 passes deviations from {0} to {1}, among them that of the nominal tooth, "
+            "which has no decrease at all.",
             ((DECREASE_UM - TOLERANCE_UM) * MICROMETRE, DECREASE_UM * MICROMETRE),
             0,
             "µm",
@@ -161,8 +161,9 @@ FINDINGS = (
     ),
     Finding(
         "step 3, a new tip deviation for each tooth",
-        "The rows are the teeth of one wheel, and each has a new deviation of the tip diameter; "
-        "but a wheel has one tip circle, whose error does not average out over its teeth.",
+        "The rows are the teeth of one wheel, and each is given a new deviation of the tip "
+        "diameter; but a wheel has one tip circle, whose error does not average out over its "
+        "teeth.",
         costs=(
             Cost(
                 "spread of the tip circle's mean over the wheel, IT6",
@@ -174,7 +175,7 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "25 µm/6 = {0} for every tooth; /√50 = {1} for their mean",
+            "25 µm/6 = {0} for every tooth, divided by √50 {1} for their mean",
             (SPREAD_6, SPREAD_6 / sqrt(TEETH)),
             1,
             "µm",
@@ -182,8 +183,8 @@ FINDINGS = (
     ),
     Finding(
         "step 10, per cent of parts",
-        "The indices are called per cent of parts, but the points are counted over teeth; a wheel "
-        f"is rejected with the first of its {TEETH} teeth, far more often.",
+        "The indices are called per cent of parts, but what is counted are teeth; a wheel is "
+        f"rejected as soon as one of its {TEETH} teeth is, which happens far more often.",
         costs=(
             Cost(
                 "wrongly rejected, tip of IT6, perfect gauge, steps as printed, a tip deviation "
@@ -197,8 +198,8 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "With {0} of good and {1} of wrongly rejected teeth 0.9973^50 - (0.9973 - 0.0035)^50 "
-            "of the wheels are good and rejected.",
+            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.0035)^50 of "
+            "the wheels are good and rejected.",
             (NORMAL_SHARE, rejected_by(6, 0)),
             2,
             "%",
@@ -206,8 +207,8 @@ FINDINGS = (
     ),
     Finding(
         "steps 4 and 7, spread of the gauge",
-        "It is not printed which interval the 50 µm of the gauge denote, nor how many standard "
-        "deviations it spans; steps 4 and 7 cannot be repeated without it.",
+        "The text at hand does not say which interval the 50 µm of the gauge denote, nor how many "
+        "standard deviations they span; without that steps 4 and 7 cannot be repeated.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
@@ -220,7 +221,7 @@ FINDINGS = (
         ),
         weight=Weight.FORMULA,
         check=Check(
-            "standard deviation 50 µm/6 = {0} or 50 µm/2 = {1}",
+            "A standard deviation of 50 µm/6 = {0}, or one of 50 µm/2 = {1}",
             (Rational(GAUGE_UM, 6) * MICROMETRE, Rational(GAUGE_UM, 2) * MICROMETRE),
             1,
             "µm",
@@ -248,7 +249,8 @@ ASIDE = {
 
 PAPER = Paper(
     system="tooth_thickness",
-    citation="Paper 3: stochastic simulation of tooth thickness and of its measurement",
+    citation="Derbaba, Korsun, Patsera, stochastic simulation of the thickness of an involute "
+    "tooth and of its measurement",
     variables=VARIABLES,
     notation=NOTATION,
     where=PRINT.where,

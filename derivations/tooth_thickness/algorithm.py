@@ -93,13 +93,13 @@ ALGORITHM_ROWS = (
     PRINT.claim(
         "step 1",
         defines=(K,),
-        note="The ratio of the value of the tolerance field to the standard deviation, in words.",
+        note="Printed in words: the ratio of the tolerance field to the standard deviation.",
         cites=("S28",),
     ),
     PRINT.equation(
         "step 2",
         defines=(f_true,),
-        note="For the sign of E_cs see 'smallest deviation'.",
+        note="For the sign of E_cs see 'smallest deviation, smallest prescribed decrease'.",
         marks=("rebuilt",),
         cites=("S29", "S30"),
     ),
@@ -112,9 +112,9 @@ ALGORITHM_ROWS = (
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
             Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
         ),
-        note="The variance of the tip's mean deviation over the z teeth of a wheel, which has one "
-        "tip circle, so that its deviation is common to all of its teeth and does not average out. "
-        "Shares over many wheels are the same in both.",
+        note="Compared is the variance of the mean tip deviation over the z teeth of a wheel. A "
+        "wheel has one tip circle, so that its deviation is common to all teeth and does not "
+        "average out. Shares over the teeth of many wheels are the same either way.",
         cites=("S26", "S32"),
     ),
     Claim(
@@ -147,9 +147,9 @@ ALGORITHM_ROWS = (
                 reject(REJECTED[FULL], *HALF),
             ),
         ),
-        note="The interval recommended in the conclusions is written with a sign, U = +-2 um, this "
-        "one without. Tip of IT6, steps as printed, normal laws, centred. Nor is it printed how a "
-        "standard deviation follows from an IT grade.",
+        note="The interval recommended in the conclusions is written with a sign, U = +-2 um, "
+        "this one without. Tip of IT6, steps as printed, normal laws, centred. Nor does the text "
+        "at hand say how a standard deviation follows from an IT grade.",
         marks=("calibrated",),
         cites=("S33", "S38"),
     ),
@@ -167,11 +167,11 @@ ALGORITHM_ROWS = (
             HALF_OF_THE_DEVIATION,
         ),
         note=(
-            "The gauge stands on the tip circle, so half the deviation of the diameter "
-            "counts, whichever way heights are counted, which is not printed: it fails with the "
-            "plus that is shown, towards the tip, and with the minus, towards the centre. The "
-            "correction is proved with both. The charge rests on the words 'diameter of the tooth "
-            "tips', of step 3 and of column 4, not on a subscript."
+            "The gauge stands on the tip circle, so that half the deviation of the diameter "
+            "counts, whichever way heights are counted, which the text at hand does not say: the "
+            "step fails with heights counted towards the tip (plus) and towards the centre "
+            "(minus). The correction is proved with both. The charge rests on the words 'diameter "
+            "of the tooth tips', in step 3 and column 4, not on a subscript."
         ),
         marks=("rebuilt",),
     ),
@@ -179,8 +179,8 @@ ALGORITHM_ROWS = (
         "step 5, half the deviation",
         r"\Delta h=-\tfrac12e_{dau}+\Delta h_c",
         HALF_OF_THE_DEVIATION.parts[1],
-        note="Counted towards the centre, as (1) and steps 6 and 8 have it, which are proved with "
-        "K_m > 0; counted towards the tip the sign is plus.",
+        note="With heights counted towards the centre, as (1) and steps 6 and 8 have them, which "
+        "are proved with K_m > 0; counted towards the tip, the sign is plus.",
         marks=("ours",),
     ),
     Claim(
@@ -191,8 +191,9 @@ ALGORITHM_ROWS = (
             3 * tan(alpha) ** 2 * sigma_tip**2,
         ),
         note=(
-            "The tip's part of the variance is printed four times too large. The sign does not "
-            "matter to the variance; it moves the mean when the tip or the gauge has a bias."
+            "The printed steps make the tip's part of the variance four times too large. The sign "
+            "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
+            "bias."
         ),
         marks=("ours", "consequence"),
     ),
@@ -204,16 +205,17 @@ ALGORITHM_ROWS = (
             Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
             Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
         ),
-        note="With the text's meaning in step 5 the tip diameter would be counted again, in step 8 "
-        "the height.",
+        note="With the meanings of the text, step 5 would count the tip diameter twice, and step "
+        "8 the height.",
         marks=("ours",),
     ),
     PRINT.equation(
         "step 8",
         derived={E_measured: reading},
         substituted={ds_height: K_m * dh},
-        note="The indication less the nominal chord, to first order: a tooth whose flanks are "
-        "turned to its true deviation, along a line deeper by Delta h; step 6 is put in.",
+        note="The indication less the nominal chord, to first order, for a tooth whose flanks are "
+        "turned to its true deviation and that is measured along a line deeper by Delta h; step 6 "
+        "is inserted.",
         marks=("rebuilt",),
     ),
     PRINT.equation(
@@ -240,9 +242,9 @@ ALGORITHM_ROWS = (
                 Equality(Add(*SHARES_OF_TOOTH.values()), S.One),
             ),
         ),
-        note="The blocks count teeth; the part that is sorted is a wheel. A good wheel is rejected "
-        "with the first tooth. Perfect gauge, tip of IT6, steps as printed, K = 6, normal laws, "
-        "centred; each tooth by itself, as in step 3.",
+        note="The blocks count teeth; the part that is sorted is a wheel, and a good wheel is "
+        "rejected as soon as one of its teeth is. Perfect gauge, tip of IT6, steps as printed, K "
+        "= 6, normal laws, centred; each tooth by itself, as in step 3.",
         marks=("calibrated",),
         cites=("S20",),
     ),

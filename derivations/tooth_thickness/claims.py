@@ -85,9 +85,9 @@ CLAIM_ROWS = (
             less(rejected_by(6, 0), rejected_by(7, 0)),
             less(rejected_by(7, 0), rejected_by(8, 0)),
         ),
-        note="Of the errors of measurement only that of the tip is left, by steps 5 and 6 as "
-        "printed, and with the grade the share of wrongly rejected rises. The law of the teeth "
-        f"themselves stays what it is. {LAWS}",
+        note="With a perfect gauge only the error from the tip is left, by steps 5 and 6 as "
+        "printed, and the share of wrongly rejected teeth rises with the grade. The law of the "
+        f"teeth themselves stays the same. {LAWS}",
         marks=("calibrated",),
         cites=("S34",),
     ),
@@ -96,8 +96,8 @@ CLAIM_ROWS = (
         r"\text{wrongly rejected, rightly accepted against the limit error of the gauge: 1 IT6, "
         r"2 IT7}",
         NotCheckable(
-            "the curves are lost in the scan, and neither laws nor the multiple of the limit error "
-            "are printed"
+            "the curves are lost in the scan, and the text at hand has neither the laws nor the "
+            "multiple of the limit error"
         ),
         cites=("S41", "S42"),
     ),
@@ -111,10 +111,11 @@ CLAIM_ROWS = (
             {above: POSITIVE, below: POSITIVE},
         ),
         note=(
-            "The chance to accept a tooth, whose expected reading is q_1 and q_2 from the limits, "
-            "falls as the normal error grows. With a centred gauge that is so of every good tooth, "
-            "so that for every law of the true deviation Fig. 4 rises and Fig. 5 falls; a gauge "
-            "with a bias, a parameter of the flow chart, accepts some the more often it errs more."
+            "The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
+            "limits falls as the normal error grows. With a centred gauge this holds for every "
+            "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
+            "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
+            "teeth more often the more it scatters."
         ),
         marks=("ours",),
     ),
@@ -138,9 +139,9 @@ CLAIM_ROWS = (
             r"can be recommended}",
             GRADE_COARSER,
         ),
-        note="Stated: what IT8 makes of the thickness is more than what was recommended with IT7, "
-        "which the printed steps give. No limit is printed; whichever admits IT7 by the printed "
-        "steps admits IT8 by the geometry, for degree 7 and every tolerance.",
+        note="Refuted is that IT8 changes the thickness by more than IT7, which is recommended, "
+        "does by the printed steps. The text at hand has no limit; any that admits IT7 by the "
+        "printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
         cites=("S46",),
     ),
@@ -149,8 +150,8 @@ CLAIM_ROWS = (
         r"\text{recommendations in the technical literature on the IT grade of the diameter of the "
         r"tooth tips need correction}",
         NotCheckable(
-            "the share of good teeth that may be rejected is not printed, nor what the literature "
-            "recommends for other degrees than 6 and 7"
+            "the text at hand says neither which share of good teeth may be rejected nor what the "
+            "literature recommends for degrees other than 6 and 7"
         ),
         cites=("S45",),
     ),
@@ -158,15 +159,15 @@ CLAIM_ROWS = (
         "(d), a grade coarser",
         r"K_m\mathrm{IT}7>\tfrac12K_m\mathrm{IT}8,\quad K_m\mathrm{IT}6>\tfrac12K_m\mathrm{IT}7",
         GRADE_COARSER,
-        note="In place of the recommended grades 6 and 7 the grades 7 and 8 do, by the measure at "
-        "which those were recommended.",
+        note="Grades 7 and 8 meet the measure by which 6 and 7 were recommended.",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
         "(d), good teeth rejected, perfect gauge",
         write(PERFECT),
         table(PERFECT, 0),
-        note=f"As printed, and by the geometry with half the deviation of the diameter. {LAWS}",
+        note="By the steps as printed, and by the geometry with half the deviation of the "
+        f"diameter. {LAWS}",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
@@ -179,10 +180,9 @@ CLAIM_ROWS = (
             "a limit error over 2.5 um (2 sigma) or 3.7 um (3 sigma), tip of IT6",
             {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
         ),
-        note="Influence is compared by standard deviations, with which the shares rise: by the "
-        "geometry, the standard deviation of the tip being the IT tolerance over K. The gauge of "
-        "Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
-        "2 um, below it.",
+        note="Influences are compared by standard deviations, with which the shares rise, by the "
+        "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 "
+        "um, is above the crossover, the gauge recommended in (c), 2 um, below it.",
         marks=("calibrated",),
         cites=("S47",),
     ),
@@ -199,8 +199,8 @@ CLAIM_ROWS = (
                 for multiple, number in zip((2, 3), numbers, strict=True)
             )
         ),
-        note="Limit error, 2 or 3 sigma, of the gauge that disturbs as much as the tip, by the "
-        "geometry; the printed steps give about twice as much.",
+        note="The limit error, 2 or 3 sigma, of a gauge that disturbs the measurement as much as "
+        "the tip does, by the geometry; the printed steps give about twice as much.",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
@@ -210,8 +210,8 @@ CLAIM_ROWS = (
             VARIANCE_BY_SLOPE.subs({sigma_height: 0, sigma_thickness: 0, sigma_tip: sigma}),
             VARIANCE_BY_SLOPE.subs({sigma_tip: 0, sigma_height: sigma, sigma_thickness: sigma}),
         ),
-        note="Of equal spread the gauge always disturbs more: it enters twice, in height and in "
-        "thickness; K_m/2 for the tip, by the geometry, makes the difference larger still.",
+        note="At equal spread the gauge always disturbs more: it enters twice, in height and in "
+        "thickness, and the tip enters, by the geometry, with K_m/2 only.",
         marks=("ours",),
     ),
     Claim(
@@ -219,26 +219,26 @@ CLAIM_ROWS = (
         r"\text{instruments with an interval measure of uncertainty of at most }"
         r"U=\pm2~\mu\mathrm{m}\text{ can be recommended}",
         NotCheckable(
-            "neither the share that is still allowed nor the tolerances of degrees 7 and 8 are "
-            "printed"
+            "the text at hand has neither the share that is still allowed nor the tolerances of "
+            "degrees 7 and 8"
         ),
-        note="What that gauge makes of the wheel of degree 6 stands in the row on good teeth "
-        "rejected with the recommended gauge.",
+        note="For what that gauge does to the wheel of degree 6 see '(c), good teeth rejected "
+        "with the recommended gauge'.",
         cites=("S49",),
     ),
     Claim(
         "(c), degrees 6, 7 and 8",
         r"\text{the requirements on the accuracy of gear-tooth measuring instruments at the 6th, "
         r"7th and 8th degrees of accuracy are made concrete}",
-        NotCheckable("the text at hand has one U, of no named degree"),
+        NotCheckable("the text at hand has a single U, for no named degree"),
         cites=("S48",),
     ),
     Claim(
         "(c), good teeth rejected with the recommended gauge",
         write(RECOMMENDED),
         table(RECOMMENDED, RECOMMENDED_UM),
-        note="As printed, and by the geometry with half the deviation of the diameter. U = 2 sigma "
-        f"= 2 um. {LAWS}",
+        note="By the steps as printed, and by the geometry with half the deviation of the "
+        f"diameter. U = 2 sigma = 2 um. {LAWS}",
         marks=("ours", "consequence", "calibrated"),
     ),
 )

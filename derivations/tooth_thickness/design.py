@@ -69,15 +69,15 @@ DESIGN_ROWS = (
     PRINT.datum(
         "data, constant chord",
         says=Definition(s_c, Rational("4.161") * millimetre),
-        note="A datum. The profile angle, which is not printed, is fitted to it: 20 deg, see "
-        "'data, profile angle'.",
+        note="A datum. The profile angle, which is not in the text at hand, was fitted to it: 20 "
+        "deg, see 'data, profile angle'.",
         marks=("fitted",),
         cites=("S23",),
     ),
     PRINT.claim(
         "data, height to the constant chord",
         says=PrintedNumber("2.243", at_angle(rack_height, 20)),
-        note="With 20 deg from the constant chord and an addendum of one module.",
+        note="By the 20 deg from the constant chord, with an addendum of one module.",
         marks=("calibrated",),
         cites=("S23",),
     ),
@@ -96,8 +96,8 @@ DESIGN_ROWS = (
             less(at_angle(rack_height, "20.01"), Rational("2.2425")),
         ),
         note=(
-            "Chord and height both fall as the angle grows (to 45 deg). At 19.99 deg the chord "
-            "is too long already, at 20.01 deg the height is too small."
+            "Chord and height both fall as the angle grows (up to 45 deg). At 19.99 deg the chord "
+            "is already too long, at 20.01 deg the height is too small."
         ),
         marks=("ours",),
     ),
@@ -106,8 +106,9 @@ DESIGN_ROWS = (
         r"\bar S_c=\frac{\pi m}2\cos^2\alpha",
         Equality(rack_chord, involute_chord),
         note=(
-            "Where the rack touches both flanks at once, from the rack (foot of the perpendicular "
-            "from the pitch point) and from the involute; the number of teeth drops out."
+            "The chord along which the rack touches both flanks at once, by the rack (foot of the "
+            "perpendicular from the pitch point) and by the involute; the number of teeth "
+            "cancels."
         ),
         marks=("ours",),
     ),
@@ -118,13 +119,13 @@ DESIGN_ROWS = (
             Equality(chord_height, rack_height),
             Equality(rack_height, nominal_height),
         ),
-        note="From the rack and from the involute, addendum of one module.",
+        note="By the rack and by the involute, with an addendum of one module.",
         marks=("ours",),
     ),
     PRINT.datum(
         "data, smallest deviation",
         defines=(E_cs,),
-        note="A datum; its sign is a matter of 'smallest deviation'.",
+        note="A datum; for its sign see 'smallest deviation, smallest prescribed decrease'.",
         cites=("S23",),
     ),
     PRINT.datum("data, tolerance", defines=(T_c,), note="A datum.", cites=("S23",)),
@@ -143,9 +144,10 @@ DESIGN_ROWS = (
             r"-E_{cs}-T_c<E_{csu}<-E_{cs}", not_above(E_cs, -(-E_cs - T_c * place))
         ),
         note=(
-            "E_csu = E_cs - T_c p, 0 < p < 1, is any good tooth of step 2; its decrease is -E_csu. "
-            "With E_cs = 12 um as printed, good teeth may be thicker than nominal. A simulated "
-            "deviation that is itself a decrease does not help: step 2 admits only smaller ones."
+            "E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
+            "is -E_csu. With E_cs = 12 um as printed, good teeth may be thicker than nominal. To "
+            "simulate a decrease instead of a deviation does not help: step 2 would then admit "
+            "only decreases below E_cs."
         ),
         marks=("rebuilt",),
         cites=("S25",),
@@ -155,8 +157,8 @@ DESIGN_ROWS = (
         r"\text{a thinner pitch arc thins the constant chord by the same amount}",
         Equality(chord_by_thinning, thinning),
         note=(
-            "First order, measured at the fixed height: dS = ds on the pitch circle, so this wheel "
-            "gives the normal backlash E_cs cos(alpha)."
+            "To first order, measured at the fixed height: dS equals ds on the pitch circle, so "
+            "that this wheel contributes E_cs cos(alpha) to the normal backlash."
         ),
         marks=("ours",),
     ),
@@ -164,16 +166,16 @@ DESIGN_ROWS = (
         "smallest deviation, guaranteed side clearance",
         r"E_{cs}\text{ determines the guaranteed side clearance}",
         Equality(diff(side_clearance, E_cs), cos(alpha)),
-        note="As a decrease it gives E_cs cos(alpha) along the normal; the mate and the centre "
-        "distance have their own parts of the clearance.",
+        note="As a decrease it gives E_cs cos(alpha) along the normal; the mating wheel and the "
+        "centre distance contribute to the clearance, too.",
         cites=("S24",),
     ),
     Claim(
         "smallest deviation, kind of mating",
         r"\text{which in turn determines the kind of mating}",
         NotCheckable(
-            "which clearance belongs to which kind of mating: it is in the tables of the standard "
-            "that is cited as [2], no number of it is printed"
+            "which clearance belongs to which kind of mating: that stands in the tables of the "
+            "standard cited as [2], of which the text at hand has no number"
         ),
         cites=("S24",),
     ),
@@ -182,8 +184,8 @@ DESIGN_ROWS = (
         r"\text{the measuring base for determining the height is the nominal diameter of the tip "
         r"circle}",
         Equality(tip_radius - rack_height, involute_distance),
-        note="From the nominal tip circle the height leads to the constant chord of the involute, "
-        "outer cylinder as base.",
+        note="Measured from the nominal tip circle, with the outer cylinder as base, the height "
+        "leads to the constant chord of the involute.",
         cites=("S8", "S9"),
     ),
     Claim(
@@ -191,9 +193,9 @@ DESIGN_ROWS = (
         r"\text{if the diameter of the tip circle differs from the nominal value, the height is "
         r"determined with an error}",
         Equality(tip_radius + e_tip / 2 - rack_height - involute_distance, e_tip / 2),
-        note="The line of a gauge on the actual tip circle, set to the rack's height, against the "
-        "involute's constant chord: off by half the deviation, towards the tip on a larger "
-        "circle.",
+        note="The line of a gauge that stands on the actual tip circle and is set to the nominal "
+        "height, compared with the constant chord of the involute: it is off by half the "
+        "deviation of the diameter, towards the tip if the circle is larger.",
         cites=("S9",),
     ),
     Claim(
@@ -209,8 +211,8 @@ DESIGN_ROWS = (
             )
         ),
         on=HEIGHTS_TO_0_1_MM,
-        note="On the involute of this wheel, the thickness is off by half as much at least; deeper "
-        "is thicker, so a larger tip diameter makes the measured tooth thinner.",
+        note="On the involute of this wheel the thickness is off by at least half as much; deeper "
+        "is thicker, so that a larger tip diameter makes the tooth measure thinner.",
         marks=("calibrated",),
         cites=("S9",),
     ),
@@ -230,11 +232,12 @@ PARAMETER_ROWS = (
             less(normal_between(S.One, S.One, -THREE_SIGMA, THREE_SIGMA), NORMAL_SHARE),
             less(accepted_by(6, GAUGE_LIMIT, bias=GAUGE_LIMIT), accepted_by(6, GAUGE_LIMIT)),
         ),
-        note="Each changes the shares: the grade by the error of measurement, the degree by T_c "
-        "and E_cs, which depend on it by GOST 1643-81, shown for one micrometre; a mean a sixth of "
-        "the field off its middle; a gauge whose mean error in height and thickness is its limit "
-        "error, half of 50 um, 3 sigma. The limit error, over which Figs. 4 and 5 are drawn, is "
-        "not in the list. Normal laws, tip of IT6.",
+        note="Each of them changes the shares: the grade by the error of measurement; the degree "
+        "by T_c and E_cs, which depend on it by GOST 1643-81, shown for a change of one "
+        "micrometre; the mean deviation, shown for a sixth of the field off its middle; the mean "
+        "error of the gauge, shown for its limit error in height and thickness, half of 50 um, 3 "
+        "sigma. The limit error, over which Figs. 4 and 5 are drawn, is not in the list. Normal "
+        "laws, tip of IT6.",
         marks=("calibrated",),
     ),
     Claim(
@@ -244,8 +247,8 @@ PARAMETER_ROWS = (
             tan(alpha) * (2 * dh_gauge - e_tip) + ds_gauge,
             (reading - E_true).subs(dh, height_deviation),
         ),
-        note="What the expectations of tip diameter, height and thickness make of the mean "
-        "indication: where they are not zero the sign of step 5 matters, and the printed steps "
+        note="How the expectations of tip diameter, height and thickness shift the mean "
+        "indication: where they are not zero the sign in step 5 matters, and the printed steps "
         "give K_m (mu_h + mu_d) + mu_S.",
         marks=("ours", "consequence"),
     ),

@@ -35,7 +35,7 @@ EXAMPLE_ROWS = (
         "Table 1, accuracy degree",
         r"\text{accuracy degree }6",
         Definition(degree, S(6)),
-        note="A datum; no formula of the paper uses it. Its digit is damaged, Figs. 4 and 5 have "
+        note="A datum; no formula of the paper uses it. Its digit is damaged; Figs. 4 and 5 have "
         "6H.",
         marks=("uncertain",),
         cites=CAPTION,
@@ -44,8 +44,8 @@ EXAMPLE_ROWS = (
         "Table 1, kind of mating",
         r"\text{kind of mating }\mathrm H",
         Definition(clearance, S.Zero),
-        note="A datum; no formula of the paper uses it. That H asks for no guaranteed clearance is "
-        "from GOST 1643-81, by which the paper sets the requirements.",
+        note="A datum; no formula of the paper uses it. That H requires no guaranteed clearance "
+        "is taken from GOST 1643-81, by which the paper sets the requirements.",
         marks=("inferred",),
         cites=CAPTION,
     ),
@@ -59,7 +59,7 @@ EXAMPLE_ROWS = (
         "Table 1, grade of the tip diameter",
         r"\text{IT grade of the diameter of the tooth tips }6",
         Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
-        note="A datum; 25 um of ISO 286-1 is no print of the paper (see 'step 3, IT grades').",
+        note="A datum; the 25 um are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
         marks=("calibrated",),
         cites=CAPTION,
     ),
@@ -67,7 +67,7 @@ EXAMPLE_ROWS = (
         "Table 1, interval of the gauge",
         r"\text{interval measure of uncertainty of the measuring instrument }50~\mu\mathrm{m}",
         Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
-        note="A datum; which interval is meant, 'steps 4 and 7, spread of the gauge' asks.",
+        note="A datum; for which interval may be meant see 'steps 4 and 7, spread of the gauge'.",
         cites=CAPTION,
     ),
     Claim(
@@ -78,9 +78,9 @@ EXAMPLE_ROWS = (
             PrintedNumber("100", 100 * Rational(50, 50)),
             PrintedNumber("100", 100 * NORMAL_SHARE),
         ),
-        note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which for "
-        "a normal law in the middle of the field is 99.73 %. What 50 teeth can show of it, see the "
-        "next row.",
+        note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which is "
+        "99.73 % for a normal law in the middle of the field. For what 50 teeth can show of it "
+        "see the next row.",
         marks=("calibrated",),
         cites=("S31",),
     ),
@@ -93,8 +93,8 @@ EXAMPLE_ROWS = (
             less(Rational(1, 20), Rational("0.942") ** 50),
             less(Rational("0.941") ** 50, Rational(1, 20)),
         ),
-        note="The one-sided 95 % bound of Clopper and Pearson lies between 94.1 and 94.2 % good. "
-        "Normal law, centred.",
+        note="The one-sided 95 % bound of Clopper and Pearson lies between 94.1 and 94.2 % of "
+        "good teeth. Normal law, centred.",
         marks=("ours", "consequence"),
     ),
     Claim(
@@ -112,7 +112,7 @@ EXAMPLE_ROWS = (
         "Table 1, column 9",
         r"(9)=(2)+(7)+(8)",
         Equality(E_true + K_m * dh + ds_gauge, reading),
-        note="True deviation, thickness error from the shift, gauge; as in step 8.",
+        note="True deviation, error of thickness from the shift, error of the gauge; as in step 8.",
         cites=("S39",),
     ),
 )

@@ -69,9 +69,9 @@ INFLUENCE_ROWS = (
         "(1), influence 0.7284",
         says=good_to_the_last_place(excess_of_0_7284),
         on=HEIGHTS_TO_0_1_MM,
-        note="An approximation by its own words, for this wheel: judged to one micrometre, "
-        "the last place to which the paper gives deviations, at 0.1 mm, and to its share of "
-        "smaller heights. See '(1), where 0.7284 is the slope'.",
+        note="In its own words an approximation, for this wheel: judged to one micrometre, the "
+        "last place to which the paper gives deviations, for a height that is off by 0.1 mm, and "
+        "in proportion for less. See '(1), where 0.7284 is the slope'.",
         marks=("calibrated", "inferred"),
         cites=("S37",),
     ),
@@ -83,8 +83,8 @@ INFLUENCE_ROWS = (
             Equality(K_m, influence),
         ),
         note=(
-            "On the involute itself; delta is the angle of the flank's tangent with the tooth's "
-            "axis. On the rack the derivative is 2 tan(alpha) at every height."
+            "On the involute itself; delta is the angle between the tangent of the flank and the "
+            "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height."
         ),
         marks=("ours",),
     ),
@@ -101,17 +101,17 @@ INFLUENCE_ROWS = (
             less(excess_of_0_7284.subs(tilt, SECANT[0]), S.Zero),
             less(S.Zero, excess_of_0_7284.subs(tilt, SECANT[1])),
         ),
-        note="0.7279 is the slope at the constant chord; the secant from it to a chord 11 um "
-        "nearer the tip, within half of IT6, has the printed one. For heights that are off by up "
-        "to 0.1 mm the difference is below 0.05 um.",
+        note="0.7279 is the slope at the constant chord; the secant from there to a chord 11 um "
+        "nearer the tip, within half of IT6, has the printed slope. For heights that are off by "
+        "up to 0.1 mm the two differ by less than 0.05 um.",
         marks=("ours", "calibrated"),
     ),
     PRINT.equation(
         "step 6, influence of the involute",
         says=good_to_the_last_place(excess_in_print),
         on=HEIGHTS_TO_0_1_MM,
-        note="An approximation by its own words, judged as (1); the product is never too small, "
-        "see 'step 6, excess of the linear model'.",
+        note="In its own words an approximation, judged as (1) was; the product is never too "
+        "small, see 'step 6, excess of the linear model'.",
         marks=("rebuilt", "calibrated"),
         cites=("S36",),
     ),
@@ -129,7 +129,7 @@ INFLUENCE_ROWS = (
                 2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
             ),
         ),
-        note="The closed forms of the kernels against the involute.",
+        note="The closed forms of the kernels, compared with the involute.",
         marks=("ours",),
     ),
     Claim(

@@ -107,13 +107,13 @@ CAPTION = (
     "against the limit error of the gauge, tip diameter of IT6 and IT7 (curves 1 and 2): exact "
     f"curves, points of {TEETH:,} simulated teeth with their standard errors. Thin: step 5 as "
     "printed, which counts the whole deviation of the tip diameter instead of half of it. The "
-    "paper's curves are lost, and it prints neither laws nor the multiple of the limit error: here "
-    f"all laws are normal and centred, tolerances span {K_PRINTED} standard deviations and the "
-    f"limit error is {SIGMAS} of them. What that decides: the {GAUGE_UM} µm of Table 1 as the full "
-    f"width of {SIGMAS} standard deviations (the right end) reject "
-    f"{wrongly_rejected(GAUGE_UM / 2 / SIGMAS):.1f} % of good teeth by the printed steps and IT6, "
-    f"as half the width of two {wrongly_rejected(GAUGE_UM / 2):.1f} %. IT6 = 25 µm and IT7 = 40 µm "
-    "are those of ISO 286-1. Diamonds: claim (b) holds from there on."
+    "paper's curves are lost, and the text at hand has neither the laws nor the multiple of the "
+    f"limit error: here all laws are normal and centred, tolerances span {K_PRINTED} standard "
+    f"deviations and the limit error is {SIGMAS} of them. How much hangs on it: if the {GAUGE_UM} "
+    f"µm of Table 1 are the full width of {SIGMAS} standard deviations (the right end), "
+    f"{wrongly_rejected(GAUGE_UM / 2 / SIGMAS):.1f} % of good teeth are rejected by the printed "
+    f"steps with IT6; if they are half the width of two, {wrongly_rejected(GAUGE_UM / 2):.1f} %. "
+    "IT6 = 25 µm and IT7 = 40 µm are those of ISO 286-1. Diamonds: claim (b) holds from there on."
 )
 FIGURES = (
     Figure(

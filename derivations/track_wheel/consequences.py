@@ -85,9 +85,9 @@ CONSEQUENCES: tuple[Row, ...] = (
                 strict=True,
             )
         ),
-        note="Mounting and elastic deformations make five sixths of the squared total, all "
-        "coefficients 1. A random temperature error of 15 % of the total takes 2.25 % of it and "
-        "leaves these shares of the rest.",
+        note="Mounting and elastic deformation make five sixths of the squared total, with all "
+        "coefficients 1. A random temperature error of 15 % of the total takes 2.25 % of its "
+        "square; these are the shares of the rest.",
         marks=MARKS,
     ),
     Claim(
@@ -95,8 +95,9 @@ CONSEQUENCES: tuple[Row, ...] = (
         r"1-\sqrt{(q-\Delta_\delta^2)/q}\approx19.3\,\%,\ "
         r"q=\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2+\Delta_u^2",
         PrintedNumber("19.3", gain(elastic)),
-        note="With the other errors of Table 1 unchanged and errors of one law, even a vanishing "
-        "elastic error lowers the total by no more, be the temperature error random or systematic.",
+        note="With all errors of one law and the other errors of Table 1 unchanged, the total "
+        "falls by no more than this even if the elastic error vanishes, whether the temperature "
+        "error is random or systematic.",
         marks=MARKS,
     ),
     Claim(
@@ -108,23 +109,24 @@ CONSEQUENCES: tuple[Row, ...] = (
             ("7.9", gain(elastic, others=UNIFORM)),
             ("5.0", gain_by_printed_sum(elastic)),
         ),
-        note="How far the bound of 19.3 % moves with what is not printed: normal laws have "
-        "K_i = 1, uniform ones the square root of 3.",
+        note="How far the bound of 19.3 % moves with what the text at hand does not have: for "
+        "normal laws K_i = 1, for uniform ones the square root of 3.",
         marks=MARKS,
     ),
     Claim(
         "Consequences, half the mounting error",
         r"\Delta_y/2\text{ in the place of }\Delta_y\text{: }20.7\,\%\text{ less}",
         PrintedNumber("20.7", gain(mounting, left=HALF)),
-        note="To halve the mounting error lowers the total by more than to have no elastic error "
-        "at all.",
+        note="Halving the mounting error lowers the total by more than having no elastic error at "
+        "all.",
         marks=MARKS,
     ),
     Claim(
         "Consequences, no form error",
         r"\Delta_\phi=0\text{: }2.6\,\%\text{ less}",
         PrintedNumber("2.6", gain(form)),
-        note="In finish milling by Table 1 the form error of the base surface is worth no more.",
+        note="In finish milling, by Table 1, the form error of the base surface accounts for no "
+        "more than this.",
         marks=MARKS,
     ),
     Claim(
@@ -135,18 +137,18 @@ CONSEQUENCES: tuple[Row, ...] = (
             ("0.0659", LARGEST_HEIGHT_ERROR),
             ("0.00146", sp.sqrt(TURNS[2, 0] ** 2 + TURNS[2, 1] ** 2)),
         ),
-        note="By (15), a = b = c = 0. In height the two turns of Table 1 alone can move a point of "
-        "the track by nearly as much as all errors of (6) together (0.072 mm); in the plane they "
-        "act by the height over O_1, 1.46 µm for each millimetre.",
+        note="By (15), with a = b = c = 0. In height the two turns of Table 1 alone can move a "
+        "point of the track by nearly as much as all errors of (6) together (0.072 mm); in the "
+        "plane they act in proportion to the height over O_1, by 1.46 µm for each millimetre.",
         marks=MARKS,
     ),
     Claim(
         "Consequences, first order",
         r"\tfrac12(R+A)(|\alpha|+|\beta|+|\gamma|)^2=0.000096\text{ mm}",
         PrintedNumber("0.000096", first_order_remainder(radius + amplitude).subs(PRINTED_VALUES)),
-        note="At points with z_13 = 0 the shift plus the vector product of (alpha, beta, gamma) "
-        "and the point is all of (15) but for 0.1 µm. Neither the order of the turns nor the name "
-        "rotation vector matters at these sizes.",
+        note="At points with z_13 = 0, the shift plus the vector product of (alpha, beta, gamma) "
+        "and the point gives (15) to within 0.1 µm. At these sizes neither the order of the turns "
+        'nor the name "rotation vector" matters.',
         marks=MARKS,
     ),
     Claim(
@@ -158,9 +160,9 @@ CONSEQUENCES: tuple[Row, ...] = (
             ("6.7", radius_of_curvature(8, sp.S.Zero)),
             ("11.0", radius_of_curvature(7, sp.pi)),
         ),
-        note="For R and A of Table 1. If (16) is the path of the centres of the balls, of radius "
-        "7.5 mm, eight periods undercut the groove at the crests; seven do not, there or at the "
-        "roots.",
+        note="For R and A of Table 1. If (16) is the path of the centres of the balls, whose "
+        "radius is 7.5 mm, a track of eight periods is undercut at its crests; one of seven is "
+        "not, neither there nor at its roots.",
         marks=MARKS,
     ),
 )

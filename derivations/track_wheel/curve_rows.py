@@ -35,17 +35,17 @@ CURVE_ROWS: tuple[Row, ...] = (
         "(16)",
         derived=dict(zip(SURFACE_POINT[:2], on_track(radius_by_sine_rule(THETA)), strict=False)),
         defines=(SURFACE_POINT[2],),
-        note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
+        note="Compared with the sine rule in the triangle of pole, centre and point.",
         on=Part("|A| <= R", where=(sp.Le(sp.Abs(amplitude), radius),)),
         singular=("A = R: the circle passes through the pole and the track has corners there",),
-        links={3: ChainLink(note="Names the height of the points.")},
+        links={3: ChainLink(note="Gives the height of the points a name.")},
         cites=("S41", "S42"),
     ),
     Claim(
         "(16), radius vector",
         r"\rho\text{: radius vector of a point of the curve}",
         Definition(radius_vector, printed_radius(THETA)),
-        note="Explained below (16), where the letter does not occur: it is the bracket.",
+        note="Explained below (16), in which the letter does not occur: it is the bracket.",
         cites=("S43",),
     ),
     Claim(
@@ -56,7 +56,7 @@ CURVE_ROWS: tuple[Row, ...] = (
             + (printed_radius(THETA) * sp.sin(THETA)) ** 2,
             radius**2,
         ),
-        note="The formula is the shifted circle's, at the angle z varphi.",
+        note="The formula is that of the shifted circle, at the angle z varphi.",
         cites=("S42",),
     ),
     Claim(
@@ -75,8 +75,8 @@ CURVE_ROWS: tuple[Row, ...] = (
                 ),
             )
         ),
-        note="Seen from the pole the points of the shifted circle lie between R - A and R + A, "
-        "and both are reached; A is half of the difference.",
+        note="Seen from the pole, the points of the shifted circle lie between R - A and R + A "
+        "away, and both are reached; A is half the difference.",
         cites=("S43",),
     ),
     Claim(
@@ -96,9 +96,9 @@ CURVE_ROWS: tuple[Row, ...] = (
     PRINT.equation(
         "(17)",
         defines=(planar_error,),
-        note="The position error of one point; not the scatter field that (3)-(7) call "
+        note="The position error of one point, not the scatter field that (3) to (7) call "
         "Delta_Sigma.",
         cites=("S44",),
     ),
-    PRINT.equation("(18)", defines=(spatial_error,), note="As (17), in space.", cites=("S45",)),
+    PRINT.equation("(18)", defines=(spatial_error,), note="Like (17), in space.", cites=("S45",)),
 )

@@ -67,7 +67,7 @@ ERROR_ROWS: tuple[Row, ...] = (
     PRINT.equation(
         "(1)",
         defines=(output,),
-        note="Names the output and its parameters; everything after it uses f to first order.",
+        note="Names the output and its parameters; everything that follows uses f to first order.",
         cites=("S16",),
     ),
     PRINT.equation(
@@ -81,8 +81,8 @@ ERROR_ROWS: tuple[Row, ...] = (
         r"K\text{: coefficient of relative scatter of the output parameter; }K_i\text{: ratio of "
         r"the scatter field of the error under the normal law to the actual scatter field}",
         Definition(scatter, 6 * sigma / total),
-        note="The ratio is printed for the inputs and read for the output likewise; the field "
-        "under the normal law is taken as six standard deviations.",
+        note="The ratio is printed for the inputs and read in the same way for the output; the "
+        "field under the normal law is taken to be six standard deviations.",
         marks=("inferred",),
         cites=("S20", "S21"),
     ),
@@ -99,23 +99,23 @@ ERROR_ROWS: tuple[Row, ...] = (
             )
         ),
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
-        "law has 1: six standard deviations are sqrt(3) tolerances.",
+        "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
         marks=("ours",),
     ),
     Claim(
         "after (3), K for a reliability",
         r"K\text{ corrects the total error for a given guaranteed reliability}",
         Definition(scatter, 6 * sigma / (2 * half_width)),
-        note="Chosen by who uses (3): h is half the field that the reliability asks for. By the "
-        "normal law K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
+        note="Chosen by whoever uses (3); h is half the field that the reliability requires. By "
+        "the normal law K = 1 for 99.73 % and K = 3/1.96 for 95 %.",
         cites=("S20",),
     ),
     PRINT.equation(
         "(3)",
         derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
         corrected=Correction(PRINT.prints["(3)"].replace("k", "j")),
-        note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
-        "as the pair and (4) sums over j, so j is meant.",
+        note="The inner sum runs over k, while its terms carry j; the list of symbols names i, j "
+        "as the pair and (4) sums over j, so that j is meant.",
         cites=("S19",),
     ),
     Claim(
@@ -128,14 +128,14 @@ ERROR_ROWS: tuple[Row, ...] = (
                 evaluate=False,
             )
         ),
-        note="Values between -1 and 1 are not enough: three unit errors with all R_ij = -1 make "
-        "the radicand negative. The matrix of the R_ij must be positive semidefinite.",
+        note="That each R_ij lies between -1 and 1 is not enough: three unit errors with all R_ij "
+        "= -1 make the radicand negative. The matrix of the R_ij must be positive semidefinite.",
         marks=("ours",),
     ),
     PRINT.equation(
         "(4)",
         derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
-        note="Holds at each instant t; the left side is then a function of t too.",
+        note="Holds at each instant t; the left side is then a function of t, too.",
         cites=("S22",),
     ),
     Claim(
@@ -146,7 +146,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         readings=(
             Reading(
-                "each T_i is already its share of the end value, so that S_i = 1 is a choice",
+                "each T_i is already its share of the end value, so that S_i = 1 by choice",
                 Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
             ),
         ),
@@ -154,7 +154,7 @@ ERROR_ROWS: tuple[Row, ...] = (
             r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2}",
             Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         ),
-        note="Independence removes the terms with R_ij from (3) and leaves every S_i as it is.",
+        note="Independence removes the terms with R_ij from (3), but leaves every S_i as it is.",
         cites=("S23",),
     ),
     PRINT.equation(
@@ -169,7 +169,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         r" metal-cutting machine tools in usual production conditions}",
         NotCheckable("the recommendation of [5], its correlations and sensitivities"),
         note="(5) needs independent errors, each with S_i = 1. Whether those of usual production "
-        "are such is a matter of [5].",
+        "are of this kind would have to be looked up in [5].",
         cites=("S3", "S25"),
     ),
     PRINT.equation(
@@ -177,32 +177,33 @@ ERROR_ROWS: tuple[Row, ...] = (
         derived={total: propagate_groups(SINGLES, mountings, elastics)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": ""}),
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
-        "lengths. In the corrected form each group has its own index and each term is a square; "
-        "as in (5) every sensitivity is one. That is for a random Delta_T; a systematic one stands "
-        "outside the root, as in the next row. The transcription does not say of which kind it is.",
+        "lengths. In the corrected form each group has an index of its own and each term is a "
+        "square; as in (5), every sensitivity is one. This is for a random Delta_T; a systematic "
+        "one stands outside the root, as in the next row. The transcription does not say which of "
+        "the two it is.",
         cites=("S26", "S27"),
     ),
     Claim(
         "(6), systematic temperature error",
         LATEX_GROUPS_AND_THERMAL,
         derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
-        note="For a systematic Delta_T: the root of (6) ends before the error, which adds as it "
-        "is. In (7) likewise.",
+        note="For a systematic Delta_T: the root of (6) ends before it, and the error is added as "
+        "it is. The same goes for (7).",
         marks=("ours",),
     ),
     Claim(
         "after (6), shift along the axes",
         r"\text{formulas of the total error of machining, which characterise the shift of the blank"
         r" along the coordinate axes of the machine}",
-        NotCheckable("how the one total of (6) becomes a shift a, b, c along three axes"),
-        note="(6) and (7) give one length without a direction; (15) takes a, b, c as given.",
+        NotCheckable("how the single total of (6) becomes a shift a, b, c along three axes"),
+        note="(6) and (7) give one length, without a direction; (15) takes a, b, c as given.",
         cites=("S5", "S26", "S62"),
     ),
     PRINT.equation(
         "(7)",
         derived={AT_TIME[total]: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
-        note="As (6), at each instant t; the K_i are printed without t and kept so.",
+        note="Like (6), at each instant t; the K_i are printed without t and left so.",
         cites=("S28",),
     ),
 )

@@ -72,7 +72,7 @@ FIGURE_ROWS: tuple[Row, ...] = (
         r"\text{diagram of the largest values of the total error, which takes account of the shift"
         r" and the turns of the blank, calculated by the formulas given above}",
         NotCheckable("the values of Fig. 3, which are lost, and a, b, c, z, H_s"),
-        note="What the turns of Table 1 do alone stands among the consequences.",
+        note="For what the turns of Table 1 do by themselves see 'Consequences, turns alone'.",
         cites=("S6", "S47", "S48", "S65"),
     ),
     Claim(
@@ -91,16 +91,18 @@ FIGURE_ROWS: tuple[Row, ...] = (
             r"\text{deviations of location of the given profile of the track}",
             Equality(DISPLACED_DISTANCE, DISTANCE),
         ),
-        note="Shift and turn by (15) move the part as a rigid body: of a sum of both deviations, "
-        "the one of form is zero in (15), (17) and (18).",
+        note="By (15), shift and turn move the part as a rigid body: of a combined deviation of "
+        "form and location, the part of form is zero in (15), (17) and (18).",
         cites=("S49",),
     ),
     Claim(
         "Fig. 4, values",
         r"\text{graphs that characterise the influence of the error of form of the cylindrical"
         r" surface of the blank on the total error of machining}",
-        NotCheckable("the graphs of Fig. 4 are lost, and how the form error makes a, b, c"),
-        note="What (6) makes of the form error stands among the consequences.",
+        NotCheckable(
+            "the graphs of Fig. 4, which are lost, and how the form error leads to a, b, c"
+        ),
+        note="For what the form error contributes to (6) see 'Consequences, no form error'.",
         cites=("S6", "S53", "S54", "S66"),
     ),
     Claim(
@@ -113,8 +115,8 @@ FIGURE_ROWS: tuple[Row, ...] = (
                 not_above(TANGENTIAL_ERROR**2, PRINTED_17**2),
             )
         ),
-        note="By (17): the total is the hypotenuse of the radial and the tangential error of a "
-        "point and lies above both.",
+        note="By (17) the total is the hypotenuse over the radial and the tangential error of a "
+        "point, and no smaller than either.",
         marks=("inferred",),
         cites=("S54",),
     ),
@@ -122,8 +124,8 @@ FIGURE_ROWS: tuple[Row, ...] = (
         "before Fig. 5, considerable errors",
         r"\text{considerable errors from elastic deformations of the machine and the tool arise}",
         NotCheckable("what counts as considerable"),
-        note="In Table 1 only the mounting error is larger; their shares stand among the "
-        "consequences.",
+        note="In Table 1 only the mounting error is larger; for their shares see 'Consequences, "
+        "shares of the errors'.",
         cites=("S55",),
     ),
     Claim(
@@ -144,9 +146,10 @@ FIGURE_ROWS: tuple[Row, ...] = (
                 less(sp.Integer(0), cutting_force(sp.Integer(1)).diff(depth)),
             )
         ),
-        note="One witness, as it can: where the force goes by powers of depth and feed, a feed "
-        "that falls with the depth keeps it as it is at the least depth, and at a constant feed it "
-        "would grow. So it is reduced, too. The law of the force is not in the transcription.",
+        note='It "can", so that one example proves it: if the force follows powers of depth and '
+        "feed, a feed that falls as the depth grows keeps it as low as it is at the least depth, "
+        "whereas at a constant feed it would grow. So it is reduced, too. The law of the force is "
+        "not in the transcription.",
         marks=("inferred",),
         cites=("S6", "S58"),
     ),
@@ -160,9 +163,9 @@ FIGURE_ROWS: tuple[Row, ...] = (
                 less(deformation_range(kept * spread), deformation_range(spread)),
             )
         ),
-        note="Compared along the profile, where the allowance is uneven: the error is the range of "
-        "the deformation there and falls in the ratio in which it changes less. That it changes "
-        "little, and by how much the error fell, was read off the graphs.",
+        note="Compared along the profile, where the allowance is uneven: the error is the range "
+        "of the deformation there, and falls in proportion as the deformation changes less. That "
+        "it changes little, and how far the error fell, was read off the graphs.",
         cites=("S56", "S60"),
     ),
     Claim(
@@ -183,8 +186,8 @@ FIGURE_ROWS: tuple[Row, ...] = (
         r"\text{choosing optimal ratios of the parameters of depth of cut and feed allowed to"
         r" considerably reduce the total error of machining}",
         NotCheckable("the total after the choice, lost with Fig. 5, and a measure of considerably"),
-        note="What the total can fall by at most, by the sizes of Table 1, stands among the "
-        "consequences.",
+        note="For how far the total can fall at most, by the sizes of Table 1, see 'Fig. 5, "
+        "largest possible gain'.",
         cites=("S67",),
     ),
 )

@@ -59,10 +59,10 @@ ABC = product_of("ABC")
 FINDINGS = (
     Finding(
         "conclusions, total error",
-        "By Table 1 and the corrected (6), errors of one law, even a vanishing elastic error "
-        "lowers the total by no more than a fifth: about half of the squared total is that of the "
-        "mounting error, which no choice of depth and feed changes. By how much it fell is lost "
-        "with Fig. 5.",
+        "By Table 1 and the corrected (6), with all errors of one law and the others unchanged, "
+        "the total falls by less than a fifth even if the elastic error vanishes: the mounting "
+        "error, into which depth and feed do not enter, makes about half of the squared total. "
+        "How far the total did fall is lost with Fig. 5.",
         costs=(
             Cost(
                 "total of Table 1, all K = 1, Δ_T random",
@@ -71,7 +71,7 @@ FINDINGS = (
                 3,
                 RIGHT_TOTAL,
                 RIGHT_TOTAL * WITHOUT_ELASTIC / FIVE,
-                ("with the elastic error of 0.042 mm", "with none"),
+                ("as in Table 1", "without the elastic error"),
             ),
             Cost(
                 "without any elastic error the total falls by",
@@ -80,16 +80,16 @@ FINDINGS = (
                 1,
                 gain(elastic) / 100,
                 gain(elastic, own=UNIFORM) / 100,
-                ("errors of one law", "the elastic error alone uniform"),
+                ("if all errors are of one law", "if the elastic error alone is uniform"),
             ),
             Cost(
-                "with half the error the total falls by",
+                "halving one error lowers the total by",
                 {},
                 "%",
                 1,
                 gain(elastic, left=HALF) / 100,
                 gain(mounting, left=HALF) / 100,
-                ("elastic", "mounting"),
+                ("for the elastic error", "for the mounting error"),
             ),
         ),
         weight=Weight.CONCLUSION,
@@ -136,10 +136,10 @@ FINDINGS = (
     ),
     Finding(
         "Fig. 3, form and location",
-        "(15) turns and shifts the whole track as a rigid body: every distance between two of its "
-        "points stays, so the errors on the diagram are deviations of location. What changes along "
-        "the profile, as the elastic error of an uneven allowance, is a deviation of form, and in "
-        "none of (15), (17), (18).",
+        "(15) moves the whole track as a rigid body, so that every distance between two of its "
+        "points stays: of a combined deviation of form and location, (15), (17) and (18) have "
+        "only the part of location. What varies along the profile, such as the elastic error of "
+        "an uneven allowance, is a deviation of form and enters none of them.",
         costs=(
             Cost(
                 "turns of Table 1, points at R + A and z_13 = 0",
@@ -151,10 +151,11 @@ FINDINGS = (
                 ("largest error of position along Z_0", "deviation of form"),
             ),
         ),
-        weight=Weight.NUMBER,
+        weight=Weight.WORDING,
         check=Check(
-            "two points of the part, 2(R + A) apart along X_0, turned by 0.00103 about Y_0: {0} "
-            "apart along X_0 and {1} along Z_0, the root of the squares is {2} as before",
+            "Two points of the part, 2(R + A) apart along X_0, turned by 0.00103 about Y_0, are "
+            "{0} apart along X_0 and {1} along Z_0; the root of the sum of squares is {2}, as "
+            "before",
             (FARTHEST_APART * sp.cos(TURN), FARTHEST_APART * sp.sin(TURN), FARTHEST_APART),
             6,
             "mm",
@@ -163,9 +164,9 @@ FINDINGS = (
     ),
     Finding(
         "Table 1, missing data",
-        "The transcription has no value of the coefficients K and K_i, so that the total of Table "
-        "1 cannot be recomputed, nor of z, H_s, a, b, c, S_i and n, which Figs. 3 to 5 need "
-        "besides.",
+        "The transcription gives no values of the coefficients K and K_i, so that the total of "
+        "Table 1 cannot be recomputed; nor does it give z, H_s, a, b, c, S_i and n, which Figs. 3 "
+        "to 5 need as well.",
         costs=(
             Cost(
                 "total of Table 1",
@@ -192,15 +193,15 @@ FINDINGS = (
         "of symbols have j.",
         weight=Weight.FORMULA,
         check=Check(
-            "n = 2, K = 1, all K_iS_iT_i = 1, R_12 = 0.5: with j in the place of k the total is "
-            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed the terms have a j without a value",
+            "n = 2, K = 1, all K_i S_i T_i = 1, R_12 = 0.5: with j in the place of k the total is "
+            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed, the terms hold a j that has no value",
             (sp.sqrt(3),),
         ),
     ),
     Finding(
         "after (4), S_i = 1",
-        "Independence takes the terms with R_ij out of (3) and says nothing of the sensitivities: "
-        "S_i = 1 is a second assumption. Without it (5) keeps its S_i.",
+        "Independence removes the terms with R_ij from (3), but says nothing about the "
+        "sensitivities: S_i = 1 is a second assumption. Without it (5) keeps its S_i.",
         costs=(
             Cost(
                 "Table 1, all K = 1, without Δ_T",
@@ -223,8 +224,9 @@ FINDINGS = (
     ),
     Finding(
         "before (14), product",
-        "Multiplied in the order A B C the matrices do not give the printed K; only C B A does. "
-        "A B C is turns about the fixed axes, C B A those about axes that turn with the part.",
+        "Multiplied in the order A B C, the matrices do not give the printed K; only C B A does. "
+        "A B C stands for turns about fixed axes, C B A for turns about axes that turn with the "
+        "part.",
         costs=(
             Cost(
                 "farthest point of the track, along Y_0, turns of Table 1",
@@ -237,8 +239,8 @@ FINDINGS = (
         ),
         weight=Weight.WORDING,
         check=Check(
-            "the second element of the first row, for gamma = 0, is sin alpha sin beta in (14) and "
-            "0 in A B C; 0.00103² times R + A = 45.25 mm is {0}",
+            "For gamma = 0 the second element of the first row is sin alpha sin beta in (14) and 0 "
+            "in A B C; 0.00103² times R + A = 45.25 mm is {0}",
             (along_y(PRINTED_K).subs(LIKE_TABLE_1),),
             3,
             "µm",

@@ -59,8 +59,9 @@ def coordinate_row(number: str, row: int) -> Equation:
     return PRINT.equation(
         number,
         derived={PART_POINT[row]: compose(UNIT_VECTORS, ELEMENTS[row, :]).dot(FROM_ORIGIN)},
-        note="The other side is the dot product with a unit vector whose projections are the "
-        "elements. It holds whatever they are: those that are 0 in (8) hide no factor.",
+        note="Compared with the dot product with a unit vector whose projections are the "
+        "elements. It holds whatever they are, so that the elements that are 0 in (8) hide no "
+        "wrong factor.",
         cites=("S34",),
     )
 
@@ -73,7 +74,7 @@ FRAME_ROWS: tuple[Row, ...] = (
         links={
             2: ChainLink(
                 derived=dict(zip(ELEMENTS, see_from_turned_frame(0, alpha), strict=True)),
-                note="Rebuilt from the turn of space backwards that an observer in the turned "
+                note="Compared with the backward turn of space that an observer in the turned "
                 "frame sees.",
             )
         },
@@ -89,7 +90,8 @@ FRAME_ROWS: tuple[Row, ...] = (
                 Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
             )
         ),
-        note="The clockwise turn gives another matrix, so the printed direction is the right one.",
+        note="A clockwise turn gives another matrix, so that the printed direction is the right "
+        "one.",
         cites=("S32",),
     ),
     Claim(
@@ -97,7 +99,7 @@ FRAME_ROWS: tuple[Row, ...] = (
         r"\text{The elements are the projections of the unit vectors of }x_{10}y_{10}z_{10}"
         r"\text{ on the axes of }x_{1i}y_{1i}z_{1i}",
         Equality(PRINTED_A, project(TURNED_BY_ALPHA)),
-        note="Row: axis of the turned frame; column: unit vector of the frame that stays.",
+        note="The row is an axis of the turned frame, the column a unit vector of the fixed one.",
         cites=("S33",),
     ),
     coordinate_row("(9)", 0),
@@ -109,7 +111,7 @@ FRAME_ROWS: tuple[Row, ...] = (
             MATRIX_A: PRINTED_A,
             **dict(zip(PART_POINT, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha), strict=True)),
         },
-        note="Rebuilt by turning the vector from O_1 to N backwards.",
+        note="Compared with the vector from O_1 to N, turned backwards.",
         cites=("S34",),
     ),
     PRINT.equation(
@@ -118,7 +120,7 @@ FRAME_ROWS: tuple[Row, ...] = (
             MATRIX_A: PRINTED_A,
             **dict(zip(MACHINE_POINT, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT), strict=True)),
         },
-        note="Rebuilt as the shift plus the components along the turned unit vectors.",
+        note="Compared with the shift plus the components along the turned unit vectors.",
         cites=("S35",),
     ),
     Claim(
@@ -133,8 +135,8 @@ FRAME_ROWS: tuple[Row, ...] = (
                 Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
             )
         ),
-        note="The transcription has no B and C; K with the two other angles zero shows that they "
-        "are the matrices of these turns.",
+        note="The transcription does not have B and C; K with the other two angles set to zero "
+        "shows that they are the matrices of these turns.",
         cites=("S36",),
     ),
     Claim(
@@ -154,14 +156,14 @@ FRAME_ROWS: tuple[Row, ...] = (
             ),
         ),
         corrected=Correction("K=CBA", Equality(product_of("CBA"), PRINTED_K)),
-        note="A B C is the matrix of turns about x10, y10 and z10, which stay.",
+        note="A B C is the matrix of turns about x10, y10 and z10, which stay fixed.",
         cites=("S37",),
     ),
     PRINT.equation(
         "(14)",
         derived={MATRIX_K: project(TURNED_PART)},
-        note="Rebuilt by turning a triad about its own axes x10, y11, z12, as the names of the "
-        "frames have it, and projecting.",
+        note="Compared with the projections of a triad that is turned about its own axes x10, y11 "
+        "and z12, as the names of the frames suggest.",
         cites=("S30", "S37"),
     ),
     Claim(
@@ -193,9 +195,9 @@ FRAME_ROWS: tuple[Row, ...] = (
                 ),
             ),
         ),
-        note="They are the angles of three successive turns; as a rotation vector they serve to "
-        "first order, which with the angles of Table 1 is wrong by 2.4e-5 mm at the distance R + A "
-        "from O_1: see Table 1, rotation vector.",
+        note="They are the angles of three successive turns; they serve as a rotation vector only "
+        "to first order, which with the angles of Table 1 is off by 2.4e-5 mm at the distance R + "
+        "A from O_1, see 'Table 1, rotation vector'.",
         cites=("S31",),
     ),
     PRINT.equation(
@@ -210,8 +212,8 @@ FRAME_ROWS: tuple[Row, ...] = (
                 )
             ),
         },
-        note="Where the point is after the displacement minus where it should be: the same three "
-        "numbers serve as coordinates in the part and as nominal place from O_1.",
+        note="Where the point is after the displacement, minus where it should be: the same three "
+        "numbers serve as its coordinates in the part and as its nominal place from O_1.",
         cites=("S5", "S39", "S40", "S41", "S63", "S64"),
     ),
 )

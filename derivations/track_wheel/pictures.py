@@ -14,13 +14,24 @@ from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
 from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES
-from .symbols import PRINTED_VALUES, elastic, form, mounting, setting, share, wear
+from .symbols import (
+    PRINTED_VALUES,
+    amplitude,
+    elastic,
+    form,
+    mounting,
+    radius,
+    setting,
+    share,
+    wear,
+)
 from .table import total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.
 PERIODS, THICKNESSES, THICKNESS = 6, (10.0, 20.0, 30.0), 20.0
 NO_SHIFT = (0.0, 0.0, 0.0)
 MICROMETRES = 1e3
+ALPHA, RHO = "\N{GREEK SMALL LETTER ALPHA}", "\N{GREEK SMALL LETTER RHO}"
 RED = LineStyle.WRONG["color"]
 FIELDS = {symbol: float(PRINTED_VALUES[symbol]) for symbol in FIVE_ERRORS}
 THERMAL_SHARE = float(PRINTED_VALUES[share])
@@ -197,8 +208,56 @@ def draw_contributions(canvas: Any) -> None:
     panel.set_xlabel(f"share of the squared total of {write(MICROMETRES * whole, 3)} µm, %")
 
 
-CHOSEN = "The number of periods, the thickness and the shift are not printed"
+def draw_scheme(canvas: Any) -> None:
+    """Draw the track with its letters: O_1, R, A, the radius vector and the polar angle."""
+    panel = canvas.subplots()
+    angle = np.linspace(0.0, 2 * np.pi, 1441)
+    R, A = (float(PRINTED_VALUES[symbol]) for symbol in (radius, amplitude))
+    for size, look in ((R, LineStyle.GUIDE), (R + A, LineStyle.AXIS), (R - A, LineStyle.AXIS)):
+        panel.plot(size * np.cos(angle), size * np.sin(angle), **look)
+    panel.plot(*kernels.track(angle, R, A, PERIODS, THICKNESS)[:, :2].T, **LineStyle.FIRST)
+    here = np.radians(40.0)
+    x, y = (float(c) for c in kernels.track(here, R, A, PERIODS, THICKNESS)[:2])
+    panel.plot([0.0, x], [0.0, y], **LineStyle.THIRD)
+    panel.plot([0.0, x], [0.0, y], **LineStyle.MARK)
+    turn = np.linspace(0.0, here, 60)
+    panel.plot(12 * np.cos(turn), 12 * np.sin(turn), **LineStyle.THIRD)
+    reach = R + A + 14
+    for tip in ((reach, 0.0), (0.0, reach)):
+        panel.plot([0.0, tip[0]], [0.0, tip[1]], **LineStyle.AXIS)
+    label(panel, f"X₀, turn {ALPHA}", (reach, 0.0), (0, 4))
+    label(panel, "Y₀, turn β", (0.0, reach), (5, -2))
+    label(panel, "O₁", (0.0, 0.0), (-4, -5))
+    label(panel, RHO, (0.6 * x, 0.6 * y), (-5, 4))
+    label(panel, "φ", (12.0, 3.0), (3, 2))
+    label(panel, "N", (x, y), (16, 8))
+    for size, text, place in (
+        (R + A, "R + A", -25.0),
+        (R, "R", -60.0),
+        (R - A, "R \u2212 A", -90.0),
+    ):
+        way = np.radians(place)
+        tip = (size * np.cos(way), size * np.sin(way))
+        panel.plot([0.0, tip[0]], [0.0, tip[1]], **LineStyle.GUIDE)
+        label(panel, text, (0.62 * tip[0], 0.62 * tip[1]), (-5, -5))
+    panel.set_aspect("equal")
+    panel.set_axis_off()
+
+
+CHOSEN = "The number of periods, the thickness and the shift are not in the text at hand"
 FIGURES = (
+    Figure(
+        "scheme",
+        None,
+        "The letters of the track: a circle of radius R, shifted by A, once in each period.",
+        "The track (16) with R and A of Table 1, between the circles of radius R - A and R + A; N "
+        f"is a point with the radius vector {RHO} and the polar angle φ. X₀ and Y₀ are the axes of "
+        f"the machine, moved to O₁, about which the part is turned by {ALPHA} and β. {CHOSEN}: "
+        f"here there are {PERIODS} periods and no shift.",
+        "(16), shifted circle",
+        draw_scheme,
+        height=90.0,
+    ),
     Figure(
         "fig-3",
         "Fig. 3",
@@ -217,11 +276,11 @@ FIGURES = (
         "fig-4",
         "Fig. 4",
         "By (6) as printed the total depends on the unit in which it is reckoned.",
-        "Total error against the form error of the mounting surface, the other errors as in Table "
-        "1, by (6) corrected and as printed, with the values at Table 1. The coefficients are not "
-        "printed: all are 1 (normal laws) but where √3 (uniform laws) is said. The tangential and "
-        "radial errors that the paper draws cannot be recomputed: how shift and turns follow from "
-        "the form error is not printed.",
+        "Total error against the form error of the mounting surface, with the other errors as in "
+        "Table 1, by (6) corrected and as printed; dots mark the values of Table 1. The "
+        "coefficients are not in the text at hand: all are 1 (normal laws) except where √3 "
+        "(uniform laws) is given. The tangential and radial errors that the paper draws cannot be "
+        "recomputed: how shift and turns follow from the form error is not in the text at hand.",
         "Consequences, no form error",
         draw_growth,
         height=95.0,
@@ -230,10 +289,10 @@ FIGURES = (
         "fig-5",
         "Fig. 5",
         f"Without any elastic error the total would fall by {write(largest_gain(), 2)} %.",
-        "Total error by the corrected (6) against the elastic error that the optimised cut leaves, "
-        "the other errors of Table 1 unchanged, all coefficients 1. The paper prints neither its "
-        "new elastic error nor what else the cut changed: its bars cannot be redrawn, only what "
-        "they can gain at most.",
+        "Total error by the corrected (6) against the elastic error that the optimised cut "
+        "leaves, with the other errors of Table 1 unchanged and all coefficients 1. The text at "
+        "hand has neither the new elastic error nor what else the cut changed: the paper's graphs "
+        "cannot be redrawn, only how far the total can fall at most.",
         "Fig. 5, largest possible gain",
         draw_gain,
         height=60.0,
@@ -241,7 +300,7 @@ FIGURES = (
     Figure(
         "table-1",
         "Table 1",
-        "Mounting and elastic deformations make most of the total error.",
+        "Mounting and elastic deformation make most of the total error.",
         "Shares of the errors of Table 1 in the square of their total by the corrected (6), all "
         f"coefficients 1, ΔT random: the paper's {100 * THERMAL_SHARE:g} % of the total. The "
         "symbol of the machine setting is uncertain in print.",

@@ -48,8 +48,8 @@ from .symbols import (
 
 REMARKS = {
     setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "
-    "next line; the words say machine setting, so Delta_n of (6) is taken.",
-    ball_radius: "It enters none of (1) to (18).",
+    "next line; the words say setting of the machine, so that Delta_n of (6) is meant.",
+    ball_radius: "It enters none of the equations (1) to (18).",
 }
 SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 
@@ -118,7 +118,8 @@ TABLE_ROWS: tuple[Row, ...] = (
     PRINT.datum(
         "Table 1, temperature error",
         says=Definition(thermal, THERMAL_SHARE * total),
-        note="The error is given by the total of which it is a part: (6) becomes an equation.",
+        note="The error is given as a share of the total of which it is a part, so that (6) "
+        "becomes an equation for the total.",
         cites=("S46",),
     ),
     Claim(
@@ -135,8 +136,8 @@ TABLE_ROWS: tuple[Row, ...] = (
                 less(sp.Integer(0), SOLVED_TOTAL**2),
             )
         ),
-        note="The corrected (6) with one error in each group and all coefficients 1. The other "
-        "root is the negative of this one; Table 1 has the share 0.15.",
+        note="The corrected (6), with one error in each group and all coefficients 1. The other "
+        "root is the negative of this one; in Table 1 the share is 0.15.",
         marks=("ours",),
     ),
     Claim(
@@ -153,8 +154,8 @@ TABLE_ROWS: tuple[Row, ...] = (
                 PrintedNumber("1.1", 100 * (1 / (1 - THERMAL_SHARE) - 1)),
             ),
         ),
-        note="By 1.1 % or by 17.6 %. Printed is Delta_T inside the root without its square, which "
-        "is neither.",
+        note="Either by 1.1 % or by 17.6 %. As printed, Delta_T stands under the root without "
+        "being squared, which is neither.",
         marks=("ours",),
     ),
     Claim(
@@ -167,8 +168,8 @@ TABLE_ROWS: tuple[Row, ...] = (
                 PrintedNumber("0.178", total_by_printed_sum(sp.Integer(1))),
             )
         ),
-        note="Delta_T random, its square inside the root; systematic, outside the root; and as "
-        "printed, reckoned in mm. All coefficients are 1.",
+        note="With a random Delta_T, squared under the root; with a systematic one, outside the "
+        "root; and as printed, reckoned in mm. All coefficients are 1.",
         marks=("ours",),
     ),
     Claim(
@@ -179,8 +180,8 @@ TABLE_ROWS: tuple[Row, ...] = (
             Completion("all K_i = 1 (normal laws)", total_rounds_to("0.072", sp.Integer(1))),
             Completion("all K_i = sqrt(3) (uniform laws)", total_rounds_to("0.072", sp.sqrt(3))),
         ),
-        note="Table 1 has no K and no K_i. The transcription has no value of z, H_s, a, b, c, S_i "
-        "and n either, which Figs. 3 to 5 need besides.",
+        note="Table 1 has no K and no K_i. Nor does the transcription have z, H_s, a, b, c, S_i "
+        "and n, which Figs. 3 to 5 need as well.",
         marks=("ours",),
     ),
     Claim(
@@ -197,16 +198,17 @@ TABLE_ROWS: tuple[Row, ...] = (
                 ),
             )
         ),
-        note="K_0 turns about the fixed axes. With the angles of Table 1, gamma = 0, it makes no "
-        "difference that could be measured, whichever axes are meant.",
+        note="K_0 turns about the fixed axes. With the angles of Table 1, where gamma = 0, it "
+        "makes no measurable difference which axes are meant.",
         marks=("ours",),
     ),
     Claim(
         "Table 1, rotation vector",
         r"|K^Tp-K_{\vec\varphi}^Tp|\approx2.4\cdot10^{-5}\text{ mm},\ p=(R+A,0,0)^T",
         PrintedNumber("0.000024", ROTATION_VECTOR_ERROR),
-        note="K_phi is the one turn about the vector (alpha, beta, gamma), by the angles of Table "
-        "1: where the track is farthest from its centre the difference cannot be measured.",
+        note="K_phi is the single turn about the vector (alpha, beta, gamma), with the angles of "
+        "Table 1: even where the track is farthest from its centre the difference cannot be "
+        "measured.",
         marks=("ours",),
     ),
     Claim(
@@ -221,10 +223,10 @@ TABLE_ROWS: tuple[Row, ...] = (
         "after roughing",
         r"\text{After roughing this tolerance can exceed all the other technological errors}",
         exceeds_others(IT12),
-        note="One witness, as it can: the tolerance on size of grade 12, 0.35 mm (ISO 286, 80 to "
-        "120 mm), which a form error may take up, beside the other errors of Table 1, each and "
-        "together. Those are of finish milling; the errors after roughing are not in the "
-        "transcription.",
+        note='It "can", so that one example proves it: the tolerance on size of grade 12, 0.35 '
+        "mm (ISO 286, 80 to 120 mm), which a form error may use up, compared with the other "
+        "errors of Table 1, each and all together. Those are of finish milling; the errors after "
+        "roughing are not in the transcription.",
         marks=("inferred",),
         cites=("S52",),
     ),

@@ -20,16 +20,18 @@ UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 FINDINGS = (
     Finding(
         SUBSTITUTED,
-        "(7) holds for R > 0 and (8) for R < 0, and the arctangents of both divide by R: at R = 0, "
-        "where KL is upright, in the middle of Fig. 4, y_9(x_1) has no value.",
+        "(7) holds for R > 0 and (8) for R < 0, and the arctangents of both divide by R; the text "
+        "at hand has no case for R = 0. There KL is upright, in the middle of Fig. 4, and "
+        "y_9(x_1) has no value. Both cases tend to the same limit, so that a third one closes the "
+        "gap.",
         costs=(
             Cost(
-                "x_1 without a value",
+                "x_1 of the gap",
                 {},
                 "mm",
                 printed=upright_at(FIRST_SET),
                 right=upright_at(SECOND_SET),
-                names=("first reconstructed set of sizes", "second"),
+                names=("by the first reconstructed set of sizes", "by the second"),
             ),
         ),
         weight=Weight.FORMULA,

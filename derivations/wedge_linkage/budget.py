@@ -6,9 +6,22 @@ import sympy as sp
 
 from mechproof.record import Claim, Conjunction, PrintedNumber, PublishedSizes, Statement
 
-from .boundaries import BOUNDARY_II, START, position_of
-from .sizes import SETS
-from .symbols import alpha_DE, alpha_KL, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM
+from .boundaries import BOUNDARY_II, START, angles_of, position_of
+from .sizes import SETS, limits
+from .symbols import (
+    NAMES,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    radicand,
+    x1,
+)
 
 # Half the change (mm) of y9 between the limits of each size, of the three sets.
 PARTS = {
@@ -23,6 +36,8 @@ PARTS = {
 }
 # Per cent of the nominal position: all at their worst together, and the root of the squares.
 TOTALS = (("10.2", "4.5"), ("9.8", "4.2"), ("9.3", "4.1"))
+# What lever and rod, and roller lever and wedge, make of a small displacement there.
+STAGES = (("0.64", "2.86"), ("0.24", "2.68"), ("0.57", "2.82"))
 
 
 def part(table: PublishedSizes, size: sp.Symbol) -> sp.Expr:
@@ -41,17 +56,28 @@ def totals(table: PublishedSizes, printed: tuple[str, str]) -> Statement:
     return Conjunction(tuple(map(PrintedNumber, printed, shares)))
 
 
+def stage_ratios(table: PublishedSizes) -> tuple[sp.Expr, sp.Expr]:
+    """Return |dx5/dx1| and |dy9/dx5'| at the start: see the row on the velocity of the chain."""
+    sizes = limits(table, {})
+    turned, direction = angles_of(table, {}, START)
+    guide = sp.sqrt(radicand.xreplace({**sizes, x1: START}))
+    with sp.evaluate(False):
+        rod = sizes[l_DE] * sp.sin(sizes[alpha_DE] + turned) * sp.cos(turned) / guide
+        wedge = sizes[l_LM] * sp.cos(sizes[alpha_LM] + direction - sizes[alpha_KL])
+        return sp.Abs(rod), sp.Abs(wedge / (sizes[l_KL] * sp.sin(direction)))
+
+
 def write(size: sp.Symbol, numbers: tuple[str, ...]) -> str:
     """Write the parts of a size."""
     first, *others = numbers
     between = r";\ "
-    return rf"{sp.latex(size)}\colon {first}\ ({between.join(others)})"
+    return rf"{NAMES[size]}\colon {first}\ ({between.join(others)})~\mathrm{{mm}}"
 
 
 BUDGET_ROWS = (
     Claim(
         "budget at -40",
-        r",\ ".join(write(size, numbers) for size, numbers in PARTS.items()) + r"~\mathrm{mm}",
+        r",\quad ".join(write(size, numbers) for size, numbers in PARTS.items()),
         Conjunction(
             tuple(
                 PrintedNumber(number, part(table, size))
@@ -59,9 +85,10 @@ BUDGET_ROWS = (
                 for number, table in zip(numbers, SETS, strict=True)
             )
         ),
-        note="Half the change of y9 between the limits of each size alone, first set (second; "
-        "third). Five sizes, those of the lever and the clearance, make 94 to 95 % of it; those "
-        "of the roller lever may be three times as wide for a tenth more.",
+        note="Half the change of y9 between the limits of each size alone, with the first set of "
+        "reconstructed sizes (second; third). Five of them, those of the accelerating lever and "
+        "the clearance, make 94 to 95 % of the sum; tolerances of the roller lever three times as "
+        "wide would add a tenth to it.",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
@@ -69,9 +96,25 @@ BUDGET_ROWS = (
         r"\pm10.2\ (9.8;\ 9.3)~\%\text{ at worst},\quad\pm4.5\ (4.2;\ 4.1)~\%\text{ by the root of "
         r"the sum of squares}",
         Conjunction(tuple(map(totals, SETS, TOTALS))),
-        note="Per cent of the nominal position, first set (second; third). The printed 10 % needs "
-        "eight sizes at their worst limits together; of independent deviations, a tolerance being "
-        "the same number of standard deviations for each, less than half is left.",
+        note="Per cent of the nominal position, with the first set of reconstructed sizes "
+        "(second; third). The printed 10 % takes all eight sizes at their worst limits at once; "
+        "if the deviations are independent, each tolerance being the same number of standard "
+        "deviations, less than half of it is left.",
+        marks=("ours", "consequence", "calibrated"),
+    ),
+    Claim(
+        "ratios of the stages at -40",
+        r"\left|\tfrac{dx_5}{dx_1}\right|=0.64\ (0.24;\ 0.57),\quad"
+        r"\left|\tfrac{dy_9}{dx_{5'}}\right|=2.86\ (2.68;\ 2.82)",
+        Conjunction(
+            tuple(
+                PrintedNumber(number, ratio)
+                for table, numbers in zip(SETS, STAGES, strict=True)
+                for number, ratio in zip(numbers, stage_ratios(table), strict=True)
+            )
+        ),
+        note="With the first set of reconstructed sizes (second; third). Lever and rod reduce an "
+        "error of the pusher's position there, roller lever and wedge enlarge it.",
         marks=("ours", "consequence", "calibrated"),
     ),
 )

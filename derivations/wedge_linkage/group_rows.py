@@ -86,16 +86,16 @@ GROUP_ROWS = (
         "five elements",
         r"\text{pusher, accelerating lever, rod, lever with rollers, wedge: 5 elements}",
         Definition(elements, sp.Integer(5)),
-        note="Of Fig. 1.",
+        note="As in Fig. 1.",
         cites=("S18", "S22"),
     ),
     Claim(
         "links 1 to 9",
         r"\text{links }1\text{ to }9\text{: the pusher and four Assur groups}",
         Equality(sp.Integer(9), sp.Integer(1 + GROUPS * LINKS_OF_GROUP)),
-        note="Of Fig. 2, a group having two links and three lower pairs. The link 5', behind the "
-        "clearance, is counted with the rod 5; before contact it is a tenth link, in a guide of "
-        "its own.",
+        note="As in Fig. 2, each group having two links and three lower pairs. The link 5', "
+        "behind the clearance, is counted with the rod 5; before contact it is a tenth link, in a "
+        "guide of its own.",
         marks=("inferred",),
         cites=("S20", "S23"),
     ),
@@ -111,7 +111,7 @@ GROUP_ROWS = (
                 ),
             )
         ),
-        note="Two links with three lower pairs, W = 3*2 - 2*3 = 0; with the pusher in its guide "
+        note="Two links with three lower pairs: W = 3*2 - 2*3 = 0; with the pusher in its guide, "
         "four such groups have one input.",
         marks=("inferred",),
         cites=("S21",),
@@ -119,32 +119,32 @@ GROUP_ROWS = (
     PRINT.equation(
         "group 1",
         defines=(AD,),
-        note="A polygon of any four points closes; AD, from A on the pusher to the fixed D, is "
-        "what closes it. Judged are its projections.",
+        note="Any polygon of four points closes; AD, from A on the pusher to the fixed D, is the "
+        "closing side. What is judged are its projections.",
     ),
     PRINT.equation(
         "group 1, Ox",
         residual=group_1[0],
-        note="Left minus right against the turned vectors minus AD.",
+        note="Left minus right, compared with the turned vectors minus AD.",
     ),
     PRINT.equation(
         "group 1, Oy",
         residual=group_1[1],
-        note="The last pi of the left side is lost in print.",
+        note="The last pi of the left side is lost in the text layer.",
         marks=("rebuilt",),
     ),
     PRINT.equation(
         "(1), Q",
         derived={Q: l_BC * sqrt(guide_squared)},
-        note="Q is l_BC (l_BC + delta_BC); the exponents are rebuilt.",
+        note="Q is l_BC (l_BC + delta_BC); its exponents were rebuilt.",
         marks=("rebuilt",),
     ),
     PRINT.equation(
         "(1)",
         derived={phi3: lever_angle},
-        note="Against the two-argument arctangent of the solved projections. It holds "
-        "farther, up to a right angle of the lever, which no size within its limits reaches; see "
-        "the next row.",
+        note="Compared with the two-argument arctangent of the solved projections. It holds even "
+        "farther, until the lever has turned by a right angle, which it does with no sizes within "
+        "their limits; see the next row.",
         on=BEFORE_PIVOT,
         marks=("rebuilt",),
         cites=("S25",),
@@ -158,8 +158,8 @@ GROUP_ROWS = (
             ((l_AB + l_CD + x1) ** 2 + l_BC**2) * lever_cosine,
         ),
         note="The denominator of (1) has the sign of the cosine: (1) holds exactly where it is "
-        "positive and is off by pi beyond. On Fig. 4 it is positive for all sizes within their "
-        "limits, see 'boundaries, directions of the arms'.",
+        "positive, and is off by pi beyond. Over the range of Fig. 4 it is positive for all sizes "
+        "within their limits, see 'boundaries, directions of the arms'.",
         marks=("rebuilt", "ours"),
     ),
     Claim(
@@ -169,8 +169,8 @@ GROUP_ROWS = (
             sp.Matrix([2 * half_3 / (1 + half_3**2), (1 - half_3**2) / (1 + half_3**2)]),
             sp.Matrix([lever_sine, lever_cosine]),
         ),
-        note="Sine and cosine of the form are those of the solution; twice an arctangent keeps "
-        "inside (-pi, pi), so no turn is lost, wherever the radicand is not negative.",
+        note="Sine and cosine of the form are those of the solution; twice an arctangent stays "
+        "within (-pi, pi), so that no turn is lost, wherever the radicand is not negative.",
         marks=("ours",),
     ),
     PRINT.equation(
@@ -191,8 +191,8 @@ GROUP_ROWS = (
             "(4)",
             derived=DRIVEN,
             substituted={x5: l_GH - apart},
-            note="A link that is only pushed; x5 is short of the clearance by apart > 0. The "
-            "argument of x5 is varphi2 in the text layer, where all else has varphi3.",
+            note="The link is only pushed; here x5 falls short of the clearance by apart > 0. The "
+            "argument of x5 is varphi2 in the text layer, where everything else has varphi3.",
             marks=("rebuilt", "uncertain"),
             cites=("S28",),
         ),
@@ -203,8 +203,8 @@ GROUP_ROWS = (
             "(4)",
             derived=DRIVEN,
             substituted={x5: l_GH + apart},
-            note="x5 exceeds the clearance. At the start of contact, which is in neither case, "
-            "both give 0, so that < and <= would say the same.",
+            note="Here x5 exceeds the clearance. At the start of contact, which belongs to "
+            "neither case, both give 0, so that < and <= would say the same.",
             marks=("rebuilt", "uncertain"),
             cites=("S28",),
         ),
@@ -253,8 +253,8 @@ GROUP_ROWS = (
         "(7) and (8), one form",
         ONE_FORM,
         Equality(upright(2 * sp.atan(half_7)), direction_tau - 2 * sp.atan(kappa)),
-        note="Without a hole at R = 0, for 0 < alpha_KL < pi and KL pointing upwards; equal to "
-        "the same right side as (7) and (8).",
+        note="Without the gap at R = 0, for 0 < alpha_KL < pi and KL pointing upwards; compared "
+        "with the same angle as (7) and (8).",
         on=Part(
             "alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards",
             {kappa: sp.Interval(0, sp.oo), tau: POSITIVE},

@@ -27,6 +27,15 @@ STROKE = np.linspace(START, 0.0, 401)
 # the first set, nowhere at that of the second.
 CERTIFIED = {1: np.linspace(-38.2, -36.2, 11), 2: np.linspace(-40.0, -5.0, 8)}
 MICROMETRES = 1e3
+# The sides of the polygons, and where their letters stand. Lengths that are lost, or that have no
+# influence, are chosen (mm).
+POLYGONS = ("ABCD", "DEFG", "HIKL", "LMNP")
+CHOSEN = {"EF": 14.0, "FG": 14.0, "HI": 14.0, "IK": 60.0, "MN": 20.0, "NP": 10.0}
+ASIDE_OF = {
+    "A": (4, 3), "B": (-4, 4), "C": (4, -4), "D": (-4, 3), "E": (-4, -4), "F": (4, -6),
+    "G": (-4, 4), "H": (4, -4), "I": (-3, 4), "K": (4, -4), "L": (5, 0), "M": (3, 5),
+    "N": (-4, -5), "P": (4, -3),
+}  # fmt: skip
 WRONG = LineStyle.WRONG["color"]
 
 
@@ -68,6 +77,54 @@ def legible_end() -> float:
 
     sizes: Any = {name: legible_sizes()[name] for name in ("l_AB", "l_BC", "l_CD")}
     return float(brentq(lambda x1: float(kernels.guide_radicand(x1, **sizes)), -10.0, 0.0))
+
+
+def towards(length: float, angle: float) -> Any:
+    """Return a vector of the plane by its length and its direction."""
+    return length * np.array([np.cos(angle), np.sin(angle)])
+
+
+def place_pairs(x1: float) -> dict[str, Any]:
+    """Return where the pairs of Fig. 2 are, D at (0, 0), by the kernels and the first set."""
+    size = {name: value.nominal for name, value in SETS[1].items()}
+    lever = float(kernels.lever_angle(x1, size["l_AB"], size["l_BC"], size["l_CD"]))
+    run = float(kernels.rod_displacement(lever, size["l_DE"], size["alpha_DE"]))
+    push = float(kernels.clearance(run, size["l_GH"]))
+    turn = float(kernels.roller_lever_angle(push, size["l_KL"], size["alpha_KL"]))
+    at = {"D": np.zeros(2), "A": np.array([size["l_AB"] + size["l_CD"] + x1, size["l_BC"]])}
+    at["C"] = -towards(size["l_CD"], np.pi + lever)
+    at["B"] = at["A"] + towards(size["l_AB"], np.pi + lever)
+    at["E"] = towards(size["l_DE"], size["alpha_DE"] + lever)
+    at["F"] = at["E"] + towards(CHOSEN["EF"], 0.0)
+    rod = towards(size["l_DE"], size["alpha_DE"]) + np.array([CHOSEN["EF"], CHOSEN["FG"]])
+    at["G"] = rod + towards(run, 0.0)
+    at["H"] = rod + towards(size["l_GH"] + push, 0.0)
+    still = rod + np.array([size["l_GH"], CHOSEN["HI"]])
+    at["L"] = still + towards(CHOSEN["IK"], 0.0) + towards(size["l_KL"], size["alpha_KL"])
+    at["K"] = at["L"] - towards(size["l_KL"], size["alpha_KL"] + turn)
+    at["I"] = at["K"] - towards(CHOSEN["IK"], 0.0)
+    at["M"] = at["L"] + towards(size["l_LM"], size["alpha_LM"] + turn)
+    guide = at["L"][0] + size["l_LM"] * np.cos(size["alpha_LM"]) + CHOSEN["NP"]
+    at["P"] = np.array([guide, at["M"][1] - CHOSEN["MN"]])
+    at["N"] = np.array([at["M"][0], at["P"][1]])
+    return at
+
+
+def draw_scheme(canvas: Any) -> None:
+    """Draw the sides of the four polygons at the start and at the end of the stroke."""
+    panel = canvas.subplots()
+    for x1, look in ((START, LineStyle.SECOND), (0.0, LineStyle.FIRST)):
+        at = place_pairs(x1)
+        says = f"x₁ = {write(x1)} mm" if x1 else "x₁ = 0"
+        for place, chain in enumerate(POLYGONS):
+            points = np.array([at[name] for name in chain])
+            panel.plot(*points.T, **look, label="" if place else says)
+            panel.plot(*points.T, **{**LineStyle.MARK, "color": look["color"], "ms": 2.2})
+    for name, aside in ASIDE_OF.items():
+        label(panel, name, tuple(at[name]), aside)
+    panel.set_aspect("equal")
+    panel.set_axis_off()
+    panel.legend(loc="lower right", frameon=False)
 
 
 def draw_boundaries(canvas: Any, number: int) -> None:
@@ -176,16 +233,27 @@ def write_caption(number: int) -> str:
         f"sizes ({chosen}, l_DE = {SETS[number]['l_DE'].nominal:g} mm), a calibration: the printed "
         f"crossing of III and IV at {write(CROSSING)} mm (dotted) was used to choose it and "
         "confirms nothing. "
-        "From the top: positions, with the curve that the legible digits give, which ends; by how "
+        "From the top: positions, and the curve of the legible digits, which breaks off; by how "
         "much III lies above IV; deviation from the nominal position, with the printed "
-        f"±{PRINTED_DEVIATION:g} %; the "
-        "spread and its largest value; and, near the place where the influence of alpha_KL turns "
-        "within its tolerance, what lies above II: other corners, and the bound certified for all "
-        "sizes between the limits."
+        f"±{PRINTED_DEVIATION:g} %; the spread and its largest value; and, near the place where "
+        "alpha_KL begins to act the other way, what lies above II: other combinations of limits, "
+        "and the bound certified for all sizes between the limits."
     )
 
 
 FIGURES = (
+    Figure(
+        "scheme",
+        "Fig. 2",
+        "The letters of the equations: four closed polygons, one for each Assur group.",
+        "Sides of the polygons ABCD, DEFG, HIKL and LMNP with the first set of reconstructed "
+        "sizes, at the start and at the end of the stroke; D and L are fixed, A moves with the "
+        "pusher, G with the rod, H with the link 5' and P with the wedge. Lengths that are lost or "
+        "have no influence, EF, FG, HI, IK, MN and NP, are chosen, and with them the place of L.",
+        "links 1 to 9",
+        draw_scheme,
+        height=95.0,
+    ),
     Figure(
         "fig-4",
         "Fig. 4",
@@ -198,7 +266,7 @@ FIGURES = (
     Figure(
         "fig-4-set-2",
         "Fig. 4",
-        "With the other reconstruction the range is widest before the end of the stroke.",
+        "With another reconstruction the range is widest before the end of the stroke.",
         write_caption(2),
         "deviation nearer the start",
         partial(draw_boundaries, number=2),

@@ -144,7 +144,7 @@ LEGIBLE = (
         l_DE,
         r"l_{DE}=70.833\ (83)^{+0.92}_{-1.05}",
         "70.833",
-        "Two strings, 70,833 and 83, which may be the tail of 70,83.",
+        "The text layer has two strings, 70,833 and 83; the latter may be the tail of 70,83.",
         True,
     ),
     (l_EF, r"l_{EF}=4\pm0.3", "4", "Digits uncertain; without influence.", True),
@@ -154,7 +154,7 @@ LEGIBLE = (
         l_LM,
         r"l_{LM}=145^{+0.1}_{\;\;0.1}",
         "145",
-        "The sign of the lower deviation is lost, read as -0.1.",
+        "The sign of the lower deviation is lost; it is read as -0.1.",
         True,
     ),
 )
@@ -215,8 +215,8 @@ SIZE_ROWS = (
                 Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
             )
         ),
-        note="A remark on the transcription: the curve of Fig. 4 goes on to -40 mm, so that a "
-        "digit of the table was another; it says nothing of the print.",
+        note="A remark on the transcription, not on the print: as the curve of Fig. 4 goes on to "
+        "-40 mm, some digit of the table must be another one.",
         marks=("ours", "uncertain"),
     ),
 )

@@ -47,7 +47,7 @@ SUBSTITUTION_ROWS = (
         "(7) and (8), at R = 0",
         r"\varphi_7=\tfrac\pi2-\alpha_{KL}\text{ for }R=0",
         Equality(pi / 2 - alpha_KL, direction_tau.subs(tau, 1) - alpha_KL),
-        note="KL is upright: tau = 1. Both (7) and (8) tend to it.",
+        note="KL is upright: tau = 1. Both (7) and (8) tend to this value.",
         marks=("ours",),
     ),
     Claim(
@@ -62,8 +62,9 @@ SUBSTITUTION_ROWS = (
                 *(PrintedNumber("-45.1", upright_wedge(table)) for table in SETS),
             )
         ),
-        note="First, second and third reconstructed set; the place where KL is upright, in the "
-        "middle of Fig. 4. The position of the wedge there rests on l_KL, l_LM and their angles.",
+        note="First set of reconstructed sizes (second; third): where KL is upright, in the "
+        "middle of Fig. 4. The position of the wedge there depends only on l_KL, l_LM and their "
+        "angles.",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
@@ -84,8 +85,8 @@ SUBSTITUTION_ROWS = (
             ONE_FORM,
             Equality(upright(2 * sp.atan(half_7)), 2 * sp.atan(tau) - 2 * sp.atan(kappa)),
         ),
-        note="Each stage against its group, and that R is not 0: the arctangents of (7) and (8) "
-        "divide by it. The correction takes their place.",
+        note="Stated are each stage, compared with its group, and that R is not 0, since the "
+        "arctangents of (7) and (8) divide by it. The corrected form replaces both.",
         on=Part(
             f"{BEFORE_PIVOT.text}; R >= 0, upwards, or R < 0",
             {kappa: POSITIVE, tau: sp.Interval(0, 1), **SECOND_QUADRANT.within},

@@ -35,6 +35,15 @@ elements, tolerances, combinations = sp.symbols(
 POSITIVE, NOT_NEGATIVE = sp.Interval.open(0, sp.oo), sp.Interval(0, sp.oo)
 radicand = l_BC**2 + x1 * (2 * (l_AB + l_CD) + x1)
 
+# How rows of our own write the symbols.
+NAMES = {
+    **{variable.symbol: variable.latex[-1] for variable in PRINT.variables},
+    reach: r"l_{BC}+\delta_{BC}",
+    phi3: r"\varphi_3",
+    phi7: r"\varphi_7",
+    x1: "x_1",
+    x5: "x_{5'}",
+}
 MEANING = {variable.symbol: variable.meaning for variable in PRINT.variables}
 READER = Reader(PRINT.variables, PRINT.notation)
 

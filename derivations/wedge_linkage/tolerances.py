@@ -58,8 +58,8 @@ def no_influence(size: sp.Symbol) -> Conjunction:
 
 LOST = "digits of l_BC, l_CD and l_DE, and the upper deviations of the first two, are lost"
 HOW = (
-    "By 'boundaries, directions of the arms'; shown besides are the signs, against combinations "
-    "that differ in one size at some positions, and the order of both alpha_KL"
+    "By 'boundaries, directions of the arms'; shown besides are the signs, by comparison at some "
+    "positions with combinations that differ in one size, and the order of the two alpha_KL"
 )
 
 RANGE_ROWS = (
@@ -67,14 +67,14 @@ RANGE_ROWS = (
         "11 sizes with tolerances",
         r"11\text{ sizes with tolerances}",
         Definition(tolerances, sp.Integer(11)),
-        note="As many have a tolerance in the table of sizes.",
+        note="The table of sizes has as many with a tolerance.",
         cites=("S35",),
     ),
     Datum(
         "combinations",
         r"2^{11}\text{ combinations}",
         Definition(combinations, 2**tolerances),
-        note='Two limits for each size; the exponent is lost in the text that survives, "211".',
+        note='Two limits for each size; the text layer has lost the exponent, "211".',
         marks=("rebuilt", "uncertain"),
         cites=("S34", "S35"),
     ),
@@ -87,7 +87,7 @@ RANGE_ROWS = (
                 *(influence(size) for size in BOUNDARY_II),
             )
         ),
-        note="Three have no influence, each of the other eight has, at x1 = -40 mm. So at most "
+        note="Three have no influence; each of the other eight has, at x1 = -40 mm. So at most "
         "2^8 of the 2^11 curves differ.",
         marks=("ours", "consequence", "calibrated"),
     ),
@@ -96,10 +96,11 @@ RANGE_ROWS = (
         r"\varphi_3<90^\circ,\ 270^\circ<\alpha_{DE}<\alpha_{DE}+\varphi_3<360^\circ,\ "
         r"\alpha_{KL}+\varphi_7<180^\circ,\ 90^\circ<\alpha_{LM}<\alpha_{LM}+\varphi_7<270^\circ",
         in_all(angles_in_range),
-        note="All sizes within their limits, x1 from -40 to 0 mm. Hence, by the sensitivities, y9 "
-        "goes one way with each size but alpha_KL, and x5 one way with x1: an outermost curve has "
-        "the seven others at the signs of II, or of III. Which alpha_KL is outermost, 'two "
-        "directions of KL' decides by varphi7, so that it changes at one x1.",
+        note="For all sizes within their limits and x1 from -40 to 0 mm. Hence, by the "
+        "sensitivities, y9 is monotonic in each size but alpha_KL, and x5 in x1: an outermost "
+        "curve has the seven other sizes at the signs of II, or of III. Which alpha_KL gives the "
+        "outermost curve depends on varphi7 by 'two directions of KL', so that it changes at one "
+        "x1.",
         marks=("ours", "calibrated"),
     ),
     Claim(
@@ -107,7 +108,7 @@ RANGE_ROWS = (
         r"\text{upper boundary: }+l_{BC},-l_{CD},-l_{DE},+l_{GH'},+l_{KL},-l_{LM},"
         r"+\alpha_{DE},+\alpha_{KL}",
         NotCheckable(f"{LOST}; on [-40, -37] they decide the sign of alpha_KL"),
-        note="The other seven signs, and from -37 mm on all eight, see the next row.",
+        note="For the other seven signs, and for all eight from -37 mm on, see the next row.",
         marks=("uncertain",),
         cites=("S36", "S39", "S40"),
     ),
@@ -115,8 +116,9 @@ RANGE_ROWS = (
         "boundary II, from -37 mm on",
         r"\text{II lies above every other combination on }[-37,0]",
         in_all(lambda table: extreme(table, BOUNDARY_II, -37, (-37, -20, -5))),
-        note=f"{HOW} at x1 = -37 mm, from there to 0. With the first and the third set "
-        "-alpha_KL is higher at -40 mm, by less than 0.03 mm.",
+        note=f"{HOW} at x1 = -37 mm, which holds from there to 0. With the first and the third set "
+        "of reconstructed sizes the curve with -alpha_KL is higher at -40 mm, by less than "
+        "0.03 mm.",
         marks=("calibrated", "uncertain", "ours"),
     ),
     Claim(
@@ -124,7 +126,8 @@ RANGE_ROWS = (
         r"\text{lower boundary on }[-29.4,0]\text{: }-l_{BC},+l_{CD},+l_{DE},-l_{GH'},-l_{KL},"
         r"+l_{LM},-\alpha_{DE},-\alpha_{KL}",
         in_all(lambda table: extreme(table, BOUNDARY_III, "-29.35", (-29, -5))),
-        note=f"{HOW} at x1 = -29.35 mm, where -29.4 ends, from there to 0.",
+        note=f"{HOW} at x1 = -29.35 mm, up to where -29.4 may be rounded, which holds from there "
+        "to 0.",
         marks=("calibrated",),
         cites=("S41",),
     ),
@@ -133,9 +136,10 @@ RANGE_ROWS = (
         r"\text{lower boundary on }[-40,-29.4]\text{: }-l_{BC},+l_{CD},+l_{DE},-[l_{GH'}],-l_{KL},"
         r"+l_{LM}\text{ for one choice of what is lost}",
         in_all(lambda table: extreme(table, BOUNDARY_IV, "-29.45", (-40, -35))),
-        note=f"{HOW} at x1 = -29.45 mm, where -29.4 begins, from there to -40, with -alpha_DE, "
-        "+alpha_KL for the sign and the term that are lost: by the sensitivities no other choice "
-        "is lowest. IV then differs from III in alpha_KL alone.",
+        note=f"{HOW} at x1 = -29.45 mm, from where -29.4 may be rounded, which holds from there to "
+        "-40. For the sign and the term that are lost -alpha_DE and +alpha_KL are taken: by the "
+        "sensitivities no other choice gives the lowest curve. IV then differs from III in "
+        "alpha_KL alone.",
         marks=("rebuilt", "calibrated", "uncertain"),
         cites=("S42",),
     ),
@@ -143,7 +147,7 @@ RANGE_ROWS = (
         "crossing",
         r"x_1=-29.4\text{ is the crossing of curves III and IV}",
         Definition(crossing_place, Rational("-29.4") * millimetre),
-        note="A datum: the sets were fitted to it and cannot confirm it.",
+        note="A datum: the sets of sizes were fitted to it and cannot confirm it.",
         marks=("fitted",),
         cites=("S43",),
     ),
@@ -151,15 +155,15 @@ RANGE_ROWS = (
         "crossing, reconstructed sizes",
         r"\text{III and IV change order between }x_1=-29.45\text{ and }-29.35",
         in_all(crossing),
-        note="The fit of the sets.",
+        note="What the sets were fitted to.",
         marks=("ours", "calibrated", "fitted"),
     ),
     Claim(
         "sizes without influence",
         r"\text{a change of }l_{EF},\ l_{IK},\ [l_{MN}]\text{ does not influence }y_9(x_1)",
         Conjunction(tuple(map(no_influence, (l_EF, l_IK, l_MN)))),
-        note="They stay in the vector equations and cancel there. The glyph of the third would "
-        "fit l_LM, too.",
+        note="They are kept in the vector equations and cancel there. The glyph of the third "
+        "would fit l_LM, too.",
         marks=("uncertain",),
         cites=("S44",),
     ),
@@ -182,15 +186,15 @@ RANGE_ROWS = (
         "largest spread",
         r"\text{at }x_1=-40~\mathrm{mm}\text{ the largest spread is observed}",
         NotCheckable(f"the curves of Fig. 4, and {LOST}"),
-        note="With the first and the third set the spread is largest there, with the second at "
-        "-32 mm, compared between the boundaries as printed.",
+        note="Between the boundaries as printed, the spread is largest there with the first and "
+        "the third set of reconstructed sizes, and at -32 mm with the second.",
         cites=("S45",),
     ),
     Claim(
         "deviation at -40",
         r"\text{the range of spread reaches }\pm10\,\%\text{ of the position at the nominal sizes}",
         NotCheckable(LOST),
-        note="What the sets give, see the next row.",
+        note="For what the reconstructed sizes give see the next row.",
         cites=("S6", "S7", "S46", "S48"),
     ),
     Claim(
@@ -205,18 +209,19 @@ RANGE_ROWS = (
                 )
             )
         ),
-        note="First, second and third set.",
+        note="With the first set of reconstructed sizes (second; third).",
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
         "deviation nearer the start",
-        r"\text{II and III deviate from the nominal position by 14, 12 (15, 14) \% at }-10"
-        r"\text{, by 23, 19 \% at }-5~\mathrm{mm}\text{, by 10.9, 9.6 (10.6, 10.7) \% at }-37"
-        r"\text{, by 11.3, 10.0 (12.7, 13.3) \% at }-25~\mathrm{mm}",
+        r"\text{upper and lower boundary deviate from the nominal position by 10.9 and 9.7 \% "
+        r"(10.6 and 10.7 \%) at }-37~\mathrm{mm}\text{, by 11.3 and 10.0 \% (12.7 and 13.3 \%) "
+        r"at }-25~\mathrm{mm}\text{, by 14 and 12 \% (15 and 14 \%) at }-10~\mathrm{mm}\text{, "
+        r"by 23 and 19 \% (both sets) at }-5~\mathrm{mm}",
         Conjunction(
             (
-                deviations_round(FIRST_SET, -37, BOUNDARY_III, ("10.9", "9.6")),
-                deviations_round(SECOND_SET, -37, BOUNDARY_III, ("10.6", "10.7")),
+                deviations_round(FIRST_SET, -37, BOUNDARY_IV, ("10.9", "9.7")),
+                deviations_round(SECOND_SET, -37, BOUNDARY_IV, ("10.6", "10.7")),
                 deviations_round(FIRST_SET, -25, BOUNDARY_III, ("11.3", "10.0")),
                 deviations_round(SECOND_SET, -25, BOUNDARY_III, ("12.7", "13.3")),
                 deviations_round(FIRST_SET, -10, BOUNDARY_III, ("14", "12")),
@@ -225,9 +230,9 @@ RANGE_ROWS = (
                 deviations_round(SECOND_SET, -5, BOUNDARY_III, ("23", "19")),
             )
         ),
-        note="In brackets the second set. 10 % is no bound of the deviation: II is off by more at "
-        "-37 mm already, and it grows towards the start of contact, where the nominal position "
-        "vanishes.",
+        note="With the first set of reconstructed sizes (second). Relative to the nominal "
+        "position the deviation is not largest at -40 mm: it grows towards the start of contact, "
+        'where the nominal position vanishes. So "reaches 10 %" is to be read of -40 mm alone.',
         marks=("ours", "consequence", "calibrated"),
     ),
     Claim(
@@ -235,9 +240,10 @@ RANGE_ROWS = (
         r"\text{deviations of the sizes of all intermediate links contribute to the error of the "
         r"position of the output link}",
         Conjunction(tuple(map(influence, BOUNDARY_II))),
-        note="The accelerating lever by BC, CD, DE and alpha_DE, the rod and the link 5' by the "
-        "clearance between them, the lever with rollers by KL, LM and alpha_KL: every size with a "
-        "tolerance but those that the paper itself excepts, see 'sizes without influence'.",
+        note="The accelerating lever contributes by BC, CD, DE and alpha_DE, the rod and the link "
+        "5' by the clearance between them, the lever with rollers by KL, LM and alpha_KL: these "
+        "are all sizes with a tolerance but those that the paper itself excepts, see 'sizes "
+        "without influence'.",
         marks=("calibrated",),
         cites=("S52",),
     ),
@@ -249,8 +255,9 @@ RANGE_ROWS = (
         holds_on=Part(
             "a further stage with a ratio above 1", {stage_ratio: sp.Interval.open(1, sp.oo)}
         ),
-        note="A further stage of ratio k makes k Delta + delta of an error Delta, its own being "
-        "delta >= 0, in amounts. A stage that reduces may leave less than it took.",
+        note="A further stage of ratio k turns an error Delta into k Delta + delta, in amounts, "
+        "delta >= 0 being its own. A stage that reduces may pass on less than it takes in, as "
+        "lever and rod of this mechanism do at -40 mm, see 'ratios of the stages at -40'.",
         cites=("S52",),
     ),
 )

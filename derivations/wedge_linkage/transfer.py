@@ -25,6 +25,7 @@ from .mechanics import (
     wedge,
 )
 from .symbols import (
+    NAMES,
     POSITIVE,
     PRINTED_R,
     alpha_1,
@@ -51,6 +52,11 @@ def displacement_by(direction: sp.Symbol) -> sp.Expr:
     return solve_linear(group_3[0], x5_driven).subs(alpha_KL, direction)
 
 
+def write(slope: sp.Expr) -> str:
+    """Write a slope in the letters of the paper."""
+    return sp.latex(slope, symbol_names=NAMES, fold_func_brackets=False)
+
+
 def slopes_row(
     number: str,
     output: str,
@@ -62,12 +68,12 @@ def slopes_row(
     return Claim(
         number,
         r",\quad ".join(
-            rf"\partial{output}/\partial {sp.latex(size)}={sp.latex(slope)}"
+            rf"\frac{{\partial{output}}}{{\partial {NAMES[size]}}}={write(slope)}"
             for size, slope in slopes.items()
         ),
         Conjunction(tuple(Equality(slope, differentiate(size)) for size, slope in slopes.items())),
-        note="From the differentiated projections; the kernels of velocity and sensitivities are "
-        "built of them.",
+        note="By the differentiated projections; the kernels of velocity and sensitivities are "
+        "built from them.",
         on=on,
         marks=("ours",),
     )
@@ -91,9 +97,10 @@ TRANSFER_ROWS = (
             4 * sin(phi7 / 2) * sin((alpha_1 - alpha_2) / 2) * cos((alpha_1 + alpha_2 + phi7) / 2),
             (displacement_by(alpha_1) - displacement_by(alpha_2)) / l_KL,
         ),
-        note="Displacements of the link 5' over l_KL, from group 3, for one turn: the smaller "
-        "alpha_KL turns farther for the same displacement as long as varphi7 < pi - alpha_1 - "
-        "alpha_2, then the larger one. They meet at x5' = l_KL (cos alpha_1 + cos alpha_2).",
+        note="Displacements of the link 5' over l_KL, by group 3, for the same turn: with the "
+        "smaller alpha_KL the lever turns farther for the same displacement as long as varphi7 < "
+        "pi - alpha_1 - alpha_2, from there on with the larger one. The two meet at x5' = l_KL "
+        "(cos alpha_1 + cos alpha_2).",
         marks=("ours",),
     ),
     Claim(
@@ -109,8 +116,8 @@ TRANSFER_ROWS = (
                 Equality(1 / root_7, sp.diff(2 * sp.atan(half_7.subs(height, root_7)), x5)),
             )
         ),
-        note="Each the product of two stages; in contact dy9/dx1 is the product of both, and an "
-        "error that enters on the way is multiplied by what follows.",
+        note="Each is the product of two stages; in contact dy9/dx1 is the product of both, and "
+        "an error that enters on the way is multiplied by the stages that follow.",
         on=Part(
             "the radicand of Q is positive and |R| < l_KL",
             where=(*MOVABLE.where, l_KL**2 - PRINTED_R**2 > 0),

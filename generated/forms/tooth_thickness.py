@@ -1,6 +1,7 @@
 """Other forms of the kernels of `tooth_thickness`.
 
-Paper 3: stochastic simulation of tooth thickness and of its measurement
+Derbaba, Korsun, Patsera, stochastic simulation of the thickness of an involute tooth and of
+its measurement
 
 Lengths in mm, angles in rad. Heights grow from the tip towards the centre; deviations of
 thickness are positive for a thicker tooth.

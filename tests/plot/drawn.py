@@ -24,8 +24,8 @@ NAMES = {
     "elliptic_planetary": ("fig-3", "fig-3-rates", "table-3"),
     "oval_planetary": ("fig-2",),
     "tooth_thickness": ("fig-4", "fig-5"),
-    "track_wheel": ("fig-3", "fig-4", "fig-5", "table-1"),
-    "wedge_linkage": ("fig-4", "fig-4-set-2"),
+    "track_wheel": ("scheme", "fig-3", "fig-4", "fig-5", "table-1"),
+    "wedge_linkage": ("scheme", "fig-4", "fig-4-set-2"),
 }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechproof.proof.anchors import find_equation, name_anchors, slugify
+from mechproof.proof.anchors import find_equation, find_only_equation, name_anchors, slugify
 from mechproof.proof.verdict import Verdict
 from mechproof.report.words import LOOKS, set_numbers, set_prose, set_value
 
@@ -36,6 +36,11 @@ def test_the_equation_of_a_row() -> None:
     ]
 
 
+def test_a_row_about_several_equations_is_about_none_alone() -> None:
+    rows = ("(3), Ox", "(1), (3), (7), substituted", "(7) and (8), R", "table 1")
+    assert [find_only_equation(row) for row in rows] == ["3", "", "", ""]
+
+
 def test_every_verdict_has_its_look() -> None:
     assert set(LOOKS) == set(Verdict)
     assert len({look.sign for look in LOOKS.values()}) == len(LOOKS)
@@ -54,5 +59,8 @@ def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
     )
     assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
         "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
+    )
+    assert set_prose("Delta_n**2*K, tau**2, x1**2, C99") == (
+        "Δ<sub>n</sub>²·K, τ², x<sub>1</sub>², C99"
     )
     assert set_prose("<b_1> & 'pi'") == "&lt;b<sub>1</sub>&gt; &amp; &#39;π&#39;"

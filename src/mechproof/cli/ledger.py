@@ -153,11 +153,11 @@ def _print_finding(found: LedgerFinding) -> None:
     card = make_card(found, TAKEN, PUT)
     lines = [("printed", _plain(card.printed))]
     for label, latex, by in (
-        ("right", card.mend, card.mend_by),
+        (card.label.lower(), card.mend, card.mend_by),
         ("general", card.general, card.general_by),
     ):
         lines += [(label, f"{latex}   (proved: {by})")] if latex else []
-    lines.append(("wrong", found.wrong))
+    lines.append(("why", found.wrong))
     lines += [("costs", str(cost)) for cost in found.costs]
     lines += [("check", found.check)] if found.check else []
     lines += [("figure", f"{found.system}.{found.figure}")] if found.figure else []

@@ -29,6 +29,7 @@ from mechproof.record import (
     Unwritten,
     Written,
 )
+from mechproof.record.forms import KERNEL
 from mechproof.record.implicit import LEFT, LastIterate
 from mechproof.record.relations import solve
 
@@ -91,10 +92,10 @@ def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
 def number_form(quantity: Quantity, form: Form) -> str:
     """Return the number of the row that says what the source of a form computes."""
     if form is quantity.shipped[-1]:
-        return f"kernel {quantity.name}"
+        return f"{KERNEL}{quantity.name}"
     if any(form is one for one in quantity.shipped):
-        return f"kernel {quantity.name}, {form.name}"
-    return f"kernel {name_rival(quantity, form)}"
+        return f"{KERNEL}{quantity.name}, {form.name}"
+    return f"{KERNEL}{name_rival(quantity, form)}"
 
 
 def list_form_numbers(quantity: Quantity) -> list[str]:

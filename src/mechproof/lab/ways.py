@@ -17,6 +17,7 @@ from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.proof.domain import Domain
 from mechproof.record import Peer, Quantity, Row
+from mechproof.record.forms import KERNEL
 from mechproof.record.implicit import Implicit
 
 Array = NDArray[Any]
@@ -128,7 +129,7 @@ def _from_peer(peer: Peer) -> Way:
 
 def _rows_of(name: str, rows: tuple[Row, ...]) -> tuple[Row, ...]:
     """Return the rows of the ledger that speak of a function."""
-    wanted = f"kernel {name}"
+    wanted = f"{KERNEL}{name}"
     return tuple(r for r in rows if r.number == wanted or r.number.startswith(f"{wanted}, "))
 
 

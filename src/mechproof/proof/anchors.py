@@ -37,6 +37,11 @@ def find_equation(number: str) -> str:
     return met[1] if met else ""
 
 
+def find_only_equation(number: str) -> str:
+    """Return the equation that a row is about, empty if it names none or more than one."""
+    return find_equation(number) if len(set(EQUATION.findall(number))) == 1 else ""
+
+
 def name_equation(equation: str) -> str:
     """Name the place at which the first row of an equation stands."""
     return f"eq-{slugify(equation)}"

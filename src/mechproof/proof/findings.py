@@ -274,6 +274,7 @@ def _insert_correction(row: Row, root: Row, follower: Follower) -> Row:
     return replace(
         row,
         number=_corrected_number(row.number, root.number),
+        printed_latex=row.corrected.latex if row.corrected else row.printed_latex,
         says=inserted,
         note="",
         corrected=None,

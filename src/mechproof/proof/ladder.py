@@ -119,7 +119,7 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     told = {place: answer for place, answer in entries.items() if answer.verdict is verdict}
     rung = f"entrywise, {_join([answer.rung for answer in told.values()])}"
     if verdict is Verdict.PROVED:
-        return Answer(verdict, rung, f"all {len(told)} entries agree")
+        return Answer(verdict, rung, f"{_count(len(told))} entries agree")
     named = {f"entry ({row + 1}, {column + 1})": a for (row, column), a in told.items()}
     return _tell_all(named, rung)
 
@@ -161,7 +161,8 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
 
 def _tell_needs(needs: Sequence[list[Slack]]) -> str:
     """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
-    return _clip(" and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed)))
+    told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
+    return told if len(told) <= _LONGEST else "every root and logarithm has a real value"
 
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
@@ -250,6 +251,10 @@ def _explain_relation(relation: sp.Basic, domain: Domain) -> str:
     return _clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
 
 
+def _count(number: int) -> str:
+    return "both" if number == 2 else f"all {number}"
+
+
 def _clip(text: str) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
 
@@ -316,10 +321,13 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     if failed:
         return next(iter(failed.values())) if len(answers) == 1 else _tell_all(failed)
     evidence = tuple(item for answer in answers for item in answer.evidence)
-    reason = f"all {len(answers)} parts hold" if len(answers) > 1 else "holds"
-    only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
-    verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
-    return Answer(verdict, _join([d.rung for d in answers]), reason, evidence)
+    rung = _join([d.rung for d in answers])
+    if all(d.verdict is Verdict.DEFINITION for d in answers):
+        introduced = f"introduces {len(answers)} symbols; dimensions and bound symbols agree"
+        reason = introduced if len(answers) > 1 else answers[0].reason
+        return Answer(Verdict.DEFINITION, rung, reason, evidence)
+    reason = f"{_count(len(answers))} parts hold" if len(answers) > 1 else "holds"
+    return Answer(Verdict.PROVED, rung, reason, evidence)
 
 
 def _decide_completions(statement: Completions, domain: Domain) -> Answer:

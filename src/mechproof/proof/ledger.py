@@ -17,6 +17,7 @@ from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
 from mechproof.record.findings import WEIGHTS
+from mechproof.record.forms import KERNEL
 
 # The `$id` of ledger.schema.json, which lies beside this module.
 SCHEMA = "urn:mechproof:ledger:1"
@@ -26,6 +27,7 @@ CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": 
 OURS = "our own rows"
 REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS)
+SECTIONS = ("the paper, row by row", "consequences", "what the source of its kernels computes")
 # What means something in Markdown, and how it is written as itself.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
 INTRODUCTION = """# Ledger
@@ -154,8 +156,9 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
     parts = [f"{INTRODUCTION}{marks}\n", "\n## Findings\n"]
     parts += [_finding(found) for found in sort_findings(ledgers)]
     for ledger in ledgers:
-        parts += [_heading(ledger), _table(ledger.judgements)]
-        parts.append(_list_compared(ledger.judgements))
+        parts.append(_heading(ledger))
+        for title, rows in _sort_rows(ledger.judgements).items():
+            parts += [f"### {ledger.system}: {title}\n", _table(rows), _list_compared(rows)]
         parts += [_details(j) for j in ledger.judgements if j.verdict not in PLAIN]
     parts.append(_explain_rungs([j for ledger in ledgers for j in ledger.judgements]))
     return "\n".join(parts)
@@ -166,7 +169,7 @@ def _finding(found: LedgerFinding) -> str:
     heading = f"### {found.system} {number}: {found.verdict}{_show_marks(found.marks)}"
     paragraphs = [heading, f"*{WEIGHTS[found.weight]}*", _formula(card.printed)]
     if card.mend:
-        paragraphs += [f"Right (proved: {card.mend_by}):", _formula(card.mend)]
+        paragraphs += [f"{card.label} (proved: {card.mend_by}):", _formula(card.mend)]
     if card.general:
         paragraphs += [f"In general (proved: {card.general_by}):", _formula(card.general)]
     paragraphs += [_escape(found.wrong)]
@@ -186,6 +189,16 @@ def _heading(ledger: Ledger) -> str:
     totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
     lines = [f"\n## {ledger.system}", _escape(ledger.citation), "\n".join(totals)]
     return "\n\n".join(lines) + "\n"
+
+
+def _sort_rows(judgements: Sequence[Judgement]) -> dict[str, list[Judgement]]:
+    """Sort the rows of a paper into what each is about, those that there are."""
+    sorted_rows: dict[str, list[Judgement]] = {title: [] for title in SECTIONS}
+    for row in judgements:
+        is_kernel = row.number.startswith(KERNEL)
+        place = 2 if is_kernel else 1 if "consequence" in row.marks else 0
+        sorted_rows[SECTIONS[place]].append(row)
+    return {title: rows for title, rows in sorted_rows.items() if rows}
 
 
 def _table(judgements: Sequence[Judgement]) -> str:

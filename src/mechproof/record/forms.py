@@ -12,6 +12,9 @@ from mechproof.record.exactness import make_exact
 from mechproof.record.statements import Statement
 from mechproof.record.variables import Part
 
+# Begins the number of each row on the form of a quantity.
+KERNEL = "kernel "
+
 
 class Written(Protocol):
     """A form as its emitted source has it: what a proof compares."""

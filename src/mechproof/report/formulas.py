@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from xml.etree.ElementTree import fromstring
 
 from markupsafe import Markup, escape
 
 from mechproof.latex.sentences import is_sentence, list_parts, walk_outside
-from mechproof.report.mathml import read_text, write_formula
+from mechproof.report.mathml import measure, read_text, write_formula
 
 # Formulas within words are broken at their commas if they have more letters than a line.
 LONG = 40
+# Signs from which a formula is set smaller, and smaller still: the line of a page holds some 50.
+MANY, MOST = 49, 60
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
 
@@ -22,11 +25,15 @@ def write_print(latex: str) -> Markup:
         return Markup("")
     if is_sentence(latex):
         return Markup('<p class="sentence">{}</p>').format(write_sentence(latex))
-    blocks = (
-        Markup('<div class="formula">{}</div>').format(write_formula(line, "block"))
-        for line in _split(latex, GAP)
-    )
-    return Markup("").join(blocks)
+    return Markup("").join(map(_write_block, _split(latex, GAP)))
+
+
+def _write_block(latex: str) -> Markup:
+    """Write a formula on a line of its own; one of many signs is set smaller."""
+    math = write_formula(latex, "block")
+    width = measure(fromstring(math))
+    size = " most" if width > MOST else " many" if width > MANY else ""
+    return Markup('<div class="formula{}">{}</div>').format(size, math)
 
 
 def write_lines(latex: str) -> Markup:

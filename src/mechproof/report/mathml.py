@@ -28,7 +28,10 @@ DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
 # The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
-PRIMES = ("′", "″", "‴")
+STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
+SCRIPTED = frozenset({"msub", "msup", "msubsup"})
+SMALLER = 0.71
+NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 
 
@@ -47,6 +50,22 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
     source = SubElement(meaning, "annotation", {"encoding": "application/x-tex"})
     source.text = latex
     return Markup(tostring(math, encoding="unicode"))
+
+
+def measure(element: Element) -> float:
+    """Return about how many signs a formula is wide; of what stands one above the other the wider.
+
+    Indices and powers are smaller by the scale that MathML Core gives them.
+    """
+    tag = element.tag.removeprefix(NAMESPACE)
+    if tag == "annotation":
+        return 0.0
+    if tag in STACKED:
+        return max(map(measure, element))
+    if tag in SCRIPTED:
+        base, *scripts = map(measure, element)
+        return base + SMALLER * max(scripts)
+    return len(element.text or "") + sum(map(measure, element))
 
 
 def _as_text(name: re.Match[str]) -> str:
@@ -73,26 +92,10 @@ def _mend(element: Element) -> None:
         element.tag, element.attrib = "mi", {}
     if element.tag == "mi" and element.text:
         _mend_name(element, element.text)
-    for place, child in enumerate(list(element)):
+    for child in element:
         _mend(child)
-        if len(child) and (child[-1].text or "") in PRIMES:
-            element[place] = _set_prime(child)
     _space_functions(element)
     _keep_low(element)
-
-
-def _set_prime(element: Element) -> Element:
-    """Set a prime beside its name, raised as its letter is: fonts differ in those of scripts."""
-    if element.tag not in ("msup", "msubsup"):
-        return element
-    row, letter, prime = Element("mrow"), element[0], element[-1]
-    row.append(letter)
-    SubElement(row, "mo", {"form": "postfix", "lspace": "0", "rspace": "0"}).text = prime.text
-    if element.tag == "msup":
-        return row
-    name = Element("msub")
-    name.extend((row, element[1]))
-    return name
 
 
 def _keep_low(row: Element) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from mechproof.proof.anchors import find_equation, name_anchors, name_equation
+from mechproof.proof.anchors import find_only_equation, name_anchors, name_equation
 from mechproof.proof.cards import make_card
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.findings import LedgerFinding
@@ -45,6 +45,7 @@ class FindingView:
     weight: Weight
     mend: Markup
     mend_by: str
+    label: str
     general: Markup
     general_by: str
     wrong: Markup
@@ -185,6 +186,7 @@ def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> Findin
         weight=found.weight,
         mend=write_print(card.mend),
         mend_by=card.mend_by,
+        label=card.label,
         general=write_print(card.general),
         general_by=card.general_by,
         wrong=set_prose(found.wrong),
@@ -281,7 +283,7 @@ def _place(
     taken = {view.anchor for view in views}
     for view in views:
         begins = ""
-        if mark_equations and (equation := find_equation(view.number)):
+        if mark_equations and (equation := find_only_equation(view.number)):
             anchor = name_equation(equation)
             begins = "" if anchor in taken else anchor
             taken.add(anchor)
@@ -293,7 +295,7 @@ def _index_equations(entries: Sequence[Entry]) -> Iterator[EquationLink]:
     """List the equations in the paper's order, each with the gravest verdict of its rows."""
     groups: dict[str, list[Entry]] = {}
     for entry in entries:
-        if "ours" not in entry.row.marks and (equation := find_equation(entry.row.number)):
+        if "ours" not in entry.row.marks and (equation := find_only_equation(entry.row.number)):
             groups.setdefault(equation, []).append(entry)
     order = [NOT_JUDGED, *LEFT.values(), *LOOKS.values()]
     for equation, group in groups.items():

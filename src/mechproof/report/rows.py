@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechproof.proof.ledger import PLAIN
-from mechproof.proof.verdict import Evidence, Judgement, Left, Place
+from mechproof.proof.verdict import Evidence, Judgement, Left, Place, Verdict
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
@@ -95,7 +95,7 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         corrected_by=row.corrected_by,
         on=set_prose(row.on),
         singular=set_prose(", ".join(row.singular)),
-        rung=row.rung,
+        rung="" if row.verdict is Verdict.NOT_CHECKABLE else row.rung,
         place=_say_place(row.place),
         sides=row.sides,
     )

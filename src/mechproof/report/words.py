@@ -59,6 +59,7 @@ BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
 EXPONENT = re.compile(r"(?<=[\w)\]])\*\*(-?\d+)\b")
 POWER = re.compile(r"(\d)e([+-]?\d+)\b")
 CARET = re.compile(r"(?<=[\w)])\^(\d+)\b")
+TIMES = re.compile(r"(?<=[\w)\]])\*(?=[\w(|])")
 UNIT = re.compile(r"(?<=\d )um\b")
 GREEK = {
     name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
@@ -69,11 +70,13 @@ GREEK = {
     )
     for name in names.split()
 } | {"varphi": "φ", "varepsilon": "ε"}  # fmt: skip
-# A Greek letter by its name, or a letter with an index.
+RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+SUPERSCRIPTS = str.maketrans("-0123456789", RAISED)
+# A Greek letter by its name, or a letter with an index, which ends before a power.
+SIGN = rf"[^\W{RAISED}]"
 NAME = re.compile(
-    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d\b))(?:_(\w+)|(\d+))?)(?!\w)"
+    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d(?!{SIGN})))(?:_({SIGN}+)|(\d+))?)(?!{SIGN})"
 )
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def look_of(verdict: str) -> VerdictStyle:
@@ -104,7 +107,7 @@ def set_prose(text: str) -> Markup:
 
     The text is escaped first.
     """
-    plain = UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text)))
+    plain = TIMES.sub("·", UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text))))
     return Markup(NAME.sub(_set_name, str(escape(plain))))
 
 
