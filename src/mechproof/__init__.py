@@ -2,6 +2,7 @@
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
 `check` judges the equations of a paper's own source;
+`bound` proves how far rounding moves what a formula computes;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
+    from mechproof.bounding import bound
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.mechanisms import (
@@ -40,6 +42,7 @@ __all__ = [
     "TrackWheel",
     "WedgeLinkage",
     "__version__",
+    "bound",
     "check",
     "choose",
     "tailor",
@@ -47,6 +50,7 @@ __all__ = [
 
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
+    "bound": "mechproof.bounding",
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
     "tailor": "mechproof.tailoring",

@@ -41,6 +41,8 @@ from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
 
+# Of these no value is beyond 1 in size.
+LIMITED = ("sin", "cos")
 UNKNOWN = exactly(math.nan)
 # Of other kinds nothing can be bounded.
 KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approximate"})
@@ -150,6 +152,8 @@ class ErrorAnalysis:
             found = RoundedEndpoints(exact.expanded(), np.inf)
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
+        if step.ulps <= HALF and step.kind in LIMITED:
+            found = RoundedEndpoints(_within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
         if step.ulps and is_rounded:
@@ -268,6 +272,10 @@ def _least(*bounds: Ends) -> Ends:
     for bound in bounds:
         least = np.fmin(least, bound)
     return least
+
+
+def _within_one(span: Interval) -> Interval:
+    return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
 
 
 def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
