@@ -1,7 +1,8 @@
 """Largest: in, a bound over boxes and a box; out, a number that the bound exceeds nowhere.
 
 Branch and bound (Hansen and Walster 2004), many boxes at once, the highest first. The bound at the
-middle of a box is reached; a box that is hardly above what is reached somewhere is not divided.
+middle of a box, or of a part that is hardly more than a point, is reached; what is hardly above
+that is not divided.
 """
 
 from __future__ import annotations
@@ -21,15 +22,17 @@ from mechproof.arithmetic.cover import (
     halve,
     take_middles,
 )
-from mechproof.arithmetic.intervals import Array
+from mechproof.arithmetic.intervals import Array, Mask
 
 # So many boxes are divided at once.
 TOGETHER = 512
+# Parts whose sides are such shares of the whole are not divided.
+THIN = 2.0**-24
 
 
 @dataclass(frozen=True)
 class Largest:
-    """What a bound is at most over a box, what it reaches, and parts where it is high.
+    """What a bound is at most over a box, what it reaches somewhere, and parts where it is high.
 
     `open` is a part where the bound is not finite, and cannot be made so by dividing it.
     """
@@ -49,12 +52,15 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
     finished = 0.0
     highest: tuple[Boxes, Array] = boxes[:0], heights[:0]
     while len(boxes):
-        order = np.argsort(-heights, kind="stable")
+        # The highest first, of those without a bound the thinnest.
+        sizes = (boxes[:, :, 1] - boxes[:, :, 0]).max(axis=1)
+        order = np.lexsort((sizes, -heights))
         boxes, heights = boxes[order], heights[order]
         middles = _raise(bound(take_middles(boxes[:TOGETHER])))
-        if np.isinf(middles[0]):
+        thin = _are_thin(boxes, whole)
+        if np.isinf(heights[0]) and (np.isinf(middles[0]) or count >= most or thin[0]):
             return Largest(np.inf, np.inf, count, (), as_box(boxes[0]))
-        reached = max(reached, float(np.max(np.where(np.isfinite(middles), middles, 0.0))))
+        reached = max(reached, _find_highest(middles), _find_highest(heights[thin]))
         low = heights <= reached * (1 + tolerance)
         if low.any():
             highest = _keep(highest, boxes[low], heights[low], kept)
@@ -69,6 +75,16 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
     highest = _keep(highest, boxes, heights, kept)
     found = max(finished, float(heights.max(initial=0.0)))
     return Largest(found, reached, count, tuple(map(as_box, highest[0])), None)
+
+
+def _are_thin(boxes: Boxes, whole: Boxes) -> Mask:
+    """Say which parts are too thin to be divided."""
+    lengths = whole[:, :, 1] - whole[:, :, 0]
+    return np.all(boxes[:, :, 1] - boxes[:, :, 0] <= THIN * lengths, axis=1)
+
+
+def _find_highest(heights: Array) -> float:
+    return float(np.max(heights, where=np.isfinite(heights), initial=0.0))
 
 
 def _raise(heights: Array) -> Array:

@@ -13,14 +13,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.cover import Box, Boxes, Side
-from mechproof.arithmetic.intervals import EPS, ONE, Array, between, enclose_ball
+from mechproof.arithmetic.intervals import EPS, ONE, Array, between
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.interval_monomials import BoxVariables
-from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.sharing import share_equal_steps
 from mechproof.roundoff.steps import (
     CONSTANT,
@@ -32,8 +30,6 @@ from mechproof.roundoff.steps import (
 )
 
 Range = tuple[Fraction, Fraction]
-# Of the errors of constants.
-BITS = 200
 
 
 @dataclass(frozen=True)
@@ -80,7 +76,7 @@ class BoxedProgram:
         poles = sum(step.kind == "tan" for step in self.straight.steps)
         variables = BoxVariables(spans, positive, poles, forced)
         given = {name: variables.variable(i) for i, name in enumerate(self.straight.inputs)}
-        return ErrorAnalysis(self.straight, variables, given, {}, None)
+        return ErrorAnalysis(self.straight, variables, given, {}, None, has_grids=True)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -107,21 +103,14 @@ def put_in_box(
 
 
 def _state_error(step: Step, convention: Convention) -> Step:
-    """Return a step with what is known of its error: of a number all is, of a quotient of two too.
+    """Return a step with what is known of its error, of a quotient of two numbers as of one.
 
     To nearest, a quotient of two numbers is the double that is nearest to the fraction.
     """
     if step.kind == "divide" and not any(isinstance(o, str) for o in step.operands):
         above, below = (Fraction(o) for o in step.operands)
         step = replace(step, kind=CONSTANT, operands=(name_constant(above / below),))
-    if step.kind in FUNCTIONS:
-        return replace(step, ulps=convention.ulps)
-    if step.kind != CONSTANT:
-        return step
-    with working_precision(BITS):
-        exact = to_ball(find_number(step.operands[0]))
-        off = abs(to_ball(float(IN_DOUBLES[CONSTANT](step.operands[0]))) / exact - 1)
-        return replace(step, ulps=float(enclose_ball(off / EPS).high))
+    return replace(step, ulps=convention.ulps) if step.kind in FUNCTIONS else step
 
 
 def _round_inputs(straight: StraightLineProgram) -> StraightLineProgram:
