@@ -54,7 +54,7 @@ def displacement_by(direction: sp.Symbol) -> sp.Expr:
 
 def write(slope: sp.Expr) -> str:
     """Write a slope in the letters of the paper."""
-    return sp.latex(slope, symbol_names=NAMES, fold_func_brackets=False)
+    return str(sp.latex(slope, symbol_names=NAMES, fold_func_brackets=False))
 
 
 def slopes_row(

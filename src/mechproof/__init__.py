@@ -4,6 +4,7 @@
 `check` judges the equations of a paper's own source;
 `export` writes pitch curves and motions for other programs;
 `formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
+`bound` proves how far rounding moves what a formula computes;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
         plot as plot,
         tolerance as tolerance,
     )
+    from mechproof.bounding import bound
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.exports import export
@@ -53,6 +55,7 @@ __all__ = [
     "TrackWheel",
     "WedgeLinkage",
     "__version__",
+    "bound",
     "check",
     "choose",
     "export",
@@ -64,6 +67,7 @@ __all__ = [
 PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot", "tolerance")
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
+    "bound": "mechproof.bounding",
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
     "export": "mechproof.exports",

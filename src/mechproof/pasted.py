@@ -120,6 +120,34 @@ def judge_pasted(pasted: Pasted) -> Checked:
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
 
 
+def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:
+    """Return what is pasted, of an equation the right side, and the sets of its letters.
+
+    `ValueError` (also `ReadingError`) for what cannot be read, and for relations between letters.
+    """
+    pasted = replace(pasted, latex=_unwrap(pasted.latex))
+    counts = _find_counts(pasted)
+    variables = _declare(pasted, counts)
+    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
+    reader = Reader(variables, notation, COMMAND)
+    variables = _give_values(variables, pasted, reader)
+    reader = Reader(variables, notation, COMMAND)
+    relations = [r for text in pasted.where for r in read_relations(text, reader)]
+    _refuse_values(relations)
+    variables, where = narrow(variables, relations)
+    if where:
+        raise ValueError(f"--where {where[0]}: it is no range of one letter")
+    read = Reader(variables, notation, COMMAND).parse(pasted.latex)
+    (chain,) = read.chains if len(read.chains) == 1 else (None,)
+    if chain is None or chain.condition or len(chain.members) > 2:
+        raise ValueError("one expression is needed, or an equation whose right side it is")
+    expression = read.meaning().of(chain.members[-1])
+    given = {v.symbol: v.given for v in variables if v.given is not None}
+    for _ in given:
+        expression = expression.subs(given)
+    return expression, {v.symbol: v.within for v in variables if v.given is None}
+
+
 def _rename(row: Row, count: int) -> Row:
     number = row.number.removeprefix(f"{NUMBER}, ") if count > 1 else "equation"
     return replace(row, number=number)

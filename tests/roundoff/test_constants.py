@@ -12,6 +12,7 @@ from mechproof.record import Argument, Chart, Form, Paper, Quantity, Variable
 from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import certify, cover_all, make_claim
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, Step
 
 x = sp.Symbol("x", real=True)
@@ -82,7 +83,12 @@ def test_a_bound_below_an_eps_is_found(expression: sp.Expr, least: float, most: 
 
 def test_a_search_sees_a_constant_taken_for_exact() -> None:
     def forget(step: Step) -> Step:
-        return replace(step, ulps=0.0) if step.kind in (CONSTANT, "multiply") else step
+        if step.kind == CONSTANT:
+            # Another number, the double itself: what is computed stays as it is.
+            (number,) = step.operands
+            above, below = float(IN_DOUBLES[CONSTANT](number)).as_integer_ratio()
+            return replace(step, operands=(f"{above}/{below}",))
+        return replace(step, ulps=0.0) if step.kind == "multiply" else step
 
     for subject in subjects_of(x * ODD):
         steps = tuple(map(forget, subject.straight.steps))

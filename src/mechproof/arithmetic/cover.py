@@ -40,9 +40,9 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
 
     A part whose middle alone is above the aim cannot be divided into parts below it.
     """
-    whole, count = _as_boxes(box), 0
+    whole, count = as_boxes(box), 0
     worst: list[tuple[float, Box]] = []
-    waiting = _divide(whole, first)
+    waiting = divide(whole, first)
     while len(waiting):
         heights = bound(waiting)
         high = ~(np.isfinite(heights) & (heights <= aim))
@@ -52,10 +52,10 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
         if not len(waiting):
             break
         highest = waiting[np.argmax(heights)]
-        if count + 2 * len(waiting) > most or bound(_take_middle(highest))[0] > aim:
-            left = _as_box(highest)
+        if count + 2 * len(waiting) > most or bound(take_middles(highest[np.newaxis]))[0] > aim:
+            left = as_box(highest)
             return Cover(count, ((float(heights.max()), left), *worst), left)
-        waiting = _halve(bound, waiting, heights, whole)
+        waiting = halve(bound, waiting, heights, whole)
     return Cover(count, tuple(worst), None)
 
 
@@ -63,11 +63,11 @@ def _keep_worst(
     known: list[tuple[float, Box]], heights: Array, boxes: Boxes
 ) -> list[tuple[float, Box]]:
     highest = np.argsort(-heights, kind="stable")[:WORST]
-    more = [(float(heights[i]), _as_box(boxes[i])) for i in highest]
+    more = [(float(heights[i]), as_box(boxes[i])) for i in highest]
     return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
 
 
-def _divide(whole: Boxes, sides: int) -> Boxes:
+def divide(whole: Boxes, sides: int) -> Boxes:
     """Cut the first sides as far as they have a length, so that there are many boxes."""
     for _ in range(CUTS):
         for side in range(sides):
@@ -79,7 +79,7 @@ def _divide(whole: Boxes, sides: int) -> Boxes:
     return whole
 
 
-def _halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
+def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
     """Cut a side of every box in two: that which adds most to its bound, or the longest."""
     sides, rows = _choose_sides(bound, boxes, heights, whole), np.arange(len(boxes))
     first, second = boxes.copy(), boxes.copy()
@@ -114,15 +114,17 @@ def _find_middles(boxes: Boxes) -> Array:
     return middles
 
 
-def _take_middle(box: Boxes) -> Boxes:
-    middle = _find_middles(box[np.newaxis])[0]
-    endless = np.isinf(box[:, 1])
-    return np.where(endless[:, np.newaxis], box, middle[:, np.newaxis])[np.newaxis]
+def take_middles(boxes: Boxes) -> Boxes:
+    """Return the middles of boxes, of endless sides the whole."""
+    middles = _find_middles(boxes)[:, :, np.newaxis]
+    return np.where(np.isinf(boxes[:, :, 1:]), boxes, middles)
 
 
-def _as_boxes(box: Box) -> Boxes:
+def as_boxes(box: Box) -> Boxes:
+    """Return one box as many."""
     return np.array([box], float)
 
 
-def _as_box(box: Boxes) -> Box:
+def as_box(box: Boxes) -> Box:
+    """Return the sides of a box."""
     return tuple((float(low), float(high)) for low, high in box)

@@ -33,7 +33,10 @@ KEPT = 2**17
 # Of angles: a little less than pi, and where a tangent has its pole.
 BEFORE_PI, BEFORE_POLE = 3.1415926535, 1.5707963267
 FUNCTIONS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
-    {"tan": arb.tan, "cot": arb.cot, "arctan": arb.atan, "sin": arb.sin, "cos": arb.cos}
+    {
+        **{"tan": arb.tan, "cot": arb.cot, "arctan": arb.atan, "sin": arb.sin, "cos": arb.cos},
+        **{"exp": arb.exp, "log": arb.log},
+    }
 )
 
 
@@ -236,6 +239,17 @@ def cotangent(z: Interval) -> Interval:
 def arctangent(z: Interval) -> Interval:
     """Return arctangents."""
     return _rise("arctan", z)
+
+
+def exponential(z: Interval) -> Interval:
+    """Return exponentials."""
+    return _rise("exp", z)
+
+
+def logarithm(z: Interval) -> Interval:
+    """Return logarithms; not finite where z is not positive."""
+    known = z.low > 0
+    return _rise("log", Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
 
 
 def sine(z: Interval) -> Interval:

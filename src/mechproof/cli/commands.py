@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli.bound import bound
 from mechproof.cli.certify import certify
 from mechproof.cli.chart import chart
 from mechproof.cli.check import check
@@ -51,6 +52,7 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.command()(bound)
 app.command()(new)
 app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)

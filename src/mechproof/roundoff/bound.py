@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechproof.arithmetic.balls import to_ball
+from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.intervals import (
     EPS,
     ONE,
@@ -36,11 +36,23 @@ from mechproof.roundoff.endpoint_rounding import (
     widen_by_ulps,
 )
 from mechproof.roundoff.error_tables import ErrorTable
+from mechproof.roundoff.grids import (
+    NONE,
+    Grid,
+    are_doubles,
+    find_grid,
+    find_grid_of_number,
+    find_own_grid,
+)
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
 
+# Of the errors of numbers.
+CONSTANT_BITS = 256
+# Of these no value is beyond 1 in size.
+LIMITED = ("sin", "cos")
 UNKNOWN = exactly(math.nan)
 # Of other kinds nothing can be bounded.
 KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approximate"})
@@ -63,10 +75,15 @@ class RoundedStep:
     slopes: Slopes
     relative: Ends
     absolute: Ends | None
+    # Of a number that is no double, what its rounding is, with its sign, as a share of itself.
+    known: Interval | None = None
 
 
 class ErrorAnalysis:
-    """The steps over many boxes: values forward, derivatives in reverse."""
+    """The steps over many boxes: values forward, derivatives in reverse.
+
+    Where it `has_grids` all inputs are doubles, but for those that are rounded first.
+    """
 
     def __init__(
         self,
@@ -76,12 +93,17 @@ class ErrorAnalysis:
         stated: Mapping[str, IntervalMonomial],
         turn: Turn | None,
         find_profile: Callable[[str], ErrorTable] | None = None,
+        *,
+        has_grids: bool = False,
     ) -> None:
         self.variables, self.turn, self.held = variables, turn, straight.held
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, IntervalMonomial] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
         self.computed = {name: monomial.expanded() for name, monomial in given.items()}
+        self._grids: dict[str, Grid] | None = None
+        if has_grids:
+            self._grids = {name: find_own_grid(span) for name, span in self.computed.items()}
         self.rounded: list[RoundedStep] = []
         for step in straight.steps:
             self._move(step, stated.get(step.result))
@@ -117,9 +139,16 @@ class ErrorAnalysis:
 
     def _take_constant(self, step: Step) -> None:
         (operand,) = step.operands
-        exact = self.variables.constant(enclose_ball(to_ball(find_number(operand))))
-        double = exactly(IN_DOUBLES[CONSTANT](operand))
-        self._add(step, exact, (None,), np.float64(EPS * step.ulps), None, double)
+        double = float(IN_DOUBLES[CONSTANT](operand))
+        with working_precision(CONSTANT_BITS):
+            ball = to_ball(find_number(operand))
+            exact, off = enclose_ball(ball), enclose_ball(to_ball(double) / ball - 1)
+        self.rounded.append(
+            RoundedStep(step, self.variables.constant(exact), (None,), off.largest(), None, off)
+        )
+        self.computed[step.result] = exactly(double)
+        self._set_grid(step, find_grid_of_number(double))
+        self.values[step.result] = self.variables.constant(exact.union(exactly(double)))
 
     def _look_up(self, step: Step, monomial: IntervalMonomial) -> Ends:
         """Return by how many eps of itself a function is off by what is proved of it."""
@@ -144,14 +173,18 @@ class ErrorAnalysis:
     def _round(
         self, step: Step, exact: IntervalMonomial, slopes: Slopes, is_exact: Mask = False
     ) -> None:
-        relative = np.where(is_exact, 0.0, EPS * step.ulps)
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         if any(span is UNKNOWN for span in given):
             found = RoundedEndpoints(exact.expanded(), np.inf)
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
+        if step.ulps <= HALF and step.kind in LIMITED:
+            found = RoundedEndpoints(_within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
+        grid = find_grid(step.kind, [self._find_grid(o) for o in step.operands])
+        is_exact = is_exact | are_doubles(grid, found.span)
+        relative = np.where(is_exact, 0.0, EPS * step.ulps)
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
             if step.result in self._scaled:
@@ -164,6 +197,19 @@ class ErrorAnalysis:
             found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
         )
         self._add(step, exact, slopes, relative, limit, span)
+        if is_rounded and self.computed[step.result] is not UNKNOWN:
+            self._set_grid(step, np.maximum(grid, find_own_grid(span)))
+
+    def _find_grid(self, operand: Operand) -> Grid:
+        if self._grids is None:
+            return NONE
+        if isinstance(operand, str):
+            return self._grids.get(operand, NONE)
+        return find_grid_of_number(operand)
+
+    def _set_grid(self, step: Step, grid: Grid) -> None:
+        if self._grids is not None:
+            self._grids[step.result] = grid
 
     def _add(
         self,
@@ -215,9 +261,15 @@ class ErrorAnalysis:
         inverses = [self._one / scale for scale in self._list_scales(output, bar)]
         slopes = {output: self._one}
         errors = {}
+        numbers = None
         for rounded in reversed(self.rounded):
             slope = slopes.pop(rounded.step.result, None)
             if slope is None or rounded.step.result in self.held:
+                continue
+            if rounded.known is not None:
+                # Errors that are known add up with their signs.
+                part = (slope * rounded.exact).scaled(rounded.known)
+                numbers = part if numbers is None else numbers + part
                 continue
             errors[rounded.step.result] = _weigh(slope, inverses, rounded)
             if np.any(rounded.relative):
@@ -229,6 +281,9 @@ class ErrorAnalysis:
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
+        if numbers is not None:
+            sizes = [(numbers * inverse).expanded().largest() for inverse in inverses]
+            errors[CONSTANT] = _least(*sizes) / EPS
         return errors
 
     def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
@@ -268,6 +323,10 @@ def _least(*bounds: Ends) -> Ends:
     for bound in bounds:
         least = np.fmin(least, bound)
     return least
+
+
+def _within_one(span: Interval) -> Interval:
+    return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
 
 
 def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:

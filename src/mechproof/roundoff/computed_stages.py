@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic.cover import Boxes
-from mechproof.arithmetic.intervals import EPS, Array, careful
+from mechproof.arithmetic.intervals import EPS, Array
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
@@ -24,21 +24,21 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
-from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
+from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.regions import ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
 
-# Boxes that are bounded together.
-TOGETHER = 1024
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
+# Compiled kernels have their own, of which nothing is proved.
+UNPROVED = frozenset({"exp", "log"})
 PLAIN_REWRITES = ("half_angle_tangent",)
 
 
@@ -93,38 +93,17 @@ class ComputedStage:
 
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
-        bounds = np.full(len(boxes), np.inf)
-        if not len(boxes):
-            return bounds
-        # What is never negative is the same in all boxes that are bounded together.
-        _, groups = np.unique(boxes[:, :, 0] >= 0, axis=0, return_inverse=True)
-        for group in range(groups.max() + 1):
-            rows = np.flatnonzero(groups == group)
-            for start in range(0, len(rows), TOGETHER):
-                part = rows[start : start + TOGETHER]
-                bounds[part] = self._bound_alike(region, boxes[part], moves=False)
-        return bounds
 
-    def _bound_alike(self, region: ChartRegion, boxes: Boxes, *, moves: bool) -> Array:
-        def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
-            evaluation, bar = self.evaluate(region, boxes[rows], forced)
+        def compute(part: Boxes, forced: tuple[int, ...]) -> Array:
+            evaluation, bar = self.evaluate(region, part, forced)
             if self.map:
-                return np.broadcast_to(self.map.bound(evaluation, bar), len(rows))
-            highest = np.zeros(len(rows))
+                return np.broadcast_to(self.map.bound(evaluation, bar), len(part))
+            highest = np.zeros(len(part))
             for output in self.straight.outputs:
                 highest = np.maximum(highest, evaluation.sum_errors(output, bar))
             return highest
 
-        def try_rows(rows: Rows, forced: tuple[int, ...]) -> Array:
-            try:
-                with careful(moves=moves):
-                    return compute(rows, forced)
-            except FloatingPointError:
-                if moves:
-                    return np.full(len(rows), np.inf)
-                return self._bound_alike(region, boxes[rows], moves=True)
-
-        return split_cases(try_rows, len(boxes))
+        return bound_in_groups(compute, boxes)
 
     def evaluate(
         self, region: ChartRegion, boxes: Boxes, forced: tuple[int, ...] = ()
@@ -251,7 +230,7 @@ def _compile(
 
 
 def _check_kinds(straight: StraightLineProgram) -> None:
-    if unknown := sorted({step.kind for step in straight.steps} - KINDS):
+    if unknown := sorted({step.kind for step in straight.steps} - (KINDS - UNPROVED)):
         raise ValueError(
             f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
         )

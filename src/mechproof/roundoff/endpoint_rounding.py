@@ -98,6 +98,7 @@ AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
         "multiply": _multiply,
         "square": _square,
         "fma": _fuse,
+        "copy": lambda a: RoundedEndpoints(a, 0.0),
         "negate": lambda a: RoundedEndpoints(-a, 0.0),
         "absolute": lambda a: RoundedEndpoints(a.size(), 0.0),
     }

@@ -46,12 +46,17 @@ def _first_axes(count: Operand) -> tuple[int, ...]:
     return tuple(range(int(count)))
 
 
+def _divide(digits: str) -> Any:
+    above, _, below = digits.partition("/")
+    return FORMAT(above) / FORMAT(below or "1")
+
+
 # Of the constants; infinity is known to all that run.
 DIGITS_OF = {n: str(sp.N(v, DIGITS)) for n, v in CONSTANTS.items() if v != sp.oo}
 IN_EXTENDED = ON_ARRAYS.but(
     number=FORMAT,
     # By its digits: a whole number of Python's may become a double on the way.
-    constant=lambda operand: FORMAT(DIGITS_OF.get(operand, str(operand))),
+    constant=lambda operand: _divide(DIGITS_OF.get(operand, str(operand))),
     product_rest=_product_rest,
     quotient_rest=_quotient_rest,
     quadratic_form=_quadratic_form,

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import ONE, Interval, exactly
+from mechproof.arithmetic.intervals import ONE, Interval, exactly, exponential, logarithm
 from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 
@@ -121,6 +121,17 @@ def _arctan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)
 
 
+def _exp(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    (a,) = given
+    value = a.variables.constant(exponential(a.expanded()))
+    return value, (value,)
+
+
+def _log(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    (a,) = given
+    return a.variables.constant(logarithm(a.expanded())), (_one(a) / a,)
+
+
 RULES: Mapping[str, Rule] = MappingProxyType(
     {
         "add": _add,
@@ -139,5 +150,7 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "cos": _cos,
         "tan": _tan,
         "arctan": _arctan,
+        "exp": _exp,
+        "log": _log,
     }
 )

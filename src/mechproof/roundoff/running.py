@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import partial
 from types import MappingProxyType
 from typing import Any
@@ -27,7 +28,9 @@ ENDLESS = MappingProxyType({"#inf": np.inf})
 
 def find_number(operand: Operand) -> Any:
     """Return the number that a constant's operand stands for."""
-    return CONSTANTS[operand] if isinstance(operand, str) else operand
+    if not isinstance(operand, str):
+        return operand
+    return CONSTANTS[operand] if operand in CONSTANTS else Fraction(operand)
 
 
 # What NumPy has functions of, in any format.

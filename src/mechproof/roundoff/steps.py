@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
@@ -16,7 +17,8 @@ HALF = 0.5
 EXACT = 0.0
 # What rounding took from a product and from a quotient: exact, or a rounding away from it.
 RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
-# A number that is no double, which is rounded where it is written; its operand is the number.
+# A number that is no double, which is rounded where it is written; its operand is the number, a
+# fraction in digits.
 CONSTANT = "constant"
 # Functions of our own are written out, or have a proved bound, before their steps are bounded.
 ULPS: Mapping[Rounding, float] = {
@@ -57,6 +59,11 @@ class StraightLineProgram:
     scaled: tuple[str, ...] = ()
 
 
+def name_constant(number: Fraction) -> str:
+    """Return a fraction as the operand of a constant."""
+    return f"{number.numerator}/{number.denominator}"
+
+
 def keep_needed(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps without those that no output needs."""
     needed: set[Operand] = set(straight.outputs)
@@ -73,10 +80,11 @@ def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight
 
     Numbers that are no doubles are rounded first, each once.
     """
-    return _round_constants(_flatten(stage, expansions))
+    return round_constants(_flatten(stage, expansions))
 
 
-def _round_constants(straight: StraightLineProgram) -> StraightLineProgram:
+def round_constants(straight: StraightLineProgram) -> StraightLineProgram:
+    """Return the steps with a step for each number that is no double."""
     operands = (*(o for step in straight.steps for o in step.operands), *straight.outputs)
     names = {o: f"rounded {o}" for o in operands if not is_double(o)}
     rounded = [Step(name, CONSTANT, (o,), HALF) for o, name in names.items()]

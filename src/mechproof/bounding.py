@@ -1,0 +1,226 @@
+"""Bounding: in, a file of FPCore or a pasted expression; out, proved bounds of rounding errors.
+
+A bound is what `roundoff` proves over the box, the worst input what its climb finds there.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from mechproof.arguments.scalars import check_count, check_function, check_number, require
+from mechproof.arithmetic.balls import evaluate
+from mechproof.arithmetic.cover import Box
+from mechproof.arithmetic.intervals import enclose_ball
+from mechproof.arithmetic.largest import bound_largest
+from mechproof.fpcore.expressions import FPCoreError, read_file
+from mechproof.fpcore.reading import read_cores
+from mechproof.latex import ReadingError
+from mechproof.pasted import Pasted, PastedError, read_expression
+from mechproof.programs.lowering import lower_steps
+from mechproof.roundoff.boxed import BoxedProgram, Convention, Range, put_in_box
+from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.steps import StraightLineProgram, make_step, round_constants
+
+FPCORE = ".fpcore"
+# A bound is known to this share, or its box divided into so many parts at most.
+TOLERANCE, PARTS = 0.002, 200_000
+
+
+@dataclass(frozen=True)
+class Bounding:
+    """A straight-line program, the ranges of its inputs, and what it is called."""
+
+    name: str
+    straight: StraightLineProgram
+    ranges: Mapping[str, Range]
+
+
+@dataclass(frozen=True)
+class ProvedBound:
+    """What is proved of the error of a program, and the worst input found.
+
+    `proved` bounds the error of every input of the box, absolute or, with `relative`, divided by
+    the exact value; it is infinite where nothing is proved, and `open` says of which part. `found`
+    is the error at the exact inputs `at`, of which there are none where no error is finite.
+    """
+
+    name: str
+    proved: float
+    found: float
+    at: Mapping[str, Fraction]
+    relative: bool
+    rounded_inputs: bool
+    parts: int
+    seconds: float
+    assumptions: tuple[str, ...]
+    open: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON row; exact inputs are fractions in digits."""
+        return {
+            "name": self.name,
+            "proved": self.proved if math.isfinite(self.proved) else None,
+            "found": self.found,
+            "at": {name: str(value) for name, value in self.at.items()},
+            "error": "relative" if self.relative else "absolute",
+            "inputs": "rounded" if self.rounded_inputs else "doubles",
+            "parts": self.parts,
+            "seconds": round(self.seconds, 2),
+            "assumptions": list(self.assumptions),
+            "open": self.open,
+        }
+
+
+def bound(
+    source: str | Path,
+    *,
+    where: Collection[str] = (),
+    relative: bool = False,
+    rounded_inputs: bool = False,
+    ulps: float = 1.0,
+    tolerance: float = TOLERANCE,
+    parts: int = PARTS,
+    report: Callable[[str], None] = lambda text: None,
+) -> tuple[ProvedBound, ...]:
+    """Prove bounds of the rounding errors of programs in doubles, to nearest.
+
+    `source` names a file of FPCore, or is an expression in LaTeX, whose letters lie where the
+    relations `where` say. Inputs are doubles; with `rounded_inputs` they are real numbers that are
+    rounded first. With `relative` errors are divided by the exact value. Functions as sin are taken
+    to be off by at most `ulps` of their results. A bound is above the least that this analysis can
+    show by at most a share of `tolerance`, unless the box would be divided into more `parts`.
+    `report` is told what is bounded.
+
+    Raises `FPCoreError` for a file that cannot be read or is not straight-line, `PastedError` for
+    an expression, `ValueError` and `TypeError` for other arguments.
+    """
+    require(isinstance(source, str | Path), "source", source, "must be a file or LaTeX", TypeError)
+    require(not isinstance(where, str), "where", where, "must be a list of relations", TypeError)
+    allowed = "must satisfy 0 < tolerance < 1"
+    require(0 < check_number("tolerance", tolerance) < 1, "tolerance", tolerance, allowed)
+    check_count("parts", parts)
+    check_function("report", report)
+    convention = Convention(rounded_inputs, relative, check_number("ulps", ulps))
+    if str(source).endswith(FPCORE):
+        require(not where, "where", where, f"a file says it by :pre: {source}")
+        found = read_boundings(Path(source))
+    else:
+        found = (read_pasted(Pasted(str(source), where=tuple(where))),)
+    return tuple(bound_all(found, convention, tolerance, parts, report))
+
+
+def read_boundings(path: Path) -> tuple[Bounding, ...]:
+    """Return the cores of a file; `FPCoreError` names it."""
+    try:
+        cores = read_cores(read_file(path))
+    except OSError as error:
+        raise FPCoreError(f"{path}: {error.strerror}") from error
+    except FPCoreError as error:
+        raise FPCoreError(f"{path}, {error}") from error
+    return tuple(Bounding(core.name, core.straight, core.box) for core in cores)
+
+
+def read_pasted(pasted: Pasted) -> Bounding:
+    """Return an expression as it would be emitted; `PastedError` for what cannot be read."""
+    try:
+        expression, sets = read_expression(pasted)
+        letters = sorted(expression.free_symbols, key=str)
+        ranges = {str(letter): _find_range(letter, sets[letter]) for letter in letters}
+        names = {letter: str(letter) for letter in letters}
+        program = lower_steps(names, frozenset(letters), tuple(ranges), (), (expression,))
+    except (ReadingError, ValueError, NotImplementedError) as error:
+        raise PastedError(str(error)) from error
+    except RecursionError as error:
+        raise PastedError("it is nested too deeply to be read") from error
+    steps = tuple(map(make_step, program.operations))
+    straight = StraightLineProgram(tuple(ranges), steps, program.outputs)
+    return Bounding(pasted.latex, round_constants(straight), ranges)
+
+
+def _find_range(letter: sp.Symbol, within: sp.Set) -> Range:
+    """Return the ends of a set, those that are no fractions as doubles beyond."""
+    low, high = (within.inf, within.sup) if isinstance(within, sp.Interval) else (-sp.oo, sp.oo)
+    for end, sign in ((low, "<="), (high, ">=")):
+        if end.is_infinite:
+            raise ValueError(f"--where says no number that is {sign} {letter}")
+    return _take_end(low, is_low=True), _take_end(high, is_low=False)
+
+
+def _take_end(end: sp.Expr, *, is_low: bool) -> Fraction:
+    if end.is_Rational:
+        return Fraction(int(end.p), int(end.q))
+    span = enclose_ball(evaluate(end, {}))
+    return Fraction(float(span.low if is_low else span.high))
+
+
+def bound_all(
+    boundings: Sequence[Bounding],
+    convention: Convention,
+    tolerance: float = TOLERANCE,
+    parts: int = PARTS,
+    report: Callable[[str], None] = lambda text: None,
+) -> Iterator[ProvedBound]:
+    """Yield the bounds of programs; ValueError for what no rule bounds."""
+    for bounding in boundings:
+        report(f"bounding {bounding.name}")
+        yield bound_one(bounding, convention, tolerance, parts)
+
+
+def bound_one(
+    bounding: Bounding, convention: Convention, tolerance: float = TOLERANCE, parts: int = PARTS
+) -> ProvedBound:
+    """Prove a bound and look for the worst input.
+
+    Raises ArithmeticError where an input is off by more than is proved: then an assumption does
+    not hold here, or the proof is wrong.
+    """
+    start = time.process_time()
+    try:
+        program = put_in_box(bounding.straight, bounding.ranges, convention)
+    except ValueError as error:
+        raise ValueError(f"{bounding.name}: {error}") from error
+    largest = bound_largest(program.bound, program.box, tolerance, parts)
+    worst = find_worst_input(program, (program.box, *largest.highest))
+    found, at = (worst.error, worst.at) if worst else (0.0, {})
+    if found > largest.bound:
+        resting = " and ".join(program.assumptions)
+        raise ArithmeticError(
+            f"{bounding.name}: off by {found} at {_tell_point(at)}, where {largest.bound} is "
+            f"proved as long as {resting}"
+        )
+    return ProvedBound(
+        bounding.name,
+        largest.bound,
+        found,
+        at,
+        convention.relative,
+        convention.rounded_inputs,
+        largest.count,
+        time.process_time() - start,
+        program.assumptions,
+        "" if largest.open is None else _tell_part(program, largest.open),
+    )
+
+
+def _tell_point(at: Mapping[str, Fraction]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in at.items())
+
+
+def _tell_part(program: BoxedProgram, box: Box) -> str:
+    ends = zip(program.straight.inputs, box, strict=True)
+    return ", ".join(f"{low:g} <= {name} <= {high:g}" for name, (low, high) in ends)
+
+
+def bounds_to_json(bounds: Sequence[ProvedBound]) -> str:
+    """Return the text of a file of bounds."""
+    rows: dict[str, Any] = {"bounds": [one.as_dict() for one in bounds]}
+    return json.dumps(rows, indent=1, ensure_ascii=False) + "\n"
