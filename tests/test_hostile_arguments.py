@@ -26,6 +26,7 @@ from mechproof import (
     ToothThickness,
     TrackWheel,
     WedgeLinkage,
+    bound,
     check,
     choose,
     conformity,
@@ -249,6 +250,19 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
             "measured": [4.6, 6.7],
             "resolution": 0.1,
             "type_b": [TypeB(0.1)],
+        },
+    ),
+    "bound": (
+        bound,
+        {
+            "source": "x^2+x",
+            "where": ["1<=x<=2"],
+            "relative": False,
+            "rounded_inputs": False,
+            "ulps": 1.0,
+            "tolerance": 0.5,
+            "parts": 9,
+            "report": lambda text: None,
         },
     ),
     "check": (

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -16,6 +16,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.arguments.arrays import check_flag
 from mechproof.arguments.scalars import check_count, check_function, check_number, require
 from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.cover import Box
@@ -83,7 +84,7 @@ class ProvedBound:
 def bound(
     source: str | Path,
     *,
-    where: Collection[str] = (),
+    where: list[str] | tuple[str, ...] = (),
     relative: bool = False,
     rounded_inputs: bool = False,
     ulps: float = 1.0,
@@ -104,7 +105,12 @@ def bound(
     an expression, `ValueError` and `TypeError` for other arguments.
     """
     require(isinstance(source, str | Path), "source", source, "must be a file or LaTeX", TypeError)
-    require(not isinstance(where, str), "where", where, "must be a list of relations", TypeError)
+    are_texts = isinstance(where, list | tuple) and all(isinstance(r, str) for r in where)
+    require(are_texts, "where", where, "must be a list of relations", TypeError)
+    relative, rounded_inputs = (
+        check_flag("relative", relative),
+        check_flag("rounded_inputs", rounded_inputs),
+    )
     allowed = "must satisfy 0 < tolerance < 1"
     require(0 < check_number("tolerance", tolerance) < 1, "tolerance", tolerance, allowed)
     check_count("parts", parts)
