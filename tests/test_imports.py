@@ -113,7 +113,7 @@ INSIDE = {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
         "mechproof.record",
     },
-    "mechanisms": {"scipy", "mechproof.tolerance"},
+    "mechanisms": {"scipy", "flint", "mechproof.executors", "mechproof.tolerance"},
 }
 
 
