@@ -49,8 +49,8 @@ OF_BOTH = (largest_wanted - smallest_wanted) / (
 ) ** 2
 RADII_OF_BOTH = sqrt((largest_wanted - 1) * (smallest_wanted - 1))
 
-REACHED_LARGEST = Part("largest >= 1 + R1/R2", where=(largest_wanted >= 1 + R1 / R2,))
-REACHED_SMALLEST = Part("smallest <= 1 + R1/R2", where=(smallest_wanted <= 1 + R1 / R2,))
+REACHED_LARGEST = Part("largest >= 1 + R1/R2", where=((largest_wanted - 1) * R2 >= R1,))
+REACHED_SMALLEST = Part("smallest <= 1 + R1/R2", where=((smallest_wanted - 1) * R2 <= R1,))
 REACHED_BOTH = Part(
     "smallest <= largest and R1 > R2",
     where=(

@@ -55,6 +55,16 @@ def test_both_extremes_give_radii_and_eccentricity(e: float) -> None:
         assert [getattr(found, n) for n in given] == list(given.values())
 
 
+def test_a_wish_of_a_constant_ratio_gives_circles() -> None:
+    random = np.random.default_rng(7)
+    for k in random.uniform(1.001, 30, 200):
+        uniform = 1 + k
+        for value in (uniform, np.nextafter(uniform, np.inf)):
+            assert EllipticPlanetary.design(largest_ratio=value, k=k).e <= 4 * EPS
+        for value in (uniform, np.nextafter(uniform, 1)):
+            assert EllipticPlanetary.design(smallest_ratio=value, k=k).e <= 4 * EPS
+
+
 def test_with_k_alone_the_small_wheel_has_1_mm() -> None:
     assert EllipticPlanetary.design(largest_ratio=5, k=3) == EllipticPlanetary(3, 1, 1 / 7)
     assert EllipticPlanetary.design(largest_ratio=5, k=3, R1=60).R2 == 20

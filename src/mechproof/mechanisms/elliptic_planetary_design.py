@@ -6,6 +6,8 @@ from the monotony that is proved with them.
 
 from __future__ import annotations
 
+import math
+
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import elliptic_planetary as kernels
 
@@ -75,7 +77,9 @@ def _find_eccentricity(name: str, value: float, r1: float, r2: float) -> float:
     holds, allowed = reach[name]
     require(holds, name, value, allowed)
     kernel = getattr(kernels, f"eccentricity_of_{name}")
-    return _check_below_one(name, value, float(kernel(value, r1, r2)))
+    e = float(kernel(value, r1, r2))
+    # A wish next to 1 + k may lie outside the kernel's domain by a rounding.
+    return 0.0 if math.isnan(e) else _check_below_one(name, value, e)
 
 
 def _check_below_one(name: str, value: float, e: float) -> float:
