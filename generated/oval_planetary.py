@@ -29,6 +29,7 @@ What errors are relative to:
     S = both**2*t**2 + (less + y)**2
     W = both*(less + shift)*(1 + t**2)/S
     swing = 2*e1 + 2*e2
+    Z = t*(swing*(both + less) - 2*less*shift) + y*(rise - shift*t) + less*rise*(1 - t**2)
     k = R4/R5
     x = 2*k*phi1
 
@@ -44,7 +45,6 @@ What errors are relative to:
         W*(|(rise*t - shift)*(shift*t + Z*(4*less + 4*y)/S - rise)| +
         2*Max(2*less*shift*|t|, less*(1 + t**2)*|rise|, swing*(both + less)*|t|, |Z|,
         |y*(rise - shift*t)|, |y*(rise + shift*t)|/2))/S
-    Z = t*(swing*(both + less) - 2*less*shift) + y*(rise - shift*t) + less*rise*(1 - t**2)
 
     the larger of 1 and 1 - value, and what eps*x makes of it (ratio_cylindrical) =
         |x|*|e2*k*(e2**2 - 1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2|/2**51 + Max(1, k*(1 -
@@ -58,6 +58,16 @@ What errors are relative to:
     the value and what eps*x makes of it (acceleration_cylindrical) = 4*k**2*|e2*(e2**2 -
         1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2| + e2*k**2*(1 - e2**2)*|x|/(2**50*(1 + e2**2
         - 2*e2*cos(x))**2)
+
+    the larger of the terms, and what the roundings of y make of them (jerk) = W*(8*Z**2/S +
+        8*(less + shift)*|rise*t| + 2*(1 + t**2)*(rise**2 + shift*(2*less + shift) +
+        swing*(both + less)) + 16*(|less + y| + |rise - shift*t|)*|Z*(rise*t - shift)|/S)/S
+
+    the larger of the two terms, with 1 for cos(x), and what eps*x makes of them
+        (jerk_cylindrical) = 8*e2*k**3*(1 - e2**2)*(Max(4*e2*sin(x)**2, 1 + e2**2 -
+        2*e2*cos(x))/(1 + e2**2 - 2*e2*cos(x))**3 + (24*e2**2*sin(x)**2 + 12*e2*(1 + e2**2 -
+        2*e2*cos(x))*|cos(x)| + (1 + e2**2 - 2*e2*cos(x))**2)*|x|*|sin(x)|/(2**52*(1 + e2**2
+        - 2*e2*cos(x))**4))
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -91,6 +101,8 @@ from mechproof.kernel_support.functions import square as _square
 __all__ = [
     "acceleration",
     "acceleration_cylindrical",
+    "jerk",
+    "jerk_cylindrical",
     "position",
     "position_cylindrical",
     "ratio",
@@ -103,7 +115,7 @@ DOMAIN = (
         "0 <= e1 < 1",
         ("e1",),
         lambda e1: (e1 >= 0) & (e1 < 1),
-        ("ratio", "position", "acceleration"),
+        ("ratio", "position", "acceleration", "jerk"),
     ),
     _Condition(
         "e2",
@@ -117,6 +129,8 @@ DOMAIN = (
             "ratio_cylindrical",
             "position_cylindrical",
             "acceleration_cylindrical",
+            "jerk",
+            "jerk_cylindrical",
         ),
     ),
     _Condition(
@@ -124,14 +138,24 @@ DOMAIN = (
         "0 < R4 < oo",
         ("R4",),
         lambda R4: (R4 > 0) & _is_finite(R4),
-        ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
+        (
+            "ratio_cylindrical",
+            "position_cylindrical",
+            "acceleration_cylindrical",
+            "jerk_cylindrical",
+        ),
     ),
     _Condition(
         "R5",
         "0 < R5 < oo",
         ("R5",),
         lambda R5: (R5 > 0) & _is_finite(R5),
-        ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
+        (
+            "ratio_cylindrical",
+            "position_cylindrical",
+            "acceleration_cylindrical",
+            "jerk_cylindrical",
+        ),
     ),
 )
 PUBLISHED = (
@@ -691,4 +715,235 @@ def _form_of_acceleration_cylindrical(
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10)
+# Expressions sha256: e549b5ee6b9b78381a19f40a588dc2c9bce89149d7168efd29c848ffe136ac61
+# Form: quotient in tan(phi1)
+# Rewrites: low_product
+# Operations: 83
+def jerk(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.
+
+        jerk = -2*alpha*beta*(4*beta**2*cos(2*phi1) + 8*beta*gamma*sin(2*phi1) - 4*(alpha**2 +
+            gamma**2)*cos(2*phi1))/(beta**2*(1 + cos(2*phi1)) + (1 - cos(2*phi1))*(alpha**2 +
+            gamma**2) + 2*beta*gamma*sin(2*phi1))**2 - 2*alpha*beta*(2*beta**2*sin(2*phi1) -
+            2*(alpha**2 + gamma**2)*sin(2*phi1) -
+            4*beta*gamma*cos(2*phi1))*(4*beta**2*sin(2*phi1) - 4*(alpha**2 +
+            gamma**2)*sin(2*phi1) - 8*beta*gamma*cos(2*phi1))/(beta**2*(1 + cos(2*phi1)) + (1 -
+            cos(2*phi1))*(alpha**2 + gamma**2) + 2*beta*gamma*sin(2*phi1))**3
+        alpha = (1 - e2)*(1 + e1)*(1 + e2)
+        beta = (1 - e1)*((1 - e2)**2*cos(mount)**2 + (1 + e2)**2*sin(mount)**2)
+        gamma = e2*(4 + 4*e1)*sin(mount)*cos(mount)
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    e1 : array_like, any shape
+        Eccentricity of the oval pair 4-5 (pure number).
+    e2 : array_like, any shape
+        Eccentricity of the oval pair 6-3 (pure number).
+    mount : array_like, any shape, default 0
+        Turn of wheel 6 on its shaft, forward from its place in the paper (rad).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (pure number)
+
+    Notes
+    -----
+    Domain: 0 <= e1, e2 < 1.
+
+    Accuracy, tested: 30 eps of the larger of the terms, and what the roundings of y make of
+    them, where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
+    0 or 1/2**830 <= e2*|mount|).
+
+    Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10).
+
+    """
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_jerk, e1, e2)
+    return _in_blocks(_form_of_jerk, (phi1,), _prepare_of_jerk, (e1, e2, mount), out=out)
+
+
+def _check_of_jerk(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
+
+
+def _prepare_of_jerk(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    one_plus_e1 = 1.0 + e1
+    one_plus_e2 = 1.0 + e2
+    both_high = one_plus_e1 * one_plus_e2
+    one_plus_e2_low = _sum_rest(1.0, e2, one_plus_e2)
+    one_plus_e1_low = _sum_rest(1.0, e1, one_plus_e1)
+    both_low = (
+        one_plus_e1 * one_plus_e2_low
+        + one_plus_e1_low * one_plus_e2
+        + _product_rest(one_plus_e1, one_plus_e2, both_high)
+    )
+    both = both_high + both_low
+    one_minus_e1 = 1.0 - e1
+    one_minus_e2 = 1.0 - e2
+    less_high = one_minus_e1 * one_minus_e2
+    one_minus_e2_low = _sum_rest(1.0, -e2, one_minus_e2)
+    one_minus_e1_low = _sum_rest(1.0, -e1, one_minus_e1)
+    less_low = (
+        one_minus_e1 * one_minus_e2_low
+        + one_minus_e1_low * one_minus_e2
+        + _product_rest(one_minus_e1, one_minus_e2, less_high)
+    )
+    less = less_high + less_low
+    sin_mount = _np.sin(mount)
+    lever = 4.0 * e2 * sin_mount / one_minus_e2
+    shift = lever * one_minus_e1 * sin_mount
+    less_plus_shift = less + shift
+    rise = lever * one_plus_e1 * _np.cos(mount)
+    swing = 2.0 * e1 + 2.0 * e2
+    swing_both_plus_less = swing * (both + less)
+
+    return (both, less, shift, less_plus_shift, rise, swing_both_plus_less)
+
+
+def _form_of_jerk(
+    phi1: Any,
+    both: Any,
+    less: Any,
+    shift: Any,
+    less_plus_shift: Any,
+    rise: Any,
+    swing_both_plus_less: Any,
+) -> Any:
+    tan_phi1 = _np.tan(phi1)
+    y = shift + rise * tan_phi1
+    tan_phi1_squared = _square(tan_phi1)
+    term = _square(both) * tan_phi1_squared + _square(less + y)
+    term_2 = 1.0 - tan_phi1_squared
+
+    return (
+        2.0
+        * both
+        * less_plus_shift
+        / _square(term)
+        * (1.0 + tan_phi1_squared)
+        * (
+            (_square(rise) + swing_both_plus_less) * term_2
+            - 4.0
+            / term
+            * _square(
+                (swing_both_plus_less - 2.0 * less * shift) * tan_phi1
+                + y * (rise - shift * tan_phi1)
+                + less * rise * term_2
+            )
+            - 4.0 * less_plus_shift * rise * tan_phi1
+            - shift * (2.0 * less + shift) * term_2
+        )
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10), pair 4-5 cylindrical
+# Expressions sha256: ae8e85d683c09f477eee717bb8845be265395f7add51355f17c545f985d0adf4
+# Form: half-angle quotient with low word
+# Rewrites: low_word, half_angle_tangent
+# Operations: 49
+def jerk_cylindrical(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute d acceleration/d phi1 with a cylindrical pair 4-5.
+
+        jerk_cylindrical = k*(8*e2*k**2*(1 - e2**2)*cos(x)/(1 + e2**2 - 2*e2*cos(x))**2 -
+            32*e2**2*k**2*(1 - e2**2)*sin(x)**2/(1 + e2**2 - 2*e2*cos(x))**3)
+        k = R4/R5
+        x = 2*k*phi1
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R4 : array_like, any shape
+        Radius of the cylindrical sun 4 (mm).
+    R5 : array_like, any shape
+        Radius of the cylindrical wheel 5 (mm).
+    e2 : array_like, any shape
+        Eccentricity of the oval pair 6-3 (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (pure number)
+
+    Notes
+    -----
+    Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
+
+    Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
+    makes of them, where |x| <= 2**26 and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 =
+    0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**300 <= e2).
+
+    Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10), pair 4-5
+    cylindrical.
+
+    """
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical, R4, R5, e2)
+    return _in_blocks(
+        _form_of_jerk_cylindrical, (phi1,), _prepare_of_jerk_cylindrical, (R4, R5, e2), out=out
+    )
+
+
+def _check_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
+
+
+def _prepare_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    one_minus_e2 = 1.0 - e2
+    one_plus_e2 = 1.0 + e2
+    k = R4 / R5
+    k_low = _quotient_rest(R4, R5, k)
+    one_minus_e2_squared = _square(one_minus_e2)
+    one_plus_e2_squared = _square(one_plus_e2)
+
+    return (e2, one_minus_e2, one_plus_e2, k, k_low, one_minus_e2_squared, one_plus_e2_squared)
+
+
+def _form_of_jerk_cylindrical(
+    phi1: Any,
+    e2: Any,
+    one_minus_e2: Any,
+    one_plus_e2: Any,
+    k: Any,
+    k_low: Any,
+    one_minus_e2_squared: Any,
+    one_plus_e2_squared: Any,
+) -> Any:
+    x = 2.0 * k * phi1
+    t = _np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * _product_rest(k, phi1, x / 2.0)
+    t_low = _small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
+    adjacent_squared = _square(adjacent)
+    opposite = t + t_low
+    opposite_squared = _square(opposite)
+    base = one_minus_e2_squared * adjacent_squared + one_plus_e2_squared * opposite_squared
+
+    return (
+        8.0
+        * e2
+        * one_minus_e2
+        * one_plus_e2
+        * (k * _square(k))
+        / (base * _square(base))
+        * (adjacent_squared + opposite_squared)
+        * (
+            one_minus_e2_squared * _square(_square(adjacent))
+            - one_plus_e2_squared * _square(_square(opposite))
+            - 12.0 * e2 * adjacent_squared * opposite_squared
+        )
     )

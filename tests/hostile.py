@@ -28,6 +28,8 @@ NO_OBJECTS = [None, "x", 3, 1.5, [], {"a": 1.0}, object(), object]
 REFUSED: dict[str, list[Any]] = {
     "array": NO_NUMBERS,
     "strict array": [*NO_NUMBERS, True, [True]],
+    # A type is called like any function.
+    "samples": [bad for bad in NO_NUMBERS if bad is not float],
     "number": NO_NUMBER,
     "exact": [v for v in NO_NUMBER if not (v is None or isinstance(v, str))] + ["x", b"1"],
     "positive": [*NO_NUMBER, -1.0, 0.0],
@@ -77,26 +79,26 @@ REFUSED["optional pair"] = [bad for bad in REFUSED["pair"] if bad is not None]
 # The kind of a parameter, by its name.
 KINDS = {
     "number": "R1 R2 e m alpha l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM R A H "
-    "nominal gap value",
+    "nominal gap value module",
     "number of": "variant set",
-    "array": "phi3 phi1 dh e_tip height_error x1 phi points angle",
+    "array": "phi3 phi1 dh e_tip height_error x1 phi points angle speed acceleration jerk t",
     "strict array": "measured mean std width multiple lower upper x inputs signs readings",
-    "exact": "mount R4 R5 e2 eta",
-    "object": "pair wheel contributions system type_a mechanism corners exact",
+    "exact": "mount R4 R5 e2 eta band largest_e largest_ratio",
+    "object": "pair dwell wheel contributions system type_a mechanism corners exact",
     "optional object": "axes ax certified scatter",
     "count": "z count chunk budget",
     "positive": "degrees_of_freedom k limit",
     "width": "expanded_uncertainty",
     "not negative": "uncertainty standard_deviation half_width resolution",
     "probability": "probability",
-    "text": "quantity unit name label",
+    "text": "quantity unit name label of rank",
     "labels": "labels",
     "which": "which",
     "simulated": "simulated",
     "parts": "type_b",
     "folder": "folder",
     "flag": "steps_as_printed degrees",
-    "pair": "tolerance",
+    "pair": "tolerance teeth",
     "optional pair": "acceptance",
     "triple": "angles shift",
     "law": "true tip_diameter height thickness error",
@@ -141,6 +143,10 @@ ELSEWHERE = {
     "tailor.error": "positive",
     "tailor.phi1": "pair",
     "plot.pitch_curves.phi1": "number",
+    "EllipticPlanetary.design.k": "exact",
+    "EllipticPlanetary.run.phi1": "samples",
+    "OvalPlanetary.run.phi1": "samples",
+    "OvalPlanetary.find_dwells.width": "exact",
 }
 KIND_OF = {name: kind for kind, names in KINDS.items() for name in names.split()} | ELSEWHERE
 

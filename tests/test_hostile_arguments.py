@@ -49,6 +49,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::pint.UnitStrippedWarning")
 
 ONE = Normal(0, 1)
 ELLIPTIC, OVAL = EllipticPlanetary.published(2), OvalPlanetary.published(3)
+DWELL = OvalPlanetary.find_dwells(0.3, eta="0.1", teeth=(18, 19)).candidates[0]
 WEDGE, WHEEL, TEETH = (
     WedgeLinkage.published(1),
     TrackWheel(41.5, 3.75, 6, 20),
@@ -82,16 +83,17 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "EllipticPlanetary": (EllipticPlanetary, {"R1": 66, "R2": 16, "e": 0.4}),
     "EllipticPlanetary.published": (EllipticPlanetary.published, {"variant": 1}),
     "EllipticPlanetary.carrier_angle": (ELLIPTIC.carrier_angle, {"phi3": 1.0, "degrees": False}),
-    "EllipticPlanetary.extremes": (ELLIPTIC.extremes, {"degrees": True}),
     **{
         f"EllipticPlanetary.{n}": (getattr(ELLIPTIC, n), {"phi1": 1.0, "degrees": False})
-        for n in ("ratio", "position", "acceleration")
+        for n in ("ratio", "position", "acceleration", "jerk")
     },
+    "EllipticPlanetary.design": (EllipticPlanetary.design, {"largest_ratio": 5, "k": 3}),
+    "EllipticPlanetary.extremes": (ELLIPTIC.extremes, {"of": "jerk", "degrees": True}),
     "OvalPair": (OvalPair, {"e": 0.3, "mount": 0.1, "degrees": False}),
     "CylindricalPair": (CylindricalPair, {"R4": 20, "R5": 20}),
     "OvalPlanetary": (OvalPlanetary, {"pair": OvalPair(0.3), "e2": 0.3}),
     "OvalPlanetary.published": (OvalPlanetary.published, {"variant": 1}),
-    "OvalPlanetary.motion": (OVAL.motion, {"eta": 0.1, "degrees": True}),
+    "OvalPlanetary.classify": (OVAL.classify, {"eta": 0.1, "degrees": True}),
     "OvalPlanetary.extremes": (OVAL.extremes, {"degrees": True}),
     "OvalPlanetary.carrier_angle": (
         OvalPlanetary(CylindricalPair(1, 3), 0.1).carrier_angle,
@@ -99,7 +101,24 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     ),
     **{
         f"OvalPlanetary.{n}": (getattr(OVAL, n), {"phi1": 1.0, "degrees": False})
-        for n in ("ratio", "position", "acceleration")
+        for n in ("ratio", "position", "acceleration", "jerk")
+    },
+    "OvalPlanetary.longest_dwell": (OVAL.longest_dwell, {"band": 0.01}),
+    "OvalPlanetary.find_dwells": (
+        OvalPlanetary.find_dwells,
+        {"width": 0.3, "eta": "0.1", "teeth": (18, 19), "largest_e": "0.3", "rank": "width"},
+    ),
+    "OvalPlanetary.of_dwell": (
+        OvalPlanetary.of_dwell,
+        {"dwell": DWELL, "e2": "0.1", "module": 2},
+    ),
+    **{
+        f"{drive}.{name}": (getattr(moved, name), arguments)
+        for drive, moved in (("EllipticPlanetary", ELLIPTIC), ("OvalPlanetary", OVAL))
+        for name, arguments in (
+            ("at", {"phi1": 1.0, "speed": 2.0, "acceleration": 0.1, "jerk": 0.1}),
+            ("run", {"t": np.arange(6.0), "phi1": np.arange(6.0)}),
+        )
     },
     "ToothThickness": (ToothThickness, {"m": 3, "z": 50, "alpha": 0.3, "degrees": False}),
     **{

@@ -118,7 +118,7 @@ INSIDE = {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
         "mechproof.record",
     },
-    "mechanisms": {"scipy", "mechproof.tolerance"},
+    "mechanisms": {"scipy", "flint", "mechproof.executors", "mechproof.tolerance"},
     "exports": {"ezdxf", "matplotlib", "ncgears", "sympy"},
 }
 

@@ -4,8 +4,11 @@ from mechproof.record import Paper, PublishedSizes, Together
 
 from .aside import ASIDE
 from .consequences import CONSEQUENCES
+from .design import DESIGN_QUANTITIES, DESIGN_ROWS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
+from .peaks import PEAK_QUANTITIES
+from .peaks_proved import PEAK_ROWS
 from .position_rows import POSITION_CLAIMS, POSITION_ROWS
 from .ratio_rows import RATIO_ROWS
 from .readings import TABLE_CLAIMS, TYPE_A_ROWS
@@ -19,8 +22,17 @@ PAPER = Paper(
     notation=PRINT.notation,
     where=PRINT.where,
     print=PRINT.file,
-    rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS + CONSEQUENCES,
-    quantities=QUANTITIES,
+    rows=(
+        *RATIO_ROWS,
+        *POSITION_ROWS,
+        *POSITION_CLAIMS,
+        *TYPE_A_ROWS,
+        *TABLE_CLAIMS,
+        *CONSEQUENCES,
+        *PEAK_ROWS,
+        *DESIGN_ROWS,
+    ),
+    quantities=(*QUANTITIES, *PEAK_QUANTITIES, *DESIGN_QUANTITIES),
     together=(Together("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
         PublishedSizes(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))

@@ -77,7 +77,8 @@ LOW_WORD = (
 # k**2, and what it is divided by where e is next to 1.
 SQUARE_OF_SPEED = R1 <= 10**130 * R2
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
-EPS_X = Rational(1, 2**52) * Abs(x)
+EPS = Rational(1, 2**52)
+EPS_X = EPS * Abs(x)
 RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
 ACCELERATION_SCALE = Scale(
     "the value and what eps*x makes of it", Abs(ACCELERATION) + EPS_X * SLOPE

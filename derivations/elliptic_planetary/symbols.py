@@ -6,7 +6,7 @@ positive from A towards C and B; lengths in mm, angles in rad.
 
 from pathlib import Path
 
-from sympy import Eq, Interval, Rational, S, Symbol, cos, oo, pi, symbols
+from sympy import Eq, Interval, Rational, S, Symbol, cos, oo, pi, sqrt, symbols
 
 from mechproof.document.transcription import Transcription
 from mechproof.latex import Reader
@@ -21,8 +21,15 @@ phi1, phi3, phi5, R1, R2, e, a, rho, x = PRINT.symbols("phi1 phi3 phi5 R1 R2 e a
 a1, b1, C, omega1, omega3 = PRINT.symbols("a1 b1 C omega1 omega3")
 AC, BC, CD, BD, DE, VC, VD = PRINT.symbols("AC BC CD BD DE V_C V_D")
 ratio_symbol, slope = PRINT.symbols("phi3' dphi3/dphi1")
-k, nearest, U, tau, T, misfit = symbols("k nearest U tau T delta", real=True)
+k, nearest, U, tau, T, misfit, c = symbols("k nearest U tau T delta c", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
+square, root_acceleration, peak_acceleration, root_jerk = symbols(
+    "square root_acceleration peak_acceleration root_jerk", real=True
+)
+largest_wanted, smallest_wanted, quotient_wanted, non_uniformity_wanted = symbols(
+    "largest smallest quotient non_uniformity", real=True
+)
+ABOVE_ONE = Interval.open(1, oo)
 turns = Symbol("m_turns", integer=True)
 nu, E = symbols("nu E", positive=True)
 
@@ -54,10 +61,35 @@ VARIABLES = (
     *TYPE_A_VARIABLES,
     *ENCODER_VARIABLES,
     Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e),
+    Variable(square, "1 + e**2", given=1 + e**2),
+    Variable(
+        root_acceleration,
+        "root of what the peak of the acceleration is found from",
+        given=sqrt(square**2 + 32 * e**2),
+    ),
+    Variable(
+        peak_acceleration,
+        "(1 - cos x)/(1 - e)**2 where the acceleration is extreme, but for a factor",
+        given=1 + (1 + e) ** 2 / (root_acceleration + 6 * e),
+    ),
+    Variable(
+        root_jerk,
+        "root of what the peak of the jerk is found from",
+        given=sqrt(3 * square**2 + 24 * e**2),
+    ),
+    Variable(largest_wanted, "largest ratio that a design is to have", within=ABOVE_ONE),
+    Variable(smallest_wanted, "smallest ratio that a design is to have", within=ABOVE_ONE),
+    Variable(quotient_wanted, "largest over smallest ratio of a design", within=Interval(1, oo)),
+    Variable(
+        non_uniformity_wanted,
+        "(largest - smallest)/mean of the ratio of a design",
+        within=Interval(0, oo),
+    ),
     Variable(at_b, "coordinate of B on the line A-C", LENGTH),
     Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),
     Variable(at_d, "coordinate of D", LENGTH),
     Variable(U, "tg(x/2) as a variable of integration's limit"),
+    Variable(c, "cos(x) as a variable of its own", within=Interval(-1, 1)),
     Variable(misfit, "turn of wheel 6 on its shaft, from its place", ANGLE),
     Variable(turns, "whole turns of x", within=S.Naturals0),
     Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),

@@ -5,8 +5,10 @@ from mechproof.record import Paper, PublishedSizes, Together
 from .aside import ASIDE
 from .conclusions import CONCLUSION_ROWS
 from .consequences import CONSEQUENCES
+from .dwells import DWELL_ROWS
 from .equations import EQUATION_ROWS
 from .findings import FINDINGS
+from .jerk import JERK_QUANTITIES
 from .kernels import QUANTITIES
 from .mechanics import PRINT, VARIABLES
 from .pairs import CYLINDRICAL_PAIR_ROWS, OVAL_PAIR_ROWS
@@ -31,8 +33,9 @@ PAPER = Paper(
         *MEASUREMENT_ROWS,
         *CONCLUSION_ROWS,
         *CONSEQUENCES,
+        *DWELL_ROWS,
     ),
-    quantities=QUANTITIES,
+    quantities=(*QUANTITIES, *JERK_QUANTITIES),
     together=(
         Together("motion", ("position", "ratio", "acceleration")),
         Together(

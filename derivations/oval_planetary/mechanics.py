@@ -41,6 +41,7 @@ both, less, swing, lever, shift, rise, y, nearest = sp.symbols(
 )
 phi6_closed, phi6_counted, mount_counted = sp.symbols("phi6 phi6_counted mount_counted", real=True)
 lam, mu, width, eta = sp.symbols("lambda mu T eta", positive=True)
+quotient, t_place = sp.symbols("q_place t_place", positive=True)
 nu, xi, tangent = sp.symbols("nu xi U", real=True)
 m, turns = sp.symbols("m m_turns", integer=True)
 POSITIVE = sp.Interval.open(0, sp.oo)
@@ -215,6 +216,8 @@ VARIABLES = (
     Variable(sD, "coordinate of D", LENGTH),
     Variable(theta, "x as a variable of its own", ANGLE),
     Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
+    Variable(quotient, "quotient of an oval pair's speeds at a place", within=POSITIVE),
+    Variable(t_place, "tangent of half of x counted from there", within=POSITIVE),
     Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),
     *TYPE_A_VARIABLES,
     *ENCODER_VARIABLES,

@@ -15,7 +15,7 @@ from .readings import READINGS
 MECHANISMS = {number: OvalPlanetary.published(number) for number in READINGS}
 # |ratio| up to which the output counts as at rest; the paper states none.
 ETA = "0.01"
-MOTIONS = {number: mechanism.motion(ETA) for number, mechanism in MECHANISMS.items()}
+CLASSIFIED = {number: mechanism.classify(ETA) for number, mechanism in MECHANISMS.items()}
 SWINGING, TURNING = (1, 2), (3, 4)
 LOOKS = {1: LineStyle.FIRST, 2: LineStyle.SECOND, 3: LineStyle.FIRST, 4: LineStyle.SECOND}
 TURN = np.linspace(0.0, 2 * np.pi, 1441)
@@ -29,7 +29,7 @@ def degrees(angle: float) -> str:
 
 def name_variant(number: int) -> str:
     """Return the number of a variant and its kind of motion."""
-    return f"variant {number}, {MOTIONS[number].kind}"
+    return f"variant {number}, {CLASSIFIED[number].kind}"
 
 
 def draw_positions(canvas: Any) -> None:
@@ -51,7 +51,7 @@ def _draw_swings(panel: Any) -> None:
     """Draw the variants without drift, with their amplitudes, and one read in the other sense."""
     panel.axhline(0.0, **LineStyle.AXIS)
     for number in SWINGING:
-        position, amplitude = MECHANISMS[number].position(TURN), MOTIONS[number].amplitude
+        position, amplitude = MECHANISMS[number].position(TURN), CLASSIFIED[number].amplitude
         says = f"{name_variant(number)}, ± {degrees(amplitude)}"
         panel.plot(TURN, position, **LOOKS[number], label=says)
         panel.axhline(amplitude, **LineStyle.GUIDE)
@@ -69,11 +69,11 @@ def _draw_swings(panel: Any) -> None:
 def _draw_turns(panel: Any) -> None:
     """Draw the variants that advance, with their mean drift, and where one of them rests."""
     for number in TURNING:
-        drift = MOTIONS[number].drift
+        drift = CLASSIFIED[number].drift
         says = f"{name_variant(number)}, {degrees(drift)} a turn"
         panel.plot(TURN, MECHANISMS[number].position(TURN), **LOOKS[number], label=says)
         panel.plot([0.0, 2 * np.pi], [0.0, drift], **LineStyle.GUIDE)
-    resting = MOTIONS[INTERMITTENT]
+    resting = CLASSIFIED[INTERMITTENT]
     for start, end in resting.rests:
         for first in np.arange(start, 2 * np.pi, resting.period):
             panel.axvspan(first, first + end - start, ymax=0.75, color="#dddddd", lw=0)
@@ -85,7 +85,7 @@ def _draw_turns(panel: Any) -> None:
 
 def _draw_dwell(panel: Any) -> None:
     """Draw the ratio of the variant that rests, near its double zero."""
-    ((start, end),), eta = MOTIONS[INTERMITTENT].rests, float(ETA)
+    ((start, end),), eta = CLASSIFIED[INTERMITTENT].rests, float(ETA)
     middle, width = (start + end) / 2, end - start
     angle = np.linspace(middle - 1.6 * width, middle + 1.6 * width, 401)
     panel.axvspan(np.degrees(start), np.degrees(end), color="#dddddd", lw=0)

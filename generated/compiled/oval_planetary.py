@@ -38,6 +38,8 @@ from mechproof.kernels.compiled import elementary as _elementary
 __all__ = [
     "acceleration",
     "acceleration_cylindrical",
+    "jerk",
+    "jerk_cylindrical",
     "motion",
     "motion_cylindrical",
     "position",
@@ -434,6 +436,171 @@ _loops_of_acceleration_cylindrical = _Loops(
     ("phi1", "R4", "R5", "e2"),
     _point_of_acceleration_cylindrical,
     _fill_of_acceleration_cylindrical,
+)
+
+
+@_scalar
+def _value_of_jerk(phi1, e1, e2, mount, _exact):
+    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
+    one_plus_e1 = 1 + e1
+    one_plus_e2 = 1 + e2
+    both_high = one_plus_e1 * one_plus_e2
+    one_plus_e2_low = _elementary.sum_rest(1, e2, one_plus_e2)
+    one_plus_e1_low = _elementary.sum_rest(1, e1, one_plus_e1)
+    both_low = (
+        one_plus_e1 * one_plus_e2_low
+        + one_plus_e1_low * one_plus_e2
+        + _elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
+    )
+    both = both_high + both_low
+    one_minus_e1 = 1 - e1
+    one_minus_e2 = 1 - e2
+    less_high = one_minus_e1 * one_minus_e2
+    one_minus_e2_low = _elementary.sum_rest(1, -e2, one_minus_e2)
+    one_minus_e1_low = _elementary.sum_rest(1, -e1, one_minus_e1)
+    less_low = (
+        one_minus_e1 * one_minus_e2_low
+        + one_minus_e1_low * one_minus_e2
+        + _elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
+    )
+    less = less_high + less_low
+    sin_mount = _elementary.sin(mount, _exact)
+    lever = 4 * e2 * sin_mount / one_minus_e2
+    shift = lever * one_minus_e1 * sin_mount
+    less_plus_shift = less + shift
+    rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
+    swing = 2 * e1 + 2 * e2
+    swing_both_plus_less = swing * (both + less)
+    tan_phi1_below = _elementary.tangent_below(phi1, _exact)
+    tan_phi1 = _elementary.tangent_above(phi1, _exact)
+    y = shift * tan_phi1_below + rise * tan_phi1
+    tan_phi1_squared = tan_phi1**2
+    term = both**2 * tan_phi1_squared + (less * tan_phi1_below + y) ** 2
+    term_2 = tan_phi1_below * tan_phi1_below - tan_phi1_squared
+    return (
+        2
+        * both
+        * less_plus_shift
+        / term**2
+        * (tan_phi1_below * tan_phi1_below + tan_phi1_squared)
+        * (
+            (rise**2 + swing_both_plus_less) * term_2
+            - 4
+            / term
+            * (
+                (swing_both_plus_less - 2 * less * shift) * tan_phi1 * tan_phi1_below
+                + y * (rise * tan_phi1_below - shift * tan_phi1)
+                + less * rise * term_2
+            )
+            ** 2
+            - 4 * less_plus_shift * rise * tan_phi1 * tan_phi1_below
+            - shift * (2 * less + shift) * term_2
+        )
+    )
+
+
+@_loop
+def _fill_of_jerk(_out, phi1, e1, e2, mount):
+    _fill_blocks(_value_of_jerk, _out, (phi1, e1, e2, mount))
+
+
+def jerk(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.
+
+    Compiled. The help of `mechproof.kernels.oval_planetary.jerk` has all words.
+    """
+    if _type(e1) is _type(e2) is _type(mount) is _float:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_jerk.fill(_row, phi1, e1, e2, mount)
+            return _row
+        if _type(phi1) is _float and out is None:
+            return _float64(_loops_of_jerk.point(phi1, e1, e2, mount))
+    return _run(_loops_of_jerk, (phi1, e1, e2, mount), out)
+
+
+@_point_of(jerk)
+def _point_of_jerk(phi1, e1, e2, mount=0.0):
+    return _value_of_jerk(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
+
+
+_loops_of_jerk = _Loops(("phi1", "e1", "e2", "mount"), _point_of_jerk, _fill_of_jerk)
+
+
+@_scalar
+def _value_of_jerk_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
+    one_minus_e2 = 1 - e2
+    one_plus_e2 = 1 + e2
+    k = R4 / R5
+    k_low = _elementary.quotient_rest(R4, R5, k)
+    one_minus_e2_squared = one_minus_e2**2
+    one_plus_e2_squared = one_plus_e2**2
+    x = 2 * k * phi1
+    t_angle = x / 2
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
+    t_low = _elementary.small_tangent(x_low / 2)
+    adjacent = t_below - t * t_low
+    adjacent_squared = adjacent**2
+    opposite = t + t_low * t_below
+    opposite_squared = opposite**2
+    base = one_minus_e2_squared * adjacent_squared + one_plus_e2_squared * opposite_squared
+    return (
+        8
+        * e2
+        * one_minus_e2
+        * one_plus_e2
+        * (k * k**2)
+        / (base * base**2)
+        * (adjacent_squared + opposite_squared)
+        * (
+            one_minus_e2_squared * (adjacent**2) ** 2
+            - one_plus_e2_squared * (opposite**2) ** 2
+            - 12 * e2 * adjacent_squared * opposite_squared
+        )
+    )
+
+
+@_loop
+def _fill_of_jerk_cylindrical(_out, phi1, R4, R5, e2):
+    _fill_blocks(_value_of_jerk_cylindrical, _out, (phi1, R4, R5, e2))
+
+
+def jerk_cylindrical(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute d acceleration/d phi1 with a cylindrical pair 4-5.
+
+    Compiled. The help of `mechproof.kernels.oval_planetary.jerk_cylindrical` has all words.
+    """
+    if _type(R4) is _type(R5) is _type(e2) is _float:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_jerk_cylindrical.fill(_row, phi1, R4, R5, e2)
+            return _row
+        if _type(phi1) is _float and out is None:
+            return _float64(_loops_of_jerk_cylindrical.point(phi1, R4, R5, e2))
+    return _run(_loops_of_jerk_cylindrical, (phi1, R4, R5, e2), out)
+
+
+@_point_of(jerk_cylindrical)
+def _point_of_jerk_cylindrical(phi1, R4, R5, e2):
+    return _value_of_jerk_cylindrical(
+        _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
+    )
+
+
+_loops_of_jerk_cylindrical = _Loops(
+    ("phi1", "R4", "R5", "e2"), _point_of_jerk_cylindrical, _fill_of_jerk_cylindrical
 )
 
 

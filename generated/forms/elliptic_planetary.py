@@ -40,6 +40,7 @@ from mechproof.kernel_support.functions import floor as _floor, square as _squar
 __all__ = [
     "acceleration_direct",
     "acceleration_half_angle",
+    "jerk_direct",
     "position_atan2",
     "position_atan2_stable",
     "position_floor",
@@ -968,4 +969,57 @@ def _form_of_acceleration_half_angle(phi1: Any, e: Any, one_minus_e: Any, k: Any
         * (1.0 + e)
         / _square(_square(one_minus_e) + 4.0 * e * _square(_np.sin(x / 2.0)))
         * _np.sin(x)
+    )
+
+
+# Source: second derivative of Prikhodko et al. 2024, equation (8)
+# Expressions sha256: 51e8ad209ef40e708c2f4dfdce25b1d5e4b439e22bf7c28209bc82018c776ea4
+# Form: 1 + e**2 - 2 e cos x
+# Operations: 27
+def jerk_direct(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `jerk` by another form: 1 + e**2 - 2 e cos x.
+
+        jerk_direct = k*(8*e**2*k**2*(1 - e**2)*sin(x)**2/(1 + e**2 - 2*e*cos(x))**3 -
+            2*e*k**2*(1 - e**2)*cos(x)/(1 + e**2 - 2*e*cos(x))**2)
+        k = R1/R2
+        x = k*phi1
+
+    Domain as that of `jerk`.
+
+    """
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_jerk_direct, R1, R2, e)
+    return _in_blocks(_form_of_jerk_direct, (phi1,), _prepare_of_jerk_direct, (R1, R2, e), out=out)
+
+
+def _check_of_jerk_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+
+
+def _prepare_of_jerk_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    k = R1 / R2
+    k_squared = _square(k)
+    e_squared = _square(e)
+    one_minus_e_squared = 1.0 - e_squared
+
+    return (e, k, k_squared, e_squared, one_minus_e_squared)
+
+
+def _form_of_jerk_direct(
+    phi1: Any, e: Any, k: Any, k_squared: Any, e_squared: Any, one_minus_e_squared: Any
+) -> Any:
+    x = k * phi1
+    cos_x = _np.cos(x)
+    term = 1.0 + e_squared - 2.0 * e * cos_x
+
+    return k * (
+        8.0
+        * e_squared
+        * k_squared
+        * one_minus_e_squared
+        / (term * _square(term))
+        * _square(_np.sin(x))
+        - 2.0 * e * k_squared * one_minus_e_squared / _square(term) * cos_x
     )

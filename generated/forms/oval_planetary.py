@@ -36,6 +36,8 @@ from mechproof.kernel_support.functions import floor as _floor, square as _squar
 __all__ = [
     "acceleration_cylindrical_direct",
     "acceleration_direct",
+    "jerk_cylindrical_direct",
+    "jerk_direct",
     "position_atan2",
     "position_cylindrical_atan2",
     "position_cylindrical_atan2_stable",
@@ -712,4 +714,148 @@ def _form_of_acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squa
         * (1.0 - e2_squared)
         / _square(1.0 + e2_squared - 2.0 * e2 * _np.cos(x))
         * _np.sin(x)
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10)
+# Expressions sha256: 227b2fecf2509a5d29a78e4234a19748482aac452c1499d98fb01f5df7ebc54f
+# Form: double angles
+# Operations: 55
+def jerk_direct(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `jerk` by another form: double angles.
+
+        jerk_direct = -8*alpha_double*beta_double*(beta_double**2*cos(2*phi1) +
+            2*((alpha_double**2 + gamma_double**2)*sin(2*phi1) +
+            2*beta_double*gamma_double*cos(2*phi1) -
+            beta_double**2*sin(2*phi1))**2/(beta_double**2*(1 + cos(2*phi1)) +
+            2*beta_double*gamma_double*sin(2*phi1) - (alpha_double**2 +
+            gamma_double**2)*(cos(2*phi1) - 1)) + 2*beta_double*gamma_double*sin(2*phi1) -
+            (alpha_double**2 + gamma_double**2)*cos(2*phi1))/(beta_double**2*(1 + cos(2*phi1)) +
+            2*beta_double*gamma_double*sin(2*phi1) - (alpha_double**2 +
+            gamma_double**2)*(cos(2*phi1) - 1))**2
+        alpha_double = (1 - e2**2)*(1 + e1)
+        beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
+        gamma_double = e2*(2 + 2*e1)*sin(2*mount)
+
+    Domain as that of `jerk`.
+
+    """
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_jerk_direct, e1, e2)
+    return _in_blocks(
+        _form_of_jerk_direct, (phi1,), _prepare_of_jerk_direct, (e1, e2, mount), out=out
+    )
+
+
+def _check_of_jerk_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
+
+
+def _prepare_of_jerk_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = _square(e2)
+    alpha_double = (1.0 + e1) * (1.0 - e2_squared)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * _np.cos(2.0 * mount))
+    gamma_double = e2 * (2.0 + 2.0 * e1) * _np.sin(2.0 * mount)
+    beta_double_squared = _square(beta_double)
+    term_3 = _square(alpha_double) + _square(gamma_double)
+
+    return (alpha_double, beta_double, gamma_double, beta_double_squared, term_3)
+
+
+def _form_of_jerk_direct(
+    phi1: Any,
+    alpha_double: Any,
+    beta_double: Any,
+    gamma_double: Any,
+    beta_double_squared: Any,
+    term_3: Any,
+) -> Any:
+    sin_two_phi1 = _np.sin(2.0 * phi1)
+    term_2 = 2.0 * beta_double * gamma_double * sin_two_phi1
+    cos_two_phi1 = _np.cos(2.0 * phi1)
+    term = term_2 + beta_double_squared * (1.0 + cos_two_phi1) - term_3 * (cos_two_phi1 - 1.0)
+
+    return (
+        -8.0
+        * alpha_double
+        * beta_double
+        / _square(term)
+        * (
+            term_2
+            + beta_double_squared * cos_two_phi1
+            + 2.0
+            / term
+            * _square(
+                term_3 * sin_two_phi1
+                + 2.0 * beta_double * gamma_double * cos_two_phi1
+                - beta_double_squared * sin_two_phi1
+            )
+            - term_3 * cos_two_phi1
+        )
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10), pair 4-5 cylindrical
+# Expressions sha256: b294710bd1c63694bab7f851345011c86ab70a21f829d7eec175cd95e0720685
+# Form: 1 + e**2 - 2 e cos x
+# Operations: 28
+def jerk_cylindrical_direct(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `jerk_cylindrical` by another form: 1 + e**2 - 2 e cos x.
+
+        jerk_cylindrical_direct = k*(8*e2*k**2*(1 - e2**2)*cos(x)/(1 + e2**2 - 2*e2*cos(x))**2 -
+            32*e2**2*k**2*(1 - e2**2)*sin(x)**2/(1 + e2**2 - 2*e2*cos(x))**3)
+        k = R4/R5
+        x = 2*k*phi1
+
+    Domain as that of `jerk_cylindrical`.
+
+    """
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical_direct, R4, R5, e2)
+    return _in_blocks(
+        _form_of_jerk_cylindrical_direct,
+        (phi1,),
+        _prepare_of_jerk_cylindrical_direct,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _check_of_jerk_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
+
+
+def _prepare_of_jerk_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+    e2_squared = _square(e2)
+    k_squared = _square(k)
+    one_minus_e2_squared = 1.0 - e2_squared
+
+    return (e2, k, e2_squared, k_squared, one_minus_e2_squared)
+
+
+def _form_of_jerk_cylindrical_direct(
+    phi1: Any, e2: Any, k: Any, e2_squared: Any, k_squared: Any, one_minus_e2_squared: Any
+) -> Any:
+    x = 2.0 * k * phi1
+    cos_x = _np.cos(x)
+    term = 1.0 + e2_squared - 2.0 * e2 * cos_x
+
+    return k * (
+        8.0 * e2 * k_squared * one_minus_e2_squared / _square(term) * cos_x
+        - 32.0
+        * e2_squared
+        * k_squared
+        * one_minus_e2_squared
+        / (term * _square(term))
+        * _square(_np.sin(x))
     )

@@ -107,6 +107,34 @@ def elliptic_sizes() -> Iterator[Point]:
     yield from dict.fromkeys((r1, r2, e) for _, r1, r2, e in elliptic_points())
 
 
+def above_uniform(least: float, most: float) -> Iterator[Point]:
+    random = np.random.default_rng(20261125)
+    for r1, r2, _ in list(elliptic_sizes())[:200]:
+        uniform = 1 + r1 / r2
+        for more in np.exp(random.uniform(np.log(least), np.log(most), 3)):
+            yield float(np.nextafter(uniform, np.inf) * (1 + more)), r1, r2
+
+
+def below_uniform() -> Iterator[Point]:
+    for largest, r1, r2 in above_uniform(1e-15, 1e6):
+        # The smallest ratio that goes with the largest one.
+        yield max(1 + (r1 / r2) ** 2 / (largest - 1) * (1 - 1e-15), np.nextafter(1, 2)), r1, r2
+
+
+def above(least: float) -> Iterator[Point]:
+    random = np.random.default_rng(20261126)
+    for r1, r2, _ in list(elliptic_sizes())[:200]:
+        yield least, r1, r2
+        yield from ((least + 10**more, r1, r2) for more in random.uniform(-15, 6, 3))
+
+
+def both_extremes() -> Iterator[Point]:
+    for largest, r1, r2 in above_uniform(1e-15, 1e6):
+        smallest = 1 + (r1 / r2) ** 2 / (largest - 1)
+        if (largest - 1) * (smallest - 1) > 1 + 1e-12:
+            yield largest, smallest
+
+
 # The worst inputs that searches over the bounds' domain met, for position, ratio and acceleration,
 # with and without low word.
 WORST_ELLIPTIC: tuple[Point, ...] = (
@@ -194,6 +222,25 @@ POINTS: dict[tuple[str, str], tuple[Callable[[], Iterator[Point]], int, int]] = 
     ("elliptic_planetary", "acceleration"): (elliptic_points, 0, 60),
     ("elliptic_planetary", "largest_ratio"): (elliptic_sizes, 0, 60),
     ("elliptic_planetary", "smallest_ratio"): (elliptic_sizes, 0, 60),
+    ("elliptic_planetary", "jerk"): (elliptic_points, 0, 60),
+    **{
+        ("elliptic_planetary", name): (elliptic_sizes, 0, 60)
+        for name in (
+            "largest_acceleration", "angle_of_smallest_acceleration", "smallest_jerk",
+            "largest_jerk", "angle_of_largest_jerk",
+        )
+    },
+    **{
+        ("elliptic_planetary", f"eccentricity_of_{name}"): (wanted, 0, 60)
+        for name, wanted in (
+            ("largest_ratio", lambda: above_uniform(1e-15, 1e6)),
+            ("smallest_ratio", below_uniform),
+            ("quotient", lambda: above(1.0)),
+            ("non_uniformity", lambda: above(0.0)),
+        )
+    },
+    ("elliptic_planetary", "eccentricity_of_extremes"): (both_extremes, 0, 60),
+    ("elliptic_planetary", "radii_of_extremes"): (both_extremes, 0, 60),
     ("track_wheel", "rotation"): (turns, 0, 60),
     ("track_wheel", "displacement"): (displacement_points, 0, 700),
     ("track_wheel", "radius"): (circle_points, 0, 60),

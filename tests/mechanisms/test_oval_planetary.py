@@ -35,7 +35,7 @@ FIFTH = Fraction(1, 5)
         (lambda: OvalPlanetary(None, 0.2), TypeError, r"pair = None: must be an OvalPair"),  # type: ignore[arg-type]
         (lambda: OvalPlanetary.published(5), ValueError, r"variant = 5: must be 1 to 4"),
         (lambda: OvalPlanetary.published(1.0), TypeError, r"variant = 1.0"),  # type: ignore[arg-type]
-        (lambda: OvalPlanetary.published(3).motion(-1), ValueError, r"eta = -1: must not be neg"),
+        (lambda: OvalPlanetary.published(3).classify(-1), ValueError, r"eta = -1: must not be neg"),
     ],
 )
 def test_bad_parameters_are_named(make: Any, error: type[Exception], message: str) -> None:
@@ -83,7 +83,7 @@ PUBLISHED = {
 @pytest.mark.parametrize("variant", PUBLISHED)
 def test_motion_of_the_published_variants(variant: int) -> None:
     mechanism = OvalPlanetary.published(variant)
-    motion = mechanism.motion()
+    motion = mechanism.classify()
     kind, drift, amplitude, rests = PUBLISHED[variant]
     assert motion.kind == kind
     assert len(motion.rests) == rests
@@ -119,7 +119,7 @@ KINDS = {
 @pytest.mark.parametrize("name", KINDS)
 def test_kinds_of_motion(name: str) -> None:
     mechanism, eta, kind = KINDS[name]
-    assert mechanism.motion(eta).kind == kind
+    assert mechanism.classify(eta).kind == kind
 
 
 def test_floats_need_a_stated_limit() -> None:
@@ -128,7 +128,7 @@ def test_floats_need_a_stated_limit() -> None:
         OvalPlanetary(OvalPair("0.2", 0.1), "0.2"),
     ):
         with pytest.raises(ValueError, match="eta = None: must be stated"):
-            mechanism.motion()
+            mechanism.classify()
 
 
 MECHANISMS = (
@@ -144,7 +144,7 @@ MECHANISMS = (
 @pytest.mark.parametrize("mechanism", MECHANISMS, ids=repr)
 @pytest.mark.parametrize("eta", [1e-9, 0.01, 0.4, 30.0])
 def test_figures_of_the_motion_against_samples(mechanism: OvalPlanetary, eta: float) -> None:
-    motion = mechanism.motion(eta)
+    motion = mechanism.classify(eta)
     phi = np.linspace(0, motion.period, 40001)
     ratio, deviation = mechanism.ratio(phi), mechanism.position(phi) - motion.drift * phi / math.tau
     # 1e-6: a parabola of curvature below 1e4 missed by half a step of 1e-4.
@@ -166,15 +166,15 @@ def test_rests_at_the_very_extremes() -> None:
     for _ in range(300):
         r4, r5 = random.uniform(1, 3, 2)
         mechanism = OvalPlanetary(CylindricalPair(r4, r5), random.uniform(0, 1))
-        motion = mechanism.motion(0.0)
+        motion = mechanism.classify(0.0)
         for extreme in (abs(motion.minimum), abs(motion.maximum)):
             for eta in (math.nextafter(extreme, 0), extreme, math.nextafter(extreme, 9e9)):
-                rests = mechanism.motion(eta).rests
+                rests = mechanism.classify(eta).rests
                 assert all(end >= start for start, end in rests)
 
 
 def test_width_of_the_dwell() -> None:
-    ((start, end),) = OvalPlanetary.published(3).motion("0.01").rests
+    ((start, end),) = OvalPlanetary.published(3).classify("0.01").rests
     tangent = math.sqrt(0.01 * 1.2**2 / (4 * 0.2 - 0.01 * 0.8**2))
     assert end - start == pytest.approx(2 * math.atan(tangent) / 1.5, rel=8 * EPS)
 
@@ -241,4 +241,4 @@ def test_inverse_that_fails_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_numpy_integers_are_exact() -> None:
     sizes = CylindricalPair(np.int64(30), np.int64(20))
-    assert OvalPlanetary(sizes, "0.2").motion().kind == "intermittent"
+    assert OvalPlanetary(sizes, "0.2").classify().kind == "intermittent"

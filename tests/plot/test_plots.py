@@ -77,7 +77,7 @@ def test_extremes_of_oval_wheels_are_where_they_are_said(mechanism: OvalPlanetar
 
 def test_rests_are_shaded_inside_the_period_and_told() -> None:
     panels = plot.motion(RESTING, eta="0.01")
-    ((start, end),) = RESTING.motion("0.01").rests
+    ((start, end),) = RESTING.classify("0.01").rests
     for panel in panels:
         (band,) = panel.patches
         assert span_of(band) == pytest.approx(np.degrees([start, end]))

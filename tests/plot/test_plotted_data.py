@@ -82,7 +82,7 @@ def test_positions_and_rests_of_paper_2() -> None:
             mechanism = OvalPlanetary.published(number)
             angle, shown = lines(panel, f"variant {number}, ")[0].T
             np.testing.assert_array_equal(shown, mechanism.position(angle))
-            motion = mechanism.motion()
+            motion = mechanism.classify()
             without_drift = shown - motion.drift * angle / (2 * np.pi)
             # Between two of the 1440 steps the swing changes by less than 1e-5 of itself.
             assert np.abs(without_drift).max() == pytest.approx(motion.amplitude, rel=1e-4)
@@ -94,12 +94,12 @@ def test_positions_and_rests_of_paper_2() -> None:
 
 def test_the_grey_of_paper_2_is_where_the_ratio_is_within_eta() -> None:
     module = pictures("oval_planetary")
-    motion = module.MOTIONS[3]
-    ((start, end),) = motion.rests
+    found = module.CLASSIFIED[3]
+    ((start, end),) = found.rests
     ratio = OvalPlanetary.published(3).ratio([start, end, (start + end) / 2])
     np.testing.assert_allclose(np.abs(ratio), [0.01, 0.01, 0.0], atol=1e-12)
     bands = np.array(sorted(map(span_of, drawn("oval_planetary", "fig-2").axes[1].patches)))
-    turns = motion.period * np.arange(3)
+    turns = found.period * np.arange(3)
     np.testing.assert_allclose(bands, np.stack([start + turns, end + turns], axis=1), rtol=1e-12)
 
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mechproof.mechanisms.elliptic_planetary import EllipticPlanetary
-    from mechproof.mechanisms.oval_planetary import CylindricalPair, OvalPair, OvalPlanetary
+    from mechproof.mechanisms.oval_pairs import CylindricalPair, OvalPair
+    from mechproof.mechanisms.oval_planetary import OvalPlanetary
     from mechproof.mechanisms.tooth_thickness import ToothThickness
     from mechproof.mechanisms.tooth_thickness_inspection import ThicknessInspection
     from mechproof.mechanisms.track_wheel import TrackWheel
@@ -31,9 +32,9 @@ __all__ = [
 
 # The module of this package in which each public name lives.
 HOMES = {
-    "CylindricalPair": "oval_planetary",
+    "CylindricalPair": "oval_pairs",
     "EllipticPlanetary": "elliptic_planetary",
-    "OvalPair": "oval_planetary",
+    "OvalPair": "oval_pairs",
     "OvalPlanetary": "oval_planetary",
     "ThicknessInspection": "tooth_thickness_inspection",
     "ToothThickness": "tooth_thickness",

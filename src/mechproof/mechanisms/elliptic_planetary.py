@@ -16,24 +16,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.scalars import check_real
+from mechproof.arguments.scalars import check_real, refuse
 from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.mechanisms.elliptic_planetary_design import find_sizes
 from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
+from mechproof.mechanisms.motion import Drive
 from mechproof.mechanisms.units import Units
-from mechproof.notebook import Displayed
 
 __all__ = ["EllipticPlanetary"]
 
 
 @dataclass(frozen=True)
-class EllipticPlanetary(Displayed):
+class EllipticPlanetary(Drive):
     """A planetary mechanism: carrier in, elliptical wheel out, epicycle fixed.
 
     Parameters
@@ -72,6 +73,55 @@ class EllipticPlanetary(Displayed):
         """Return variant 1 to 4 of Table 1 of Prikhodko et al. 2024."""
         return cls(**choose_published(kernels.PUBLISHED, "variant", variant))
 
+    @classmethod
+    def design(
+        cls,
+        *,
+        largest_ratio: float | None = None,
+        smallest_ratio: float | None = None,
+        quotient: float | None = None,
+        non_uniformity: float | None = None,
+        k: float | None = None,
+        R1: float | None = None,
+        R2: float | None = None,
+    ) -> EllipticPlanetary:
+        """Return the mechanism whose ratio is as wanted.
+
+        Parameters
+        ----------
+        largest_ratio, smallest_ratio : float
+            Extremes of the ratio: one of them, or both, from which R1/R2 follows.
+        quotient : float
+            Instead: the largest ratio over the smallest.
+        non_uniformity : float
+            Instead: (largest - smallest)/mean of the ratio.
+        k : float
+            R1/R2, above 1. With k alone, or with both extremes alone, R2 is 1 mm: ratios and
+            angles depend on R1/R2 only.
+        R1, R2 : float
+            Radii (mm): both, or one of them with k or with both extremes.
+
+        Raises
+        ------
+        TypeError
+            If what is given is too little or too much, or no real number.
+        ValueError
+            If what is wanted is out of reach; the message names the reachable range.
+
+        Notes
+        -----
+        The eccentricity is the only one: in closed form, by the kernels `eccentricity_of_...`,
+        within 2 to 9 eps.
+
+        """
+        wanted: dict[str, object] = {
+            "largest_ratio": largest_ratio,
+            "smallest_ratio": smallest_ratio,
+            "quotient": quotient,
+            "non_uniformity": non_uniformity,
+        }
+        return cls(*find_sizes(wanted, k, R1, R2))
+
     @property
     def radius_ratio(self) -> float:
         """R1/R2: turns of the satellite relative to the carrier, per turn of the carrier."""
@@ -95,21 +145,44 @@ class EllipticPlanetary(Displayed):
         angles = units.take("phi1", phi1, "rad")
         return units.give(kernels.acceleration(angles, self.R1, self.R2, self.e), "1/rad")
 
-    def extremes(self, *, degrees: bool = False) -> Extremes:
-        """Return the largest and the smallest ratio in closed form, and where they occur.
+    def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return d acceleration/d phi1 at the carrier angles `phi1`."""
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(kernels.jerk(angles, self.R1, self.R2, self.e), "1/rad**2")
 
-        The largest where the satellite has made whole turns relative to the carrier, the smallest
-        half a turn later; see `kernels.elliptic_planetary`. With e = 0 the ratio is constant.
+    def extremes(
+        self, of: Literal["ratio", "acceleration", "jerk"] = "ratio", *, degrees: bool = False
+    ) -> Extremes:
+        """Return the largest and the smallest value in closed form, and where they occur.
+
+        The ratio is largest where the satellite has made whole turns relative to the carrier, and
+        smallest half a turn later; the acceleration is smallest after a largest ratio and largest
+        as far before it; the jerk is smallest at a largest ratio and largest to both sides of it,
+        from e = 5 - 2*sqrt(6) down half a period away. With e = 0 the ratio is constant. By the
+        carrier's speed w times the ratio, w² times the acceleration and w³ times the jerk.
+
+        Raises ValueError for another name.
         """
+        sizes = self.R1, self.R2, self.e
         period = 2 * math.pi / self.radius_ratio
-        found = Extremes(
-            maximum=float(kernels.largest_ratio(self.R1, self.R2, self.e)),
-            at_maximum=0.0,
-            minimum=float(kernels.smallest_ratio(self.R1, self.R2, self.e)),
-            at_minimum=period / 2,
-            period=period,
-        )
-        return Units(degrees).give_fields(found, PLACES)
+        if of == "ratio":
+            unit = "1"
+            largest, smallest = kernels.largest_ratio(*sizes), kernels.smallest_ratio(*sizes)
+            places = 0.0, period / 2
+        elif of == "acceleration":
+            unit = "1/rad"
+            place = float(kernels.angle_of_smallest_acceleration(*sizes))
+            largest = kernels.largest_acceleration(*sizes)
+            smallest, places = -largest, (period - place, place)
+        elif of == "jerk":
+            unit = "1/rad**2"
+            largest, smallest = kernels.largest_jerk(*sizes), kernels.smallest_jerk(*sizes)
+            places = float(kernels.angle_of_largest_jerk(*sizes)), 0.0
+        else:
+            refuse("of", of, "must be 'ratio', 'acceleration' or 'jerk'")
+        found = Extremes(float(largest), places[0], float(smallest), places[1], period)
+        return Units(degrees).give_fields(found, PLACES | {"maximum": unit, "minimum": unit})
 
     def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.

@@ -9,7 +9,7 @@ so is then what is said of the kind of motion.
 
 >>> from mechproof import OvalPlanetary
 >>> mechanism = OvalPlanetary.published(3)
->>> mechanism.motion().kind
+>>> mechanism.classify().kind
 'intermittent'
 >>> round(float(mechanism.position(2.0)), 6)
 -0.930945
@@ -18,8 +18,7 @@ so is then what is said of the kind of motion.
 from __future__ import annotations
 
 import math
-from dataclasses import InitVar, asdict, dataclass, field
-from decimal import Decimal
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -28,83 +27,28 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import oval_planetary as kernels
+from mechproof.mechanisms.dwells.longest import find_longest_dwell
+from mechproof.mechanisms.dwells.table import Dwell, Dwells, Rank, find_dwells
+from mechproof.mechanisms.exact import Given, check_number
 from mechproof.mechanisms.extremes import PLACES, Extremes
-from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.facts import choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
-from mechproof.mechanisms.oval_planetary_motion import (
+from mechproof.mechanisms.motion import Drive
+from mechproof.mechanisms.oval_pairs import CylindricalPair, OvalPair, check_size
+from mechproof.mechanisms.oval_planetary_kinds import (
     ANGLES,
-    Motion,
-    Number,
+    Classified,
     OnePair,
+    classify,
     compose,
-    describe_motion,
 )
 from mechproof.mechanisms.units import Units
-from mechproof.notebook import Displayed
 
-__all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
-
-# Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
-Given = float | Fraction | Decimal | str
+__all__ = ["Classified", "CylindricalPair", "OvalPair", "OvalPlanetary"]
 
 
 @dataclass(frozen=True)
-class OvalPair:
-    """Pair 4-5 of congruent ovals.
-
-    Parameters
-    ----------
-    e : real number or decimal string
-        Eccentricity of the generating ellipse, 0 <= e < 1.
-    mount : real number or decimal string
-        Turn of wheel 6 on its shaft (rad), forward from its place in the paper, where the major
-        axes of 5 and 6 are at right angles.
-    degrees : bool
-        Whether the mount is in degrees; no field.
-
-    """
-
-    e: Given
-    mount: Given = Fraction(0)
-    degrees: InitVar[bool] = field(default=False, kw_only=True)
-
-    def __post_init__(self, degrees: bool) -> None:
-        """Check the parameters and keep them exact where they are."""
-        units = Units(degrees)
-        e, mount = units.take("e", self.e, "1"), self.mount
-        if isinstance(mount, str | Decimal | Fraction | int):
-            mount = _check_number("mount", mount)
-        # No turn at all stays exact.
-        if not (isinstance(mount, Fraction) and mount == 0):
-            mount = units.take(
-                "mount", float(mount) if degrees and isinstance(mount, Fraction) else mount, "rad"
-            )
-        object.__setattr__(self, "e", _check_size("e", e, kernel_name="e1"))
-        object.__setattr__(self, "mount", _check_number("mount", mount))
-
-
-@dataclass(frozen=True)
-class CylindricalPair:
-    """Pair 4-5 of cylindrical wheels.
-
-    Parameters
-    ----------
-    R4, R5 : real number or decimal string
-        Radii of the sun 4 and of the satellite's wheel 5 (mm), positive.
-
-    """
-
-    R4: Given
-    R5: Given
-
-    def __post_init__(self) -> None:
-        """Check the parameters and keep them exact where they are."""
-        for name, radius in asdict(self).items():
-            object.__setattr__(self, name, _check_size(name, Units().take(name, radius, "mm")))
-
-
-@dataclass(frozen=True)
-class OvalPlanetary(Displayed):
+class OvalPlanetary(Drive):
     """A planetary mechanism: carrier in, oval wheel 3 out, sun 4 fixed.
 
     Parameters
@@ -133,7 +77,7 @@ class OvalPlanetary(Displayed):
         """Check the parameters and keep them exact where they are."""
         if not isinstance(self.pair, OvalPair | CylindricalPair):
             refuse("pair", self.pair, "must be an OvalPair or a CylindricalPair", TypeError)
-        object.__setattr__(self, "e2", _check_size("e2", Units().take("e2", self.e2, "1")))
+        object.__setattr__(self, "e2", check_size("e2", Units().take("e2", self.e2, "1")))
 
     @classmethod
     def published(cls, variant: int) -> OvalPlanetary:
@@ -165,6 +109,12 @@ class OvalPlanetary(Displayed):
         angles = units.take("phi1", phi1, "rad")
         return units.give(self._call("acceleration", angles), "1/rad")
 
+    def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return d acceleration/d phi1 at the carrier angles `phi1`."""
+        units = Units(degrees)
+        angles = units.take("phi1", phi1, "rad")
+        return units.give(self._call("jerk", angles), "1/rad**2")
+
     def extremes(self, *, degrees: bool = False) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.
 
@@ -182,7 +132,7 @@ class OvalPlanetary(Displayed):
         )
         return Units(degrees).give_fields(found, PLACES)
 
-    def motion(self, eta: Given | None = None, *, degrees: bool = False) -> Motion:
+    def classify(self, eta: Given | None = None, *, degrees: bool = False) -> Classified:
         """Return the kind of motion, decided by theorems in the parameters.
 
         Parameters
@@ -193,7 +143,7 @@ class OvalPlanetary(Displayed):
 
         Returns
         -------
-        Motion
+        Classified
             With low and high the extremes of the ratio, the kind is "rest" if both are within
             eta; "reciprocating" if they are beyond it on both sides and the mean is within,
             "pilgrim-step" if the mean is not; "intermittent" if one is within; else "one-way".
@@ -206,9 +156,96 @@ class OvalPlanetary(Displayed):
         """
         if eta is None:
             require(self._is_exact, "eta", None, f"must be stated, for {self!r} has floats")
-        limit = Fraction(0) if eta is None else _check_number("eta", eta)
+        limit = Fraction(0) if eta is None else check_number("eta", eta)
         require(limit >= 0, "eta", eta, "must not be negative")
-        return Units(degrees).give_fields(describe_motion(self._act_as_one(), limit), ANGLES)
+        return Units(degrees).give_fields(classify(self._act_as_one(), limit), ANGLES)
+
+    def longest_dwell(
+        self, *, eta: Given | None = None, band: float | None = None
+    ) -> tuple[float, float]:
+        """Return the longest interval of the carrier angle in which the output dwells.
+
+        Parameters
+        ----------
+        eta : real number or decimal string
+            |ratio| up to which the output counts as at rest, as in `classify`.
+        band : float
+            Instead: how far from a position the output may be (rad).
+
+        Returns
+        -------
+        tuple of float
+            Start and end (rad), one of those that recur with the period of the ratio; infinite
+            where the output always dwells, and both NaN where it never does.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If not exactly one of both is given, it is not positive, or in a period of the ratio
+            the output advances by some, but by no more than the band.
+
+        """
+        return find_longest_dwell(self._act_as_one(), eta, band)
+
+    @classmethod
+    def of_dwell(
+        cls, dwell: Dwell, e2: Given | None = None, *, module: float = 1.0
+    ) -> OvalPlanetary:
+        """Return the drive of a row of `find_dwells`.
+
+        `e2` is that with an exact dwell, or else the one with the longest, if it is left out;
+        `module` is that of the cylindrical wheels (mm).
+        """
+        require(isinstance(dwell, Dwell), "dwell", dwell, "must be a row of find_dwells", TypeError)
+        size = Fraction(check_real("module", module)) / 2
+        chosen = e2 if e2 is not None else dwell.best if dwell.exact is None else dwell.exact
+        return cls(CylindricalPair(size * dwell.z4, size * dwell.z5), chosen)
+
+    @staticmethod
+    def find_dwells(
+        width: float,
+        *,
+        eta: Given | None = None,
+        band: float | None = None,
+        teeth: tuple[int, int] = (17, 60),
+        largest_e: Given = Fraction(1, 3),
+        rank: Rank = "width",
+    ) -> Dwells:
+        """Find every drive with a cylindrical pair 4-5 that dwells, by whole teeth and e2.
+
+        Parameters
+        ----------
+        width : float
+            Carrier angle of the dwell (rad) at least.
+        eta : real number or decimal string
+            What counts as a dwell: |ratio| <= eta, or
+        band : float
+            the output keeps within +-band of a position (rad), whether or not it turns back.
+        teeth : two integers
+            Least and largest number of teeth of wheels 4 and 5.
+        largest_e : real number or decimal string, optional
+            Largest e2; the pitch curves are convex up to 1/3.
+        rank : "width", "step" or "teeth"
+            What comes first: the longest dwell, the largest advance of the output from one dwell
+            to the next, or the fewest teeth.
+
+        Returns
+        -------
+        Dwells
+            A table: for each ratio z4/z5, in the fewest teeth, all eccentricities from one to
+            another. It is complete, or says for which tooth numbers
+            it is not. Ends of e2 that are no fractions are enclosed to 1e-9 in balls. Drives that
+            rest throughout are left out.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If not exactly one of `eta` and `band` is given, or one is out of its range.
+        ImportError
+            Without the extra `derive`.
+
+        """
+        return find_dwells(width, eta=eta, band=band, teeth=teeth, largest_e=largest_e, rank=rank)
 
     def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
@@ -300,23 +337,3 @@ class OvalPlanetary(Displayed):
         high = (large + swing) / mean + FINEST
         failure = f"{self!r}: no carrier angle found for phi3"
         return invert(lambda phi1: sign * self.position(phi1), size, low, high, failure=failure)
-
-
-def _check_number(name: str, value: Any) -> Number:
-    """Return an exact fraction, or a float for what is one."""
-    if isinstance(value, np.integer):
-        value = int(value)
-    if isinstance(value, str | Decimal | int | Fraction) and not isinstance(value, bool):
-        try:
-            return Fraction(value)
-        except (ValueError, OverflowError):
-            refuse(name, value, "must be a finite number")
-    return check_real(name, value)
-
-
-def _check_size(name: str, value: Any, kernel_name: str = "") -> Number:
-    """Return the number, exact where it is, after the kernels' conditions on it."""
-    number = _check_number(name, value)
-    called = kernel_name or name
-    check_domain(kernels.DOMAIN, {called: number}, {called: (name, value)})
-    return number

@@ -81,7 +81,7 @@ class Units:
             return value
         if unit == "rad":
             return to_degrees(value) if type(value) is float else np.degrees(value)
-        return np.radians(value)
+        return np.radians(np.radians(value)) if unit == "1/rad**2" else np.radians(value)
 
     def give_fields(self, found: Tuple, units: Mapping[str, str]) -> Tuple:
         """Return several results by their names, those that `units` names in the caller's units."""

@@ -40,7 +40,7 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
     axes : three matplotlib Axes, optional
         To draw on, from the top; without, on a new figure of a column's width.
     eta : real number or decimal string, optional
-        |ratio| up to which the output counts as at rest, as in `OvalPlanetary.motion`.
+        |ratio| up to which the output counts as at rest, as in `OvalPlanetary.classify`.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
     ------
     TypeError, ValueError
         For another mechanism or other axes; for `eta` with an `EllipticPlanetary`, which has no
-        rests; and as `OvalPlanetary.motion`.
+        rests; and as `OvalPlanetary.classify`.
     ImportError
         Without matplotlib: the extra `plot`.
 
@@ -95,7 +95,7 @@ def _describe(
         require(eta is None, "eta", eta, "an EllipticPlanetary has no rests; leave it out")
         advance = mechanism.position(extremes.period) / extremes.period * 2 * np.pi
         return extremes, _write_kind("one-way", advance), ()
-    found = mechanism.motion(eta)
+    found = mechanism.classify(eta)
     title = _write_kind(found.kind, found.drift)
     if rest := sum(end - start for start, end in found.rests):
         title += f"\nat rest over {write(np.degrees(rest))}° of {write(np.degrees(found.period))}°"

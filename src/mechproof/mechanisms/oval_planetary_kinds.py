@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from fractions import Fraction
 from typing import Literal, NamedTuple
 
-Number = float | Fraction
+from mechproof.mechanisms.exact import Number
+
 Kind = Literal["rest", "reciprocating", "pilgrim-step", "intermittent", "one-way"]
 
 
-class Motion(NamedTuple):
-    """Kind of motion of the output and its figures.
+class Classified(NamedTuple):
+    """Kind of the output's motion and its figures.
 
     `drift` is the mean advance in one turn of the carrier, `amplitude` half the range of phi3
     without its drift, `minimum` and `maximum` the extremes of the ratio, `period` the carrier
@@ -57,10 +57,10 @@ class OnePair(NamedTuple):
         return self.rate * (1 + self.e) / self.one_minus_e
 
 
-def describe_motion(one: OnePair, eta: Number) -> Motion:
-    """Decide the kind of motion and compute its figures; `eta` as in `OvalPlanetary.motion`."""
+def classify(one: OnePair, eta: Number) -> Classified:
+    """Decide the kind of motion and compute its figures; `eta` as in `OvalPlanetary.classify`."""
     low, mean, high = 1 - one.fastest, 1 - one.rate, 1 - one.slowest
-    return Motion(
+    return Classified(
         kind=_find_kind(low, mean, high, eta),
         drift=2 * math.pi * float(mean),
         amplitude=math.atan2(one.e, math.sqrt(one.one_minus_e * (1 + one.e))),

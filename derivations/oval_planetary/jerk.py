@@ -1,0 +1,164 @@
+"""The jerk of paper 2: forms, their proofs and accuracy."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import Accuracy, Equality, Form, Quantity, Repeats, Scale, Statement, Written
+
+from .._relations import all_of
+from .forms import (
+    ANY_MAP,
+    CHANGE,
+    DOUBLE,
+    EPS_X,
+    LOW_WORD,
+    NO_UNDERFLOW,
+    NO_UNDERFLOW_OF_LEAD,
+    OF_T,
+    OF_X,
+    PARTS,
+    SCALED_MAP,
+    SPREAD_FORM,
+    STEPS,
+    TILT,
+    WHEEL_3,
+    WHEEL_3_FORM,
+    S,
+    T,
+    W,
+    Z,
+    of_double,
+    of_parts,
+)
+from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
+from .mechanics import (
+    ACCELERATION,
+    ACCELERATION_CYLINDRICAL,
+    GIVEN,
+    R4,
+    R5,
+    both,
+    e2,
+    k,
+    less,
+    phi1,
+    ratio_of_map,
+    rise,
+    shift,
+    swing,
+    t,
+    x,
+    y,
+)
+
+JERK = sp.diff(ACCELERATION, phi1)
+JERK_CYLINDRICAL = sp.diff(ACCELERATION_CYLINDRICAL, x) * 2 * k
+
+# Z, the sum of TILT, is z0*(1 - t**2) + z1*t; dZ/dphi1 - 2*t*Z = z1*(1 - t**2) - 4*z0*t.
+BEND = (
+    (swing * (less + both) + rise**2) * (1 - t**2),
+    -shift * (shift + 2 * less) * (1 - t**2),
+    -4 * rise * (less + shift) * t,
+)
+FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
+
+
+def by_parts(code: Written) -> Statement:
+    """State the jerk of the parts, and the parts."""
+    form = code.output(*PARTS).xreplace(PARTS)
+    return all_of(Equality(form, JERK.xreplace(SCALED_MAP)), *of_parts(code))
+
+
+def by_map(code: Written) -> Statement:
+    """State the jerk of any map, and the coefficients."""
+    form = code.output(*DOUBLE).xreplace(DOUBLE)
+    return all_of(Equality(form, JERK.xreplace(ANY_MAP)), *of_double(code))
+
+
+# Accuracy. Both are differences, of whose terms they have the accuracy: some 30 operations, with
+# what the terms of y, changed against each other, and eps*x make of them, as for the acceleration.
+TERMS = Scale(
+    "the larger of the terms, and what the roundings of y make of them",
+    W
+    / S
+    * (
+        2
+        * (
+            (swing * (less + both) + rise**2 + shift * (shift + 2 * less)) * (1 + T**2)
+            + 4 * sp.Abs(rise * T) * (less + shift)
+        )
+        + 8 * Z**2 / S
+        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(less + y)) / S
+    ),
+    (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
+)
+# k**3, times a tiny e2, and divided by what is tiny where e2 is next to 1.
+CUBE_OF_SPEED = (R4 >= R5 / 10**30, R4 <= 10**80 * R5)
+# Beside half turns of x it divides by a power of the tangent before it multiplies.
+NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
+SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
+TERMS_CYLINDRICAL = Scale(
+    "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
+    8
+    * e2
+    * k**3
+    * (1 - e2**2)
+    * (
+        sp.Max(SPREAD, 4 * e2 * sp.sin(x) ** 2) / SPREAD**3
+        + EPS_X
+        * sp.Abs(sp.sin(x))
+        * (SPREAD**2 + 12 * e2 * sp.Abs(sp.cos(x)) * SPREAD + 24 * e2**2 * sp.sin(x) ** 2)
+        / SPREAD**4
+    ),
+    OF_X,
+)
+
+JERK_QUANTITIES = (
+    Quantity(
+        "jerk",
+        "Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.",
+        OF_OVALS,
+        JERK,
+        (
+            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts),
+            Form(
+                "double angles",
+                sp.diff(ratio_of_map(*DOUBLE), phi1, 2),
+                key="direct",
+                states=by_map,
+            ),
+        ),
+        f"{SOURCE}, second derivative of (10)",
+        accuracy=Accuracy(30, TERMS, NO_UNDERFLOW),
+        singular=SINGULAR_OVALS,
+        repeats=Repeats(sp.pi),
+    ),
+    Quantity(
+        "jerk_cylindrical",
+        "Compute d acceleration/d phi1 with a cylindrical pair 4-5.",
+        OF_CYLINDERS,
+        JERK_CYLINDRICAL,
+        (
+            Form(
+                "half-angle quotient with low word",
+                8
+                * e2
+                * k**3
+                * (1 - e2**2)
+                * (sp.cos(x) * SPREAD - 4 * e2 * sp.sin(x) ** 2)
+                / SPREAD**3,
+                ("low_word", "half_angle_tangent"),
+            ),
+            Form("1 + e**2 - 2 e cos x", JERK_CYLINDRICAL, key="direct"),
+        ),
+        f"{SOURCE}, second derivative of (10), pair 4-5 cylindrical",
+        accuracy=Accuracy(
+            24,
+            TERMS_CYLINDRICAL,
+            (*LOW_WORD, *CUBE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, NO_UNDERFLOW_OF_CUBES),
+        ),
+        singular=SINGULAR_CYLINDERS,
+        repeats=Repeats(sp.pi / k),
+    ),
+)

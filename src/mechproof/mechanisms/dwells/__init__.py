@@ -1,0 +1,1 @@
+"""Every drive of a cylindrical and an oval pair that dwells, by whole teeth and eccentricities."""

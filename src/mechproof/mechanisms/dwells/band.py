@@ -1,0 +1,89 @@
+"""The longest interval of the carrier in which a drive of oval wheels keeps its output in a band.
+
+About x = pi for R4 > R5, about x = 0 for R4 < R5, the output is first slow: at d from there it has
+moved by d - arctan(q tan(k d)) (rows "dwells, position from ..."), the arctangent continued. That
+counts here as `moved`, positive while the output turns back. Up to q k = 1 it does not turn back,
+and the longest interval in a band lies about the place. Beyond, while it turns back by no more than
+half the band, still; then it lies about an angle where the output turns.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+__all__ = ["Interval", "Swing", "find_longest", "find_longest_of_equal"]
+
+Interval = tuple[float, float]
+
+
+class Swing(NamedTuple):
+    """A drive seen from the place where it is first slow: R4/R5, and q there."""
+
+    k: float
+    q: float
+
+    @property
+    def sign(self) -> int:
+        """1 where the output runs against the carrier away from the place, else -1."""
+        return 1 if self.k > 1 else -1
+
+    @property
+    def turning(self) -> float:
+        """Carrier angle from the place to where the output turns; 0 if it does not."""
+        ahead = (1 - self.k * self.q) / (self.q * (self.k - self.q))
+        return math.atan(math.sqrt(ahead)) / self.k if ahead > 0 else 0.0
+
+    @property
+    def half(self) -> float:
+        """Half of the period of the ratio in the carrier's angle."""
+        return math.pi / (2 * self.k)
+
+    def moved(self, d: float) -> float:
+        """By how much the output has moved back, less than a period from the place."""
+        driver = self.k * d
+        driven = math.atan2(self.q * math.sin(driver), math.cos(driver))
+        return self.sign * (d - driven)
+
+
+def start_swing(k: float, e: float) -> Swing:
+    """Return the drive of R4/R5 = k, seen from the place where it is first slow."""
+    q = (1 - e) / (1 + e)
+    return Swing(k, q if k > 1 else 1 / q)
+
+
+def find_longest(k: float, e: float, band: float) -> Interval:
+    """Return the longest interval, counted from the place, in which the output keeps within +-band.
+
+    The drift in a period must be above the width of the band.
+    """
+    swing = start_swing(k, e)
+    turn = swing.turning
+    top = swing.moved(turn)
+    if top <= band:
+        end = _solve(swing, -band, turn, swing.half)
+        return -end, end
+    return _solve(swing, top - 2 * band, -turn, turn), _solve(
+        swing, top - 2 * band, turn, swing.half
+    )
+
+
+def find_longest_of_equal(e: float, band: float) -> Interval:
+    """Return the same for R4 = R5, counted from x = 0; all angles if all positions are in a band.
+
+    By the angle 2 phi1 - phi3 the output swings like a sine (row "dwells, equal circles"); it is
+    at its largest where that is 3/2 pi.
+    """
+    top = math.asin(e)
+    if top <= band:
+        return -math.inf, math.inf
+    length = math.acos(math.cos(2 * band) - math.sin(2 * band) / math.tan(top))
+    middle = 3 * math.pi / 4 + (top - 2 * band) / 2
+    return middle - length / 2, middle + length / 2
+
+
+def _solve(swing: Swing, wanted: float, low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
+    root: float = brentq(lambda d: swing.moved(d) - wanted, low, high, xtol=1e-15, rtol=1e-15)
+    return root

@@ -1,0 +1,184 @@
+"""All eccentricities at which |ratio| <= eta over a given carrier angle, by R4/R5.
+
+With v = 1 - ratio, the speed of wheel 3 against the carrier, the output is slow while
+1 - eta <= v <= 1 + eta, and v falls from x = 0 to x = pi. Such an interval lies about x = pi, about
+x = 0, or between both. About either, whether v is above u at an angle x from there is of the second
+degree in e2 (row "dwells, ratio within eta at an angle"). Between, the carrier passes from the one
+speed to the other in less of its angle the larger e2 is (row "dwells, time spent at a speed"). So
+all ends are roots in closed form, but for one that is the only root of a falling function. Drives
+whose ratio is within eta throughout rest, and are left out.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from mechproof.mechanisms.dwells.balls import Open, as_ball, is_above, sure
+from mechproof.mechanisms.dwells.spans import MARGIN, Place, Span
+
+__all__ = ["Asked", "find_longest", "find_spans"]
+
+End = Any  # a Fraction, or a ball
+
+
+class Asked(NamedTuple):
+    """Carrier angle, largest |ratio| of a rest and the largest eccentricity, all exact."""
+
+    width: Fraction
+    eta: Fraction
+    largest_e: Fraction
+
+
+class Speeds(NamedTuple):
+    """R4/R5 and the least and the largest speed of wheel 3 against the carrier in a rest."""
+
+    k: Fraction
+    least: Fraction
+    largest: Fraction
+
+    def angle(self, e: float, speed: Fraction) -> float:
+        """Return x in [0, pi] where the speed is passed."""
+        k, u = float(self.k), float(speed)
+        cosine = (1 + e * e - k / u * (1 - e * e)) / (2 * e)
+        return math.acos(min(1.0, max(-1.0, cosine)))
+
+    def ball_angle(self, e: Fraction, speed: Fraction) -> Any:
+        """Return the same in balls, between 0 and pi."""
+        exact = (1 + e * e - self.k / speed * (1 - e * e)) / (2 * e)
+        if not -1 < exact < 1:
+            return as_ball(0) if exact >= 1 else as_ball(1).pi()
+        return as_ball(exact).acos()
+
+
+def find_longest(k: Fraction, e: Fraction, eta: Fraction) -> float:
+    """Return the longest carrier angle over which |ratio| <= eta."""
+    speeds, b = Speeds(k, 1 - eta, 1 + eta), float(e)
+    at_pi, at_0 = k * (1 - e) / (1 + e), k * (1 + e) / (1 - e)
+    if at_pi > speeds.largest or at_0 < speeds.least:
+        return 0.0
+    if at_pi >= speeds.least and at_0 <= speeds.largest:
+        return math.inf
+    first = 0.0 if at_0 <= speeds.largest else speeds.angle(b, speeds.largest)
+    last = math.pi if at_pi >= speeds.least else speeds.angle(b, speeds.least)
+    both = 2 if first == 0.0 or last == math.pi else 1
+    return both * (last - first) / (2 * float(k))
+
+
+def find_spans(k: Fraction, asked: Asked) -> list[Span]:
+    """Return the intervals of eccentricities, from the least on.
+
+    Raises `Open` where they could not be decided.
+    """
+    speeds = Speeds(k, 1 - asked.eta, 1 + asked.eta)
+    half = as_ball(k) * as_ball(asked.width)
+    if sure(is_above(half, half.pi()), "w against the period"):
+        return []
+    found: dict[Place, list[tuple[End, End]]] = {
+        "slowest": _find_about_pi(speeds, half, asked),
+        "fastest": _find_about_0(speeds, half, asked),
+        "turns": _find_between(speeds, half, asked),
+    }
+    spans = [_write(k, asked, at, *ends) for at, intervals in found.items() for ends in intervals]
+    return sorted(spans, key=lambda span: span.low)
+
+
+def _write(k: Fraction, asked: Asked, place: Place, low: End, high: End) -> Span:
+    """Make a span of doubles inside the interval; ends that are fractions stay exact."""
+    inner = [
+        low if isinstance(low, Fraction) else Fraction(math.nextafter(float(low.upper()), 1.0)),
+        high if isinstance(high, Fraction) else Fraction(math.nextafter(float(high.lower()), 0.0)),
+    ]
+    exact, (a, b) = abs(k - 1) / (k + 1), inner
+    if b < a:
+        raise Open("the interval of e2 is no wider than a double")
+    # Open where the ratio is within eta throughout, or the interval about a place begins.
+    if place == "turns" or (
+        a == abs(k - 1 - asked.eta) / (k + 1 + asked.eta) and k <= 1 + asked.eta
+    ):
+        a = min(a + MARGIN, b)
+    candidates = [a, b, *_stationary(k, asked, a, b)]
+    widths = [find_longest(k, e, asked.eta) for e in candidates]
+    width = max(widths)
+    best = candidates[widths.index(width)]
+    return Span(place, inner[0], b, exact if inner[0] <= exact <= b else None, best, width)
+
+
+def _stationary(k: Fraction, asked: Asked, a: Fraction, b: Fraction) -> list[Fraction]:
+    """Return where the interval about x = 0 is longest inside: (q + 1/q) k/(1 - eta) = 2."""
+    spread = 2 * float((1 - asked.eta) / k)
+    if spread <= 2:
+        return []
+    e = Fraction(math.sqrt((spread - 2) / (spread + 2)))
+    return [e] if a < e < b else []
+
+
+def _cut(low: list[End], high: list[End]) -> list[tuple[End, End]]:
+    """Return the interval between the largest of `low` and the least of `high`, if it is one."""
+    first, last = low[0], high[0]
+    for end in low[1:]:
+        first = end if sure(is_above(end, first), "two ends against each other") else first
+    for end in high[1:]:
+        last = end if sure(is_above(last, end), "two ends against each other") else last
+    return [(first, last)] if sure(is_above(last, first), "both ends of an interval") else []
+
+
+def _find_about_pi(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+    k, least, largest = speeds
+    low = [abs(k - largest) / (k + largest)]
+    high = [(k - least) / (k + least), asked.largest_e]
+    # (largest + k) e² + 2 largest cos(half) e + largest - k >= 0
+    u, scale = as_ball(largest), as_ball(largest + k)
+    discriminant = as_ball(k) ** 2 - (u * half.sin()) ** 2
+    if not _cut(low, high) or discriminant < 0:
+        return _cut(low, high)
+    root = _root_of(discriminant)
+    ends = [(-u * half.cos() + sign * root) / scale for sign in (-1, 1)]
+    return [*_cut(low, [*high, ends[0]]), *_cut([*low, ends[1]], high)]
+
+
+def _find_about_0(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+    k, least, largest = speeds
+    low = [abs(k - least) / (k + least)]
+    high = [(largest - k) / (largest + k), asked.largest_e]
+    # (least + k) e² - 2 least cos(half) e + least - k <= 0
+    u, scale = as_ball(least), as_ball(least + k)
+    discriminant = as_ball(k) ** 2 - (u * half.sin()) ** 2
+    if not _cut(low, high) or discriminant < 0:
+        return []
+    root = _root_of(discriminant)
+    ends = [(u * half.cos() + sign * root) / scale for sign in (-1, 1)]
+    return _cut([*low, ends[0]], [*high, ends[1]])
+
+
+def _root_of(discriminant: Any) -> Any:
+    """Return the root of what is not negative; raise `Open` where that is not certain."""
+    if not discriminant >= 0:
+        raise Open("whether a discriminant is negative")
+    return discriminant.sqrt()
+
+
+def _find_between(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+    k, least, largest = speeds
+    start = max(Fraction(0), (k - least) / (k + least), (largest - k) / (largest + k))
+    if start >= asked.largest_e:
+        return []
+
+    def spare(e: Fraction) -> Any:
+        return speeds.ball_angle(e, least) - speeds.ball_angle(e, largest) - 2 * half
+
+    if start == 0 or spare(start) < 0:
+        return []
+    if not spare(start) > 0:
+        raise Open("the width where both intervals part")
+    if spare(asked.largest_e) >= 0:
+        return [(start, asked.largest_e)]
+    low, high = start, asked.largest_e
+    while high - low > MARGIN / 10**3:
+        middle = Fraction(float(low + high) / 2)
+        if sure(is_above(spare(middle), 0), "the width between both"):
+            low = middle
+        else:
+            high = middle
+    return [(start, low)]

@@ -1,0 +1,159 @@
+"""The motion of an output in time: its angle and the derivatives, by the chain rule.
+
+>>> import math
+>>> from mechproof import EllipticPlanetary
+>>> drive = EllipticPlanetary.published(2)
+>>> motion = drive.at(0.5, speed_rpm=120)
+>>> print(f"{motion.speed:.3f} rad/s = {motion.speed_rpm:.1f} rpm")
+36.541 rad/s = 348.9 rpm
+"""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import refuse
+from mechproof.mechanisms.time_derivatives import differentiate, interpolate
+from mechproof.notebook import Displayed
+
+__all__ = ["Drive", "Motion"]
+
+Floats = NDArray[np.float64]
+RAD_PER_S = math.tau / 60
+
+
+class Motion(NamedTuple):
+    """Angle (rad), speed (rad/s), acceleration (rad/s²) and jerk (rad/s³), arrays of one shape."""
+
+    angle: Any
+    speed: Any
+    acceleration: Any
+    jerk: Any
+
+    @property
+    def speed_rpm(self) -> Any:
+        """The speed in turns per minute."""
+        return self.speed / RAD_PER_S
+
+
+class Drive(Displayed):
+    """A mechanism whose output angle phi3 is a function of the carrier's angle phi1."""
+
+    @abstractmethod
+    def position(self, phi1: ArrayLike) -> Any:
+        """Return the output angles phi3(phi1)."""
+
+    @abstractmethod
+    def ratio(self, phi1: ArrayLike) -> Any:
+        """Return d phi3/d phi1."""
+
+    @abstractmethod
+    def acceleration(self, phi1: ArrayLike) -> Any:
+        """Return d ratio/d phi1."""
+
+    @abstractmethod
+    def jerk(self, phi1: ArrayLike) -> Any:
+        """Return d acceleration/d phi1."""
+
+    def at(
+        self,
+        phi1: ArrayLike,
+        speed: ArrayLike | None = None,
+        acceleration: ArrayLike = 0.0,
+        jerk: ArrayLike = 0.0,
+        *,
+        speed_rpm: ArrayLike | None = None,
+    ) -> Motion:
+        """Return the motion of the output while the carrier is at phi1 and moves so.
+
+        Parameters
+        ----------
+        phi1 : array_like
+            Carrier angle (rad).
+        speed : array_like
+            Speed of the carrier (rad/s).
+        acceleration, jerk : array_like, optional
+            Of the carrier (rad/s², rad/s³), zero if left out.
+        speed_rpm : array_like
+            Instead of `speed`: turns of the carrier per minute.
+
+        Returns
+        -------
+        Motion
+            Of the output, of the shape to which the arguments broadcast; NaN where one is NaN.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If not exactly one speed is given, or an argument is no array of real numbers.
+
+        Notes
+        -----
+        With i, a and j the ratio and its derivatives by phi1, and w, w', w'' those of the carrier
+        by time: speed i w, acceleration i w' + a w², jerk i w'' + 3 a w w' + j w³. Each term has
+        the accuracy of its kernel and a rounding for each product; what is left of terms that
+        cancel is relative to the largest.
+
+        """
+        if (speed is None) == (speed_rpm is None):
+            refuse("speed", speed, f"give it or speed_rpm, which is {speed_rpm!r}", TypeError)
+        if speed is None:
+            omega = check_array("speed_rpm", speed_rpm) * RAD_PER_S
+        else:
+            omega = check_array("speed", speed)
+        angle, alpha = check_array("phi1", phi1), check_array("acceleration", acceleration)
+        return self._chain(angle, omega, alpha, check_array("jerk", jerk))
+
+    def run(self, t: ArrayLike, phi1: ArrayLike | Callable[[Floats], ArrayLike]) -> Motion:
+        """Return the motion of the output while the carrier's angle is a function of time.
+
+        Parameters
+        ----------
+        t : array_like
+            Times (s). With samples: one axis, rising, six or more.
+        phi1 : array_like or function
+            Carrier angles (rad): samples at `t`, through which a spline of the fifth degree is
+            laid, or a function of an array of times that returns an array of its shape.
+
+        Returns
+        -------
+        Motion
+            Of the output at `t`. NaN where a function is, and where it has no such derivative or
+            none that could be found to 1e-6 of its largest, or of 1 rad/s, 1 rad/s², 1 rad/s³.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `t` or `phi1` is no array of real numbers, or the samples are too few, do not rise
+            in time, are not finite or not as many as the times.
+
+        Notes
+        -----
+        The carrier's speed, acceleration and jerk are those of the spline, off by the third to
+        fifth power of the spacing of samples of a smooth motion, and by more within a few samples
+        of the ends; noise of the samples is not smoothed. Those of a function are found from
+        polynomials of degree 12 through its values around each time, up to 32 s and as little as
+        2⁻²⁰ s to both sides, whichever have the least last coefficients beside their roundings;
+        where it is NaN there they are not used.
+
+        """
+        times = check_array("t", t)
+        moved = differentiate(phi1, times) if callable(phi1) else interpolate(phi1, times)
+        return self._chain(*moved)
+
+    def _chain(self, phi1: Floats, omega: Floats, alpha: Floats, jerk: Floats) -> Motion:
+        phi1, omega, alpha, jerk = np.broadcast_arrays(phi1, omega, alpha, jerk)
+        ratio, slope, bend = self.ratio(phi1), self.acceleration(phi1), self.jerk(phi1)
+        return Motion(
+            self.position(phi1),
+            ratio * omega,
+            ratio * alpha + slope * omega**2,
+            ratio * jerk + 3 * slope * omega * alpha + bend * omega**3,
+        )
