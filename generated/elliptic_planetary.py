@@ -195,9 +195,9 @@ DOMAIN = (
     ),
     _Condition(
         "R1",
-        "1 + R1/R2 <= largest",
+        "R1 <= R2*(largest - 1)",
         ("largest", "R1", "R2"),
-        lambda largest, R1, R2: 1 + R1 / R2 <= largest,
+        lambda largest, R1, R2: R1 <= R2 * (largest - 1),
         ("eccentricity_of_largest_ratio",),
     ),
     _Condition(
@@ -208,10 +208,10 @@ DOMAIN = (
         ("eccentricity_of_smallest_ratio", "eccentricity_of_extremes", "radii_of_extremes"),
     ),
     _Condition(
-        "smallest",
-        "smallest <= 1 + R1/R2",
+        "R2",
+        "R2*(smallest - 1) <= R1",
         ("smallest", "R1", "R2"),
-        lambda smallest, R1, R2: smallest <= 1 + R1 / R2,
+        lambda smallest, R1, R2: R2 * (smallest - 1) <= R1,
         ("eccentricity_of_smallest_ratio",),
     ),
     _Condition(
@@ -1136,7 +1136,7 @@ def eccentricity_of_largest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1, R2 < oo, 1 < largest < oo, R2 < R1, 1 + R1/R2 <= largest (largest >= 1 +
+    Domain: 0 < R1, R2 < oo, 1 < largest < oo, R2 < R1 <= R2*(largest - 1) (largest >= 1 +
     R1/R2).
 
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
@@ -1162,7 +1162,7 @@ def _check_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any) -> t
         R2 < R1,
         largest > 1.0,
         _is_finite(largest),
-        1.0 + R1 / R2 <= largest,
+        R1 <= R2 * (largest - 1.0),
     )
 
 
@@ -1204,8 +1204,8 @@ def eccentricity_of_smallest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1, R2 < oo, 1 < smallest < oo, R2 < R1, smallest <= 1 + R1/R2 (smallest <= 1 +
-    R1/R2).
+    Domain: 0 < R1, R2 < oo, 1 < smallest < oo, R2 < R1, R2*(smallest - 1) <= R1 (smallest <= 1
+    + R1/R2).
 
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
 
@@ -1230,7 +1230,7 @@ def _check_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any) ->
         R2 < R1,
         smallest > 1.0,
         _is_finite(smallest),
-        smallest <= 1.0 + R1 / R2,
+        R2 * (smallest - 1.0) <= R1,
     )
 
 

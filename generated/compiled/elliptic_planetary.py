@@ -640,7 +640,7 @@ def _value_of_eccentricity_of_largest_ratio(largest, R1, R2):
         & (R2 < R1)
         & (largest > 1)
         & _is_finite(largest)
-        & (1 + R1 / R2 <= largest)
+        & (R1 <= R2 * (largest - 1))
     ):
         return _math.nan
     k = R1 / R2
@@ -690,7 +690,7 @@ def _value_of_eccentricity_of_smallest_ratio(smallest, R1, R2):
         & (R2 < R1)
         & (smallest > 1)
         & _is_finite(smallest)
-        & (smallest <= 1 + R1 / R2)
+        & (R2 * (smallest - 1) <= R1)
     ):
         return _math.nan
     k = R1 / R2
