@@ -52,10 +52,11 @@ LOADED = {
     },
     "measurement": {
         *("numpy", "mechproof.arguments", "mechproof.kernel_support", "mechproof.measurement"),
+        *("mechproof.kernels", "mechproof.derivatives"),
     },
     "tolerance": {
         *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
-        "mechproof.tolerance",
+        *("mechproof.tolerance", "mechproof.derivatives", "mechproof.measured"),
     },
     "mechanisms": {
         "numpy",
@@ -108,7 +109,7 @@ LOADED = {
 INSIDE = {
     "laws": {"scipy"},
     "conformity": {"scipy"},
-    "measurement": {"scipy"},
+    "measurement": {"scipy", "uncertainties"},
     "tolerance": {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
         "mechproof.record",
