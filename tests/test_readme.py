@@ -20,7 +20,7 @@ from mechproof.record import MARKS
 ROOT = Path(__file__).parents[1]
 PAGES = {
     name: (ROOT / name).read_text(encoding="utf-8")
-    for name in ("README.md", "docs/uses.md", "docs/verdicts.md")
+    for name in ("README.md", "docs/uses.md", "docs/measurement.md", "docs/verdicts.md")
 }
 README = PAGES["README.md"]
 BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
