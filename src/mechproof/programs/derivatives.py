@@ -58,12 +58,11 @@ def _differentiate(quantity: Quantity, paper: Paper) -> Quantity:
     form, own, slopes = quantity.shipped[-1], quantity.accuracy, quantity.slopes
     assert slopes is not None
     within = (*(own.within if own else ()), *slopes.within)
-    names = ", ".join(argument.name for argument in quantity.arguments)
     # Where its row says in words of its own that the form is the definition, it stands for it.
     exact = quantity.definition if form.states is None else form.expression
     return Quantity(
         quantity.name,
-        f"Compute the partial derivatives of `{quantity.name}` by {names}.",
+        f"Compute the derivatives of `{quantity.name}` by its arguments, in their order.",
         quantity.arguments,
         sp.ImmutableDenseMatrix(chain(exact, symbols, given)),
         (Form("backward pass", _go_back(form.expression, symbols, given), form.rewrites),),
