@@ -58,7 +58,7 @@ def __dir__() -> list[str]:
 def ratio(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `ratio` by phi1, R1, R2, e.
+    """Compute the derivatives of `ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
@@ -146,7 +146,7 @@ def _form_of_ratio(
 def position(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `position` by phi1, R1, R2, e.
+    """Compute the derivatives of `position` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and
     (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
@@ -204,7 +204,7 @@ def _form_of_position(
 def acceleration(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `acceleration` by phi1, R1, R2, e.
+    """Compute the derivatives of `acceleration` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and
@@ -342,7 +342,7 @@ def _form_of_acceleration(
 def largest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `largest_ratio` by R1, R2, e.
+    """Compute the derivatives of `largest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
@@ -384,7 +384,7 @@ def _form_of_largest_ratio(R1: Any, R2: Any, one_plus_e: Any, one_minus_e: Any, 
 def smallest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `smallest_ratio` by R1, R2, e.
+    """Compute the derivatives of `smallest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.

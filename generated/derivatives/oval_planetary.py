@@ -64,7 +64,7 @@ def ratio(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the partial derivatives of `ratio` by phi1, e1, e2, mount.
+    """Compute the derivatives of `ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
 
@@ -217,7 +217,7 @@ def position(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the partial derivatives of `position` by phi1, e1, e2, mount.
+    """Compute the derivatives of `position` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 16 eps of its conditioning, where (phi1 = 0 or e1 + e2
     = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <= e2*|mount|) and
@@ -357,7 +357,7 @@ def acceleration(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the partial derivatives of `acceleration` by phi1, e1, e2, mount.
+    """Compute the derivatives of `acceleration` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
     e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
@@ -607,7 +607,7 @@ def _form_of_acceleration(
 def ratio_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `ratio_cylindrical` by phi1, R4, R5, e2.
+    """Compute the derivatives of `ratio_cylindrical` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26.
 
@@ -711,7 +711,7 @@ def _form_of_ratio_cylindrical(
 def position_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `position_cylindrical` by phi1, R4, R5, e2.
+    """Compute the derivatives of `position_cylindrical` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and (e2
     = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
@@ -775,7 +775,7 @@ def _form_of_position_cylindrical(
 def acceleration_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `acceleration_cylindrical` by phi1, R4, R5, e2.
+    """Compute the derivatives of `acceleration_cylindrical` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and

@@ -57,7 +57,7 @@ def __dir__() -> list[str]:
 # Form: backward pass
 # Operations: 9
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the partial derivatives of `constant_chord` by m, alpha.
+    """Compute the derivatives of `constant_chord` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -92,7 +92,7 @@ def _form_of_constant_chord(m: Any, alpha: Any, cos_alpha: Any) -> Any:
 # Form: backward pass
 # Operations: 11
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the partial derivatives of `chord_height` by m, alpha.
+    """Compute the derivatives of `chord_height` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -134,7 +134,7 @@ def height_change(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the partial derivatives of `height_change` by tilt, m, z, alpha.
+    """Compute the derivatives of `height_change` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
@@ -210,7 +210,7 @@ def thickness_change(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the partial derivatives of `thickness_change` by tilt, m, z, alpha.
+    """Compute the derivatives of `thickness_change` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
@@ -282,7 +282,7 @@ def _form_of_thickness_change(
 def thickness_change_linear(
     dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `thickness_change_linear` by dh, alpha.
+    """Compute the derivatives of `thickness_change_linear` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -324,7 +324,7 @@ def _form_of_thickness_change_linear(dh: Any, tan_alpha: Any) -> Any:
 def linearisation_bound(
     dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `linearisation_bound` by dh, m, z, alpha.
+    """Compute the derivatives of `linearisation_bound` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (dh = 0 or 1e-100 <=
     |dh|) and 1e-30 <= m and m*z <= 1e50.
@@ -426,7 +426,7 @@ def _form_of_linearisation_bound(
 def thickness_error(
     e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the partial derivatives of `thickness_error` by e_tip, height_error, alpha.
+    """Compute the derivatives of `thickness_error` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
