@@ -53,10 +53,12 @@ LOADED = {
     },
     "measurement": {
         *("numpy", "mechproof.arguments", "mechproof.kernel_support", "mechproof.measurement"),
+        *("mechproof.kernels", "mechproof.derivatives"),
     },
     "tolerance": {
         *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.extras"),
         *("mechproof.laws", "mechproof.tolerance"),
+        *("mechproof.derivatives", "mechproof.measured"),
     },
     "mechanisms": {
         "numpy",
@@ -113,7 +115,7 @@ LOADED = {
 INSIDE = {
     "laws": {"scipy"},
     "conformity": {"scipy"},
-    "measurement": {"scipy"},
+    "measurement": {"scipy", "uncertainties"},
     "tolerance": {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
         "mechproof.record",

@@ -36,8 +36,9 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
         "laws": ("laws",),
         "measured": ("measured",),
     },
-    {"kernels": ("kernels",), "choice": ("choice",), "measurement": ("measurement",)},
-    {"conformity": ("conformity",)},
+    {"kernels": ("kernels",), "choice": ("choice",)},
+    {"derivatives": ("derivatives",)},
+    {"conformity": ("conformity",), "measurement": ("measurement",)},
     {"paper": ("record",)},
     {"latex": ("latex",), "arithmetic": ("arithmetic",)},
     {"programs": ("programs",)},
@@ -72,7 +73,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
 # Rooms of those who compute and do not prove: loaded, they need nobody but each other.
 RUNTIME = {
     *("tools", "arguments", "support", "executors", "laws", "measured", "kernels", "choice"),
-    *("measurement", "conformity", "tolerance", "mechanisms", "the whole"),
+    *("derivatives", "measurement", "conformity", "tolerance", "mechanisms", "the whole"),
 }
 HEIGHTS = {room: height for height, layer in enumerate(LAYERS) for room in layer}
 HOMES = {name: room for layer in LAYERS for room in layer for name in layer[room]}

@@ -133,6 +133,8 @@ def differentiate(
         CHAIN_SOURCE,
         unit=unit,
         accuracy=conditioned_in_contact(CHAIN_ULP, value, PUSHING),
+        # No rung decides second derivatives of the chain in reasonable time.
+        slopes=None,
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
@@ -170,6 +172,7 @@ QUANTITIES = (
         CHAIN_SOURCE,
         unit="mm",
         accuracy=conditioned_in_contact(CHAIN_ULP, POSITION, LINKED),
+        slopes=Accuracy(4, within=PUSHING),
         on=CLOSED,
         singular=POSITION_ALONG_CHAIN,
         workloads=CHAIN_LOADS,

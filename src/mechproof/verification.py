@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from mechproof.codegen.forms import form_rows, number_shipped
+from mechproof.codegen.forms import derivative_rows, form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
 from mechproof.document import checking, judging
 from mechproof.document.sources import BESIDE, SUFFIXES
@@ -59,7 +59,8 @@ def open_derivation(location: Path) -> Opened:
 def open_paper(location: Path, paper: Paper) -> Opened:
     """State the rows of the forms of a paper that was loaded from a place."""
     try:
-        rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
+        derivatives = derivative_rows(paper)
+        rows = (*paper.rows, *follower_rows(paper), *form_rows(paper), *derivatives)
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
     counted = Counter(row.number for row in rows)
@@ -69,7 +70,8 @@ def open_paper(location: Path, paper: Paper) -> Opened:
     domain = Paper(
         paper.system, "", variables, (), paper.where, published=paper.published, usual=paper.usual
     )
-    return Opened(location, paper, rows, domain, number_shipped(paper))
+    shipped = number_shipped(paper).union(row.number for row in derivatives)
+    return Opened(location, paper, rows, domain, shipped)
 
 
 def find_ledgers(

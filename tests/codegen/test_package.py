@@ -15,7 +15,7 @@ def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
     paper = dataclasses.replace(declared_paper_of("elliptic_planetary"), system="system")
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
-    folders = ("", "forms/", "compiled/")
+    folders = ("", "forms/", "derivatives/", "compiled/")
     assert set(files) == {f"{d}{n}.py" for d in folders for n in ("__init__", "system")}
     assert all(text.endswith("\n") and REGENERATED in text for text in files.values())
     own = render_package([paper, bare], is_own=True)

@@ -9,9 +9,10 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.codegen.backends.numpy import FORMS, render_modules
+from mechproof.codegen.backends.numpy import FORMS, render_derivatives, render_modules
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
+from mechproof.programs.derivatives import differentiate
 from mechproof.programs.evaluation import Enclosure, Solved
 from mechproof.programs.kernel import Kernel, build_functions, name_rival
 from mechproof.programs.raising import WrittenForm
@@ -60,6 +61,25 @@ def form_rows(paper: Paper) -> tuple[Row, ...]:
     )
     refused = (q for q in paper.quantities if q.name in functions.refused)
     return (*written, *(_state_refusal(q, functions.refused[q.name]) for q in refused))
+
+
+def derivative_rows(paper: Paper) -> tuple[Row, ...]:
+    """Return the rows of the derivatives: what their source computes. It is read back first."""
+    derived = differentiate(paper)
+    kernels = build_functions(derived).kernels
+    for source in render_derivatives(paper).values():
+        check_module(source, kernels, f"derivatives of {paper.system}.")
+    rows = (
+        row for kernel in kernels for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
+    )
+    return tuple(_tell_derivatives(row) for row in rows)
+
+
+def _tell_derivatives(row: Row) -> Row:
+    """Say of a row on the source of a kernel that it is on that of its derivatives."""
+    latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
+    latex = latex.replace("its definition", "what the chain rule makes of the definition")
+    return replace(row, number=f"derivatives of {row.number}", printed_latex=latex)
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:

@@ -17,7 +17,7 @@ from mechproof.record.texts import check_name, check_texts
 from mechproof.record.variables import Notation, Part, Variable, list_given
 
 # Names of the generated package that no system may take.
-RESERVED = ("compiled", "forms", "kernels", "measured")
+RESERVED = ("compiled", "derivatives", "forms", "kernels", "measured")
 
 
 @dataclass(frozen=True)

@@ -59,6 +59,11 @@ class Accuracy:
     within: tuple[sp.Basic, ...] = ()
 
 
+# Of derivatives relative to their conditioning: a rounding of 1/2 eps, of a step or on the way
+# back, is a change of that step, and searches find no more than a third.
+SLOPES = Accuracy(4)
+
+
 @dataclass(frozen=True)
 class Singular:
     """A set where a quantity is undefined, jumps, is steep or cancels, as an equation.
@@ -88,7 +93,9 @@ class Quantity:
     that one are rivals, each a function of its own. A quantity without forms is computed by
     hand-written code, the first of its peers. `period` is the spacing of wrong branches,
     `repeats` says how the running variable can be reduced.
-    `workloads` names calls to be timed by the arguments that vary (left out: the first).
+    `slopes` is the accuracy of its derivatives, where the bound holds and within; without it none
+    are shipped. `workloads` names calls to be timed by the arguments that vary (left out: the
+    first).
     """
 
     name: str
@@ -99,6 +106,7 @@ class Quantity:
     source: str
     unit: str = "1"
     accuracy: Accuracy | None = None
+    slopes: Accuracy | None = SLOPES
     on: Part | None = None
     singular: tuple[Singular, ...] = ()
     period: sp.Expr | None = None

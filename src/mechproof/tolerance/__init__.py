@@ -8,7 +8,8 @@ other; it must work point by point. All ranges are given at every input:
 - `contributions`: first-order effect of every size, and `root_sum_square` of them;
 - `monte_carlo_range`: the range of given probability for stated laws of the sizes, which a `Size`
   makes of its limits (`Size.uniform`, `Size.normal`, `Size.truncated_normal`);
-- `certified_range`: proved bounds over the whole box of limits, of a quantity of a derivation.
+- `certified_range`: proved bounds over the whole box of limits, of a quantity of a derivation;
+- `allocate_tolerances`: backwards, the tolerances that keep a quantity in a wanted width.
 
 The ranges take any executor of `concurrent.futures`, on which no result depends.
 
@@ -17,6 +18,7 @@ inside `certified_range`.
 """
 
 from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
+from mechproof.tolerance.allocation import Allocation, allocate_tolerances
 from mechproof.tolerance.certified import CertifiedRange, certified_range
 from mechproof.tolerance.corners import CornerRange, corner_range
 from mechproof.tolerance.scatter import MonteCarloRange, Scatter, monte_carlo_range
@@ -24,6 +26,7 @@ from mechproof.tolerance.sensitivity import Contributions, contributions, root_s
 from mechproof.tolerance.sizes import Size
 
 __all__ = [
+    "Allocation",
     "CertifiedRange",
     "Contributions",
     "CornerRange",
@@ -34,6 +37,7 @@ __all__ = [
     "Size",
     "TruncatedNormal",
     "Uniform",
+    "allocate_tolerances",
     "certified_range",
     "contributions",
     "corner_range",

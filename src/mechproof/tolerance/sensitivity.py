@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_function, refuse, require
+from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.tolerance.sizes import (
     Floats,
     Function,
@@ -72,10 +74,11 @@ def contributions(
 ) -> Contributions:
     """Return the first-order contribution of every toleranced size.
 
-    Without `sensitivities`, each is the difference quotient between the limits of its size,
-    the others nominal: exact for a linear function, else off by about T²/24 times the third
-    derivative and, for unequal limits, by their middle deviation times the second. NaN in,
-    NaN out.
+    Of a kernel of `mechproof.kernels` that has derivatives, the sensitivities are these at the
+    nominal sizes. Of any other function, without `sensitivities`, each is the difference quotient
+    between the limits of its size, the others nominal: exact for a linear function, else off by
+    about T²/24 times the third derivative and, for unequal limits, by their middle deviation times
+    the second. NaN in, NaN out.
 
     Parameters
     ----------
@@ -97,12 +100,24 @@ def contributions(
     check_function("function", function)
     varying = check_sizes(sizes)
     nominal = evaluate_nominal(function, points, sizes)
-    if sensitivities is None:
+    if sensitivities is None and find_derivatives(function):
+        columns = _differentiate(function, points, sizes, list(varying))
+    elif sensitivities is None:
         columns = [_difference_quotient(function, points, sizes, name) for name in varying]
     else:
         columns = _check_sensitivities(sensitivities, varying, points.shape)
     table = np.stack([np.empty(points.shape), *columns], axis=-1)[..., 1:]
     return Contributions(tuple(varying), tuple(varying.values()), nominal[()], table)
+
+
+def _differentiate(
+    function: Function, inputs: Floats, sizes: Mapping[str, Size], names: list[str]
+) -> list[Floats]:
+    nominal = {name: size.nominal for name, size in sizes.items()}
+    running = next(iter(inspect.signature(function).parameters))
+    slopes = differentiate(function, {running: inputs, **nominal})
+    assert slopes is not None
+    return [np.asarray(slopes[name]) for name in names]
 
 
 def _difference_quotient(

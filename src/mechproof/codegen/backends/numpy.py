@@ -16,12 +16,18 @@ import sympy as sp
 from jinja2 import meta
 
 from mechproof.codegen.conditions import split_conditions
-from mechproof.codegen.docstrings import describe_kernel, describe_module
+from mechproof.codegen.docstrings import (
+    describe_derivatives,
+    describe_derivatives_module,
+    describe_kernel,
+    describe_module,
+)
 from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import ConditionText, SizesText, list_conditions, list_sizes
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.derivatives import differentiate
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS, AxisReduction, Support
@@ -32,6 +38,8 @@ TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
 # Where forms lie that are not shipped.
 FORMS = "forms/"
+# Where the partial derivatives of kernels lie.
+DERIVATIVES = "derivatives/"
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
 # What modules need beside operations.
 _FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -95,6 +103,16 @@ def render_modules(paper: Paper) -> dict[str, str]:
         text = describe_module(paper, f"Other forms of the kernels of `{system}`.", rivals)
         modules[f"{FORMS}{system}.py"] = _render(paper, text, rivals, (), ())
     return modules
+
+
+def render_derivatives(paper: Paper) -> dict[str, str]:
+    """Render the module of the derivatives of a paper's scalar quantities, if it has any."""
+    kernels = list_functions(differentiate(paper))
+    if not kernels:
+        return {}
+    lines = (*describe_derivatives_module(paper), *tell_origin(paper.system))
+    texts = [write_kernel(kernel, describe_derivatives(kernel)) for kernel in kernels]
+    return {f"{DERIVATIVES}{paper.system}.py": render_module(lines, texts)}
 
 
 def _render(

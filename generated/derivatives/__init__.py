@@ -1,0 +1,4 @@
+"""Derivatives of the kernels: one module per system.
+
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
+"""
