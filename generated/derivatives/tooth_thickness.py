@@ -1,6 +1,7 @@
 """Partial derivatives of the kernels of `tooth_thickness`, by every argument.
 
-Paper 3: stochastic simulation of tooth thickness and of its measurement
+Derbaba, Korsun, Patsera, stochastic simulation of the thickness of an involute tooth and of
+its measurement
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
 up; the result has a last axis with a derivative for each argument, in their order. At a
