@@ -33,6 +33,7 @@ PAPER = Paper(
         *DESIGN_ROWS,
     ),
     quantities=(*QUANTITIES, *PEAK_QUANTITIES, *DESIGN_QUANTITIES),
+    derivatives=True,
     together=(Together("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
         PublishedSizes(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))

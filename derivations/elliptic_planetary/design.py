@@ -6,6 +6,7 @@ Written without differences of like numbers but those that the wanted ratios the
 from sympy import Eq, Expr, Integer, diff, sqrt
 
 from mechproof.record import (
+    SLOPES,
     Accuracy,
     Argument,
     Claim,
@@ -147,6 +148,7 @@ def inverse(
     accuracy: Accuracy,
     on: Part | None = None,
     singular: tuple[Singular, ...] = (),
+    slopes: Accuracy | None = SLOPES,
 ) -> Quantity:
     """Make a quantity of what is wanted."""
     return Quantity(
@@ -159,6 +161,7 @@ def inverse(
         accuracy=accuracy,
         on=on,
         singular=singular,
+        slopes=slopes,
     )
 
 
@@ -205,6 +208,8 @@ DESIGN_QUANTITIES = (
         OF_NON_UNIFORMITY,
         Accuracy(6, within=(*MODERATE, non_uniformity_wanted <= 10**50)),
         singular=(Singular(Eq(non_uniformity_wanted, 0)),),
+        # Near a ratio that does not vary they would cancel.
+        slopes=None,
     ),
     inverse(
         "eccentricity_of_extremes",

@@ -7,6 +7,7 @@ peak is the value there. Everything is written without differences of like numbe
 from sympy import Abs, Eq, Expr, Ge, Max, Or, Piecewise, Rational, atan2, cos, diff, pi, sin, sqrt
 
 from mechproof.record import (
+    SLOPES,
     Accuracy,
     Form,
     Quantity,
@@ -115,6 +116,8 @@ def of_sizes(
         unit="rad" if name.startswith("angle") else "1",
         accuracy=accuracy,
         singular=(*ENDS_OF_E, *singular),
+        # At a threshold what is differentiated has a kink.
+        slopes=None if singular else SLOPES,
     )
 
 

@@ -36,6 +36,7 @@ PAPER = Paper(
         *DWELL_ROWS,
     ),
     quantities=(*QUANTITIES, *JERK_QUANTITIES),
+    derivatives=True,
     together=(
         Together("motion", ("position", "ratio", "acceleration")),
         Together(

@@ -264,6 +264,7 @@ PAPER = Paper(
         *CLAIM_ROWS,
     ),
     quantities=QUANTITIES,
+    derivatives=True,
     published=(
         PublishedSizes("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),
     ),

@@ -32,6 +32,7 @@ PAPER = Paper(
     sentences=68,
     aside=ASIDE,
     quantities=QUANTITIES,
+    derivatives=True,
     published=(TABLE_1,),
     # About the share of the total in Table 1, all K = 1.
     usual={thermal: Rational(11, 1000)},

@@ -81,6 +81,7 @@ PAPER = Paper(
         *BUDGET_ROWS,
     ),
     quantities=QUANTITIES,
+    derivatives=True,
     published=(FIRST_SET, SECOND_SET),
     usual={error: sp.S.One, stage_ratio: sp.S.Half, own_error: sp.Rational(1, 5)},
     findings=FINDINGS,

@@ -49,7 +49,9 @@ def subjects() -> Mapping[str, Subject]:
     return {
         s.name: s
         for s in find_subjects()
-        if s.quantity.slopes is not None and derivatives.is_scalar(s.quantity)
+        if s.paper.derivatives
+        and s.quantity.slopes is not None
+        and derivatives.is_scalar(s.quantity)
     }
 
 

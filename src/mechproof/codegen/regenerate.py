@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from mechproof.codegen.backends.numba import render_compiled, render_elementary
-from mechproof.codegen.backends.numpy import render_derivatives, render_init, render_modules
+from mechproof.codegen.backends.numpy import (
+    DERIVATIVES,
+    render_derivatives,
+    render_init,
+    render_modules,
+)
 from mechproof.record import Paper
 
 # Lists the files of the generated package, so that the next run knows what it may replace.
@@ -24,12 +29,12 @@ def render_package(papers: Iterable[Paper], *, is_own: bool = False) -> dict[str
         for render in (render_modules, render_derivatives, render_compiled)
         for name, text in render(paper).items()
     }
+    if any(name.startswith(DERIVATIVES) for name in files):
+        text = "Derivatives of the kernels: one module per system."
+        files[f"{DERIVATIVES}__init__.py"] = render_init(text)
     return {
         "__init__.py": render_init("Generated kernels: one module per system."),
         "forms/__init__.py": render_init("Other forms of the kernels: one module per system."),
-        "derivatives/__init__.py": render_init(
-            "Derivatives of the kernels: one module per system."
-        ),
         "compiled/__init__.py": render_init("Compiled kernels: one module per system."),
         **({"compiled/elementary.py": render_elementary()} if is_own else {}),
         **dict(sorted(files.items())),

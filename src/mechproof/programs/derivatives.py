@@ -33,7 +33,8 @@ def differentiate(paper: Paper) -> Paper:
     for known, derived in _known:
         if known is paper:
             return derived
-    wanted = (q for q in paper.quantities if q.slopes and is_scalar(q))
+    quantities = paper.quantities if paper.derivatives else ()
+    wanted = (q for q in quantities if q.slopes and is_scalar(q))
     quantities = tuple(_differentiate(quantity, paper) for quantity in wanted)
     derived = replace(paper, rows=(), findings=(), together=(), quantities=quantities)
     _known[:] = [*_known[1 - MOST_KNOWN :], (paper, derived)]

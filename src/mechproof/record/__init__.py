@@ -19,6 +19,7 @@ from mechproof.record.implicit import Root
 from mechproof.record.needs import list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
+    SLOPES,
     Accuracy,
     Argument,
     Quantity,
@@ -61,6 +62,7 @@ __all__ = [
     "MARKS",
     "NUMBER",
     "RESERVED",
+    "SLOPES",
     "SPEED",
     "Accuracy",
     "Argument",

@@ -49,7 +49,8 @@ class Paper(Displayed):
     a difference is shown at them first. `print` is the file of the paper's own source: what it has
     besides the rows is judged as far as that needs no mechanics. `transcription` is the version of
     the transcription that the rows were read from, a date or a number, and `sentences` how many it
-    numbers (S1, S2, ...); those that no row judges stand in `aside`, with the reason.
+    numbers (S1, S2, ...); those that no row judges stand in `aside`, with the reason. With
+    `derivatives` the partial derivatives of each scalar quantity are kernels, too.
     """
 
     system: str
@@ -69,6 +70,7 @@ class Paper(Displayed):
     transcription: str = ""
     sentences: int = 0
     aside: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    derivatives: bool = False
 
     def __post_init__(self) -> None:
         check_name("paper: system", self.system)
