@@ -55,6 +55,12 @@ REFUSED: dict[str, list[Any]] = {
     "errors": [None, 3, "x", {"a": 1}, [3], [None], Normal, [Normal]],
     "source": [None, 3, "x", np.random, random.Random(1), np.random.RandomState(1)],
     "shape": [-1, 1.5, "x", True, (2, -1), (1.5,), [[1]], (None,), {}, object(), (2, 1), 3],
+    "inputs": [None, 3, "s", b"s", [], {}, {"s"}, {"s": None}, {"s": "x"}, {"s": 1.0}],
+    "correlations": [None, 3, "s", [], {"s": 1.0}, {("s", "s"): 1.0}, {("s", "t"): 0.1}],
+    "nominal": [None, 3, "s", [], {"s"}, [("s", 1.0)]],
+    "costs": [3, "s", [], {}, {"s": 1.0}, {"l_BC": 0.0}, {"l_BC": None}],
+    "names": [3, "s", ["s"], [3], [None]],
+    "kernel": [None, 3, "s", [], len, np.sin],
     "relations": [None, 3, "x<1", {"x<1"}, [3], [None]],
     "flag": [None, "no", "yes", 0, 1, 1.0, [], [True], np.array([True]), object()],
     "path": [None, 3, 1.5, b"x", [], {}, object(), True],
@@ -75,6 +81,7 @@ REFUSED: dict[str, list[Any]] = {
     "object": NO_OBJECTS,
     "optional object": NO_OBJECTS[1:],
 }  # fmt: skip
+REFUSED["optional not negative"] = [v for v in REFUSED["not negative"] if v is not None]
 REFUSED["optional pair"] = [bad for bad in REFUSED["pair"] if bad is not None]
 # The kind of a parameter, by its name.
 KINDS = {
@@ -125,6 +132,20 @@ ELSEWHERE = {
     "TypeA.mean": "number",
     "position_errors.measured": "array",
     "evaluate_position_errors.measured": "array",
+    "propagate.inputs": "inputs",
+    "propagate.correlations": "correlations",
+    "to_ufloat.estimate": "object",
+    "fit.position": "kernel",
+    "fit.phi1": "strict array",
+    "fit.ratio": "pair",
+    "fit.zeros": "flag",
+    "fit.uncertainty": "optional not negative",
+    "allocate_tolerances.system": "text",
+    "allocate_tolerances.quantity": "text",
+    "allocate_tolerances.nominal": "nominal",
+    "allocate_tolerances.width": "positive",
+    "allocate_tolerances.names": "names",
+    "allocate_tolerances.costs": "costs",
     "bound.source": "text",
     "bound.where": "relations",
     "bound.relative": "flag",

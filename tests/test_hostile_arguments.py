@@ -41,6 +41,7 @@ from mechproof import (
 )
 from mechproof.conformity import compiled
 from mechproof.derivation import packaged_directory
+from mechproof.kernels import elliptic_planetary
 from mechproof.laws import Normal, TruncatedNormal, Uniform
 from mechproof.measurement import Estimate, TypeA, TypeB
 from mechproof.tolerance import Size
@@ -79,6 +80,7 @@ WINDOW = {"true": ONE, "error": ONE, "tolerance": (-1, 1), "acceptance": (-1, 1)
 MUCH = {"progress": None, "executor": None}
 RANGE = {"function": scale, "inputs": [1.0, 2.0], "sizes": SIZES}
 
+READ = np.sort(np.random.default_rng(3).uniform(0, 9, 20))
 CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "EllipticPlanetary": (EllipticPlanetary, {"R1": 66, "R2": 16, "e": 0.4}),
     "EllipticPlanetary.published": (EllipticPlanetary.published, {"variant": 1}),
@@ -271,6 +273,41 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
             "type_b": [TypeB(0.1)],
         },
     ),
+    "propagate": (
+        measurement.propagate,
+        {
+            "function": lambda s: 2 * s,
+            "inputs": {"s": Estimate(1, 0.1)},
+            "correlations": {},
+            "unit": "mm",
+        },
+    ),
+    "to_ufloat": (measurement.to_ufloat, {"estimate": Estimate(1, 0.1)}),
+    "fit": (
+        measurement.fit,
+        {
+            "position": elliptic_planetary.position,
+            "phi1": READ,
+            "measured": elliptic_planetary.position(READ, 3, 1, 0.3),
+            "ratio": (2.0, 4.0),
+            "uncertainty": None,
+            "zeros": False,
+        },
+    ),
+    "allocate_tolerances": (
+        tolerance.allocate_tolerances,
+        {
+            "system": "wedge_linkage",
+            "quantity": "position",
+            "inputs": -37.1,
+            "nominal": vars(WedgeLinkage.published(1)),
+            "width": 1.0,
+            "names": ["l_BC"],
+            "costs": {"l_BC": 1.0},
+            "budget": 50,
+            "executor": None,
+        },
+    ),
     "bound": (
         bound,
         {
@@ -356,7 +393,7 @@ CASES = [(name, parameter) for name, (_, given) in CALLS.items() for parameter i
 RESULTS = {
     *("Law", "Shares", "SimulatedShares", "Figure", "PusherReachError", "RollerLeverReachError"),
     *("CertifiedRange", "Contributions", "CornerRange", "MonteCarloRange", "Range", "Motion"),
-    *("Scatter", "Mechanism", "Formula"),
+    *("Scatter", "Mechanism", "Formula", "Fit", "Propagation", "Allocation"),
 }
 
 

@@ -59,7 +59,7 @@ def test_extremes_occur_at_degrees(mechanism: Any) -> None:
 
 def test_motions_are_in_degrees() -> None:
     mechanism = OvalPlanetary(CylindricalPair(30, 20), "0.2")
-    plain, found = (mechanism.motion("0.01", degrees=d) for d in (False, True))
+    plain, found = (mechanism.classify("0.01", degrees=d) for d in (False, True))
     assert found.kind == plain.kind
     assert found.rests == tuple((math.degrees(a), math.degrees(b)) for a, b in plain.rests)
     assert (found.period, found.drift) == (math.degrees(plain.period), math.degrees(plain.drift))

@@ -26,6 +26,8 @@ COLUMNS, HEIGHT = 6, 1.3
 NAME = "overview"
 # Marks and lines in small panels, of their usual size.
 SIZE, LINE = 0.6, 0.9
+# Characters of a name that a panel has room for.
+ROOM = 21
 
 
 def draw_overview(records: Sequence[Record], folder: Path) -> list[Path]:
@@ -86,6 +88,7 @@ def draw_panels(records: Sequence[Record]) -> Figure:
 def _draw_small(axes: Any, record: Record, marks: Sequence[ChartPoint], copy: float | None) -> None:
     draw_panel(axes, marks, copy, LINE)
     system, _, quantity = record.quantity.partition(".")
-    axes.set_title(f"{system}\n{quantity}", fontsize=7)
+    # Longer names would run into those beside them.
+    axes.set_title(f"{system}\n{quantity}", fontsize=min(7.0, 7.0 * ROOM / len(quantity)))
     for mark in reversed(marks):
         draw_mark(axes, mark, SIZE)

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array, check_pair
+from mechproof.arguments.arrays import check_array, check_flag, check_pair
 from mechproof.arguments.scalars import check_not_negative, refuse, require
 from mechproof.measurement.estimate import Estimate
 from mechproof.measurement.fitted_models import MODELS, ZEROS, Floats, Minimum, Problem
@@ -122,8 +122,10 @@ def fit(
 
     """
     known = ", ".join(f"{f.__module__.rpartition('.')[2]}.{f.__name__}" for f in MODELS)
-    require(position in MODELS, "position", position, f"must be one of the kernels {known}")
-    problem = Problem(position, MODELS[position], *_check_readings(phi1, measured), zeros)
+    is_known = callable(position) and position in MODELS
+    require(is_known, "position", position, f"must be one of the kernels {known}")
+    fitted = check_flag("zeros", zeros)
+    problem = Problem(position, MODELS[position], *_check_readings(phi1, measured), fitted)
     spread = None if uncertainty is None else check_not_negative("uncertainty", uncertainty)
     lowest, highest = (float(end) for end in check_pair("ratio", ratio))
     require(math.isfinite(highest - lowest), "ratio", ratio, "must be finite")

@@ -17,6 +17,7 @@ from mechproof.arguments.scalars import (
     check_items,
     check_mapping,
     check_real,
+    check_text,
     require,
 )
 from mechproof.derivatives import differentiate
@@ -124,6 +125,7 @@ def propagate(
 
     """
     check_function("function", function)
+    check_text("unit", unit)
     check_mapping("inputs", inputs, "must map names to Estimates and numbers")
     given = {name: _read(f"inputs[{name!r}]", value) for name, value in inputs.items()}
     uncertain = {name: value for name, value in given.items() if isinstance(value, Estimate)}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from itertools import combinations
 from typing import Any
 
+from mechproof.arguments.scalars import require
 from mechproof.measurement.estimate import Estimate
 
 
@@ -31,6 +32,8 @@ def read_correlations(inputs: Mapping[str, Any]) -> dict[tuple[str, str], float]
 
 def to_ufloat(estimate: Estimate) -> Any:
     """Return the ufloat of an estimate, a new variable; ImportError without the package."""
+    is_estimate = isinstance(estimate, Estimate)
+    require(is_estimate, "estimate", estimate, "must be an Estimate", TypeError)
     return _load().ufloat(estimate.value, estimate.uncertainty)
 
 

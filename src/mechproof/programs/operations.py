@@ -199,6 +199,8 @@ def _view(name: str, pattern: str, level: Level) -> Kind:
 
 
 _NEGATIVE = Pattern("-{}", SIGN, SIGN)
+# In Octave the root of a negative number is complex, also in a branch that is not taken.
+_REAL_ROOT = Pattern("real(sqrt({0})) ./ ({0} >= 0)", SUM, PRODUCT)
 _QUESTION = Pattern("{} ? {} : {}", EITHER, CHOICE)
 _ROWS = (
     # What a machine computes.
@@ -215,7 +217,7 @@ _ROWS = (
     Kind("square", NEAREST, None, lambda on, a: a * a,
          Support("functions", "square"), Pattern("{} ** 2", ATOM, POWER), f"{HELPER}square"),
     Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt",
-         octave="sqrt", javascript="Math.sqrt", structured_text="SQRT"),
+         octave=_REAL_ROOT, javascript="Math.sqrt", structured_text="SQRT"),
     Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs",
          python="abs", octave="abs", javascript="Math.abs", structured_text="ABS"),
     Kind("sign", EXACT, sp.sign, None, "_np.sign", octave="sign", javascript="Math.sign"),

@@ -85,12 +85,16 @@ def allocate_tolerances(
         Names the parameter; also where no tolerances, however narrow, are shown to keep the width.
 
     """
+    check_text("quantity", quantity)
     points = np.atleast_1d(check_array("inputs", inputs))
     require(check_real("width", width) > 0, "width", width, "must be positive")
     check_mapping("nominal", nominal, "must map names to numbers")
     steepest = _find_slopes(system, quantity, points, nominal)
-    chosen = [n for n, c in steepest.items() if c] if names is None else list(names)
-    unknown = sorted(set(map(str, chosen)) - {n for n, c in steepest.items() if c})
+    acting = [n for n, c in steepest.items() if c]
+    is_list = names is None or (isinstance(names, Iterable) and not isinstance(names, str))
+    require(is_list, "names", names, "must be a list of names", TypeError)
+    chosen = acting if names is None else list(names)
+    unknown = sorted(set(map(str, chosen)) - {*acting})
     require(chosen and not unknown, "names", unknown, f"must be some of {sorted(steepest)}, "
             "and the quantity depend on them at the inputs")  # fmt: skip
     shares = _weigh(chosen, steepest, costs)
