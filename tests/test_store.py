@@ -10,8 +10,8 @@ from import_graph import find_reached, read_graph
 
 from mechproof import cache, validation
 from mechproof.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
-from mechproof.proof import cache as verdicts
-from mechproof.roundoff import files as certificates
+from mechproof.proof import verdict_cache as verdicts
+from mechproof.roundoff import certificate_files as certificates
 
 
 @pytest.fixture

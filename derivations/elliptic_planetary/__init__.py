@@ -1,6 +1,6 @@
 """Paper 1: planetary mechanism with one internal cylindrical mesh and one elliptical pair."""
 
-from mechproof.record import Paper, PublishedSizes, Together
+from mechproof.record import OnePass, Paper, PublishedSizes
 
 from .aside import ASIDE
 from .consequences import CONSEQUENCES
@@ -34,7 +34,7 @@ PAPER = Paper(
     ),
     quantities=(*QUANTITIES, *PEAK_QUANTITIES, *DESIGN_QUANTITIES),
     derivatives=True,
-    together=(Together("motion", ("position", "ratio", "acceleration")),),
+    one_pass=(OnePass("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
         PublishedSizes(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
         for number, sizes in VARIANTS.items()

@@ -24,15 +24,15 @@ from mechproof.record import (
     Accuracy,
     Argument,
     Conjunction,
+    EmittedForm,
     Equality,
     Form,
     Holds,
+    Periodicity,
     Quantity,
-    Repeats,
     Scale,
     Singular,
     Statement,
-    Written,
 )
 
 from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
@@ -95,7 +95,7 @@ PLAIN_PRODUCT = e <= Rational(1, 2)
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
 
-def over_turns(code: Written) -> Statement:
+def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
     form = code.output(x)
     (count,) = form.atoms(floor)
@@ -124,10 +124,10 @@ STEP_OF_SERIES = (
 )
 
 
-def by_series(terms: int) -> Callable[[Written], Statement]:
+def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
     """Make the statement that a form is the series cut after so many terms."""
 
-    def states(code: Written) -> Statement:
+    def states(code: EmittedForm) -> Statement:
         form = code.output(x)
         return Conjunction(
             (
@@ -204,7 +204,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (8)",
         accuracy=Accuracy(10, RATIO_SCALE, LOW_WORD),
         singular=SINGULAR,
-        repeats=Repeats(2 * pi / k),
+        periodicity=Periodicity(2 * pi / k),
     ),
     Quantity(
         "position",
@@ -269,7 +269,7 @@ QUANTITIES = (
         accuracy=Accuracy(4, within=LOW_WORD),
         singular=SINGULAR,
         period=2 * pi,
-        repeats=Repeats(2 * pi / k, 2 * pi * (1 + k) / k),
+        periodicity=Periodicity(2 * pi / k, 2 * pi * (1 + k) / k),
     ),
     Quantity(
         "acceleration",
@@ -297,7 +297,7 @@ QUANTITIES = (
             (*LOW_WORD, SQUARE_OF_SPEED, Or(Eq(e, 0), Ge(e, Rational(1, 10**200)))),
         ),
         singular=SINGULAR,
-        repeats=Repeats(2 * pi / k),
+        periodicity=Periodicity(2 * pi / k),
     ),
     Quantity(
         "largest_ratio",

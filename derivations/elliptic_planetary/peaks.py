@@ -10,8 +10,8 @@ from mechproof.record import (
     SLOPES,
     Accuracy,
     Form,
+    Periodicity,
     Quantity,
-    Repeats,
     Scale,
     Singular,
 )
@@ -139,7 +139,7 @@ PEAK_QUANTITIES = (
         f"second derivative of {SOURCE}, equation (8)",
         accuracy=Accuracy(24, EITHER_TERM, (*LOW_WORD, *SIZES, *NO_UNDERFLOW)),
         singular=SINGULAR,
-        repeats=Repeats(2 * pi / k),
+        periodicity=Periodicity(2 * pi / k),
     ),
     of_sizes(
         "largest_acceleration",

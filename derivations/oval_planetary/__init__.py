@@ -1,6 +1,6 @@
 """Paper 2: planetary mechanism with two external pairs of oval wheels."""
 
-from mechproof.record import Paper, PublishedSizes, Together
+from mechproof.record import OnePass, Paper, PublishedSizes
 
 from .aside import ASIDE
 from .conclusions import CONCLUSION_ROWS
@@ -37,9 +37,9 @@ PAPER = Paper(
     ),
     quantities=(*QUANTITIES, *JERK_QUANTITIES),
     derivatives=True,
-    together=(
-        Together("motion", ("position", "ratio", "acceleration")),
-        Together(
+    one_pass=(
+        OnePass("motion", ("position", "ratio", "acceleration")),
+        OnePass(
             "motion_cylindrical",
             ("position_cylindrical", "ratio_cylindrical", "acceleration_cylindrical"),
         ),

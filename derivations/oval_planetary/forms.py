@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Accuracy, Equality, Part, Scale, Statement, Written
+from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement
 
 from .._relations import all_of
 from .equations import print_radius
@@ -84,7 +84,7 @@ BY_TANGENT = {
 TANGENT = tuple(Equality(f, by.subs(tangent, t)) for f, by in BY_TANGENT.items())
 
 
-def of_parts(code: Written, *unused: sp.Symbol) -> tuple[Equality, ...]:
+def of_parts(code: EmittedForm, *unused: sp.Symbol) -> tuple[Equality, ...]:
     """State what the emitted steps are, 1 - e2 times: the coefficients of the map."""
     step = {part: code.step(part) for part in PARTS if part not in unused}
     sums = {
@@ -96,44 +96,44 @@ def of_parts(code: Written, *unused: sp.Symbol) -> tuple[Equality, ...]:
     return tuple(Equality((1 - e2) * total, coefficient) for coefficient, total in sums.items())
 
 
-def ratio_by_parts(code: Written) -> Statement:
+def ratio_by_parts(code: EmittedForm) -> Statement:
     """State the ratio of the parts, and the parts."""
     form = code.output(*PARTS).xreplace(PARTS)
     return all_of(Equality(form, RATIO.xreplace(SCALED_MAP)), *of_parts(code, swing))
 
 
-def acceleration_by_parts(code: Written) -> Statement:
+def acceleration_by_parts(code: EmittedForm) -> Statement:
     """State the acceleration of the parts, and the parts."""
     form = code.output(*PARTS).xreplace(PARTS)
     return all_of(Equality(form, ACCELERATION.xreplace(SCALED_MAP)), *of_parts(code))
 
 
-def position_by_parts(code: Written) -> Statement:
+def position_by_parts(code: EmittedForm) -> Statement:
     """State the position of the parts, by the tangent, and the parts."""
     form = code.output(*PARTS).xreplace({**PARTS, t: tangent})
     position = POSITION.xreplace(SCALED_MAP).xreplace(BY_TANGENT)
     return all_of(Equality(form, position), *TANGENT, *of_parts(code))
 
 
-def of_double(code: Written) -> tuple[Equality, ...]:
+def of_double(code: EmittedForm) -> tuple[Equality, ...]:
     """State what the emitted steps are: the coefficients of the map."""
     pairs = zip(DOUBLE, (alpha, beta, gamma), strict=True)
     return tuple(Equality(code.step(step), coefficient) for step, coefficient in pairs)
 
 
-def ratio_by_map(code: Written) -> Statement:
+def ratio_by_map(code: EmittedForm) -> Statement:
     """State the ratio of any map, and the coefficients."""
     form = code.output(*DOUBLE).xreplace(DOUBLE)
     return all_of(Equality(form, RATIO.xreplace(ANY_MAP)), *of_double(code))
 
 
-def acceleration_by_map(code: Written) -> Statement:
+def acceleration_by_map(code: EmittedForm) -> Statement:
     """State the acceleration of any map, and the coefficients."""
     form = code.output(*DOUBLE).xreplace(DOUBLE)
     return all_of(Equality(form, ACCELERATION.xreplace(ANY_MAP)), *of_double(code))
 
 
-def position_by_map(code: Written) -> Statement:
+def position_by_map(code: EmittedForm) -> Statement:
     """State the position of any map, by the tangent, and the coefficients."""
     form = code.output(*DOUBLE).xreplace({**DOUBLE, t: tangent})
     position = POSITION.xreplace(ANY_MAP).xreplace(BY_TANGENT)
@@ -147,7 +147,7 @@ WHEEL_6 = (
 )
 
 
-def through_pairs(code: Written) -> Statement:
+def through_pairs(code: EmittedForm) -> Statement:
     """State that each pair integrates its ratio, and the double angle of wheel 6."""
     form = code.output(phi6_closed).xreplace({phi6_closed: phi6})
     of_first = pair_ratio(e1, COS_4).subs(phi1, tau)
@@ -159,7 +159,7 @@ def through_pairs(code: Written) -> Statement:
     )
 
 
-def over_branches(code: Written) -> Statement:
+def over_branches(code: EmittedForm) -> Statement:
     """State each pair at its angle + pi*m, |angle| < pi/2, where its floor is m."""
     form = code.output(phi6_counted, mount_counted).xreplace({phi6_counted: phi6})
     of_second = phi1 - driven_angle(e2, phi6 + mount) + mount_counted
@@ -177,7 +177,7 @@ def on_branch(form: sp.Expr, whole: sp.Expr, angle: sp.Symbol, value: sp.Expr) -
     return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
 
 
-def as_printed(code: Written) -> Statement:
+def as_printed(code: EmittedForm) -> Statement:
     """State the speed of wheel 3 through both pairs at any angle of wheel 6, and that angle."""
     form = code.output(phi6_closed).xreplace({phi6_closed: phi6})
     second = pair_ratio(e2, sp.cos(2 * (phi6 + mount)))

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Accuracy, Equality, Form, Quantity, Repeats, Scale, Statement, Written
+from mechproof.record import (
+    Accuracy,
+    EmittedForm,
+    Equality,
+    Form,
+    Periodicity,
+    Quantity,
+    Scale,
+    Statement,
+)
 
 from .._relations import all_of
 from .forms import (
@@ -64,13 +73,13 @@ BEND = (
 FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
 
 
-def by_parts(code: Written) -> Statement:
+def by_parts(code: EmittedForm) -> Statement:
     """State the jerk of the parts, and the parts."""
     form = code.output(*PARTS).xreplace(PARTS)
     return all_of(Equality(form, JERK.xreplace(SCALED_MAP)), *of_parts(code))
 
 
-def by_map(code: Written) -> Statement:
+def by_map(code: EmittedForm) -> Statement:
     """State the jerk of any map, and the coefficients."""
     form = code.output(*DOUBLE).xreplace(DOUBLE)
     return all_of(Equality(form, JERK.xreplace(ANY_MAP)), *of_double(code))
@@ -132,7 +141,7 @@ JERK_QUANTITIES = (
         f"{SOURCE}, second derivative of (10)",
         accuracy=Accuracy(30, TERMS, NO_UNDERFLOW),
         singular=SINGULAR_OVALS,
-        repeats=Repeats(sp.pi),
+        periodicity=Periodicity(sp.pi),
     ),
     Quantity(
         "jerk_cylindrical",
@@ -159,6 +168,6 @@ JERK_QUANTITIES = (
             (*LOW_WORD, *CUBE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, NO_UNDERFLOW_OF_CUBES),
         ),
         singular=SINGULAR_CYLINDERS,
-        repeats=Repeats(sp.pi / k),
+        periodicity=Periodicity(sp.pi / k),
     ),
 )

@@ -7,14 +7,14 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
+    EmittedForm,
     Equality,
     Form,
     Part,
+    Periodicity,
     Quantity,
-    Repeats,
     Singular,
     Statement,
-    Written,
 )
 
 from .._relations import all_of
@@ -76,7 +76,7 @@ from .mechanics import (
 BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
 
 
-def over_turns(code: Written) -> Statement:
+def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
     form = code.output(x)
     (count,) = form.atoms(sp.floor)
@@ -182,7 +182,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10)",
         accuracy=ACCURACY["ratio"],
         singular=SINGULAR_OVALS,
-        repeats=Repeats(sp.pi),
+        periodicity=Periodicity(sp.pi),
     ),
     Quantity(
         "position",
@@ -225,7 +225,7 @@ QUANTITIES = (
         accuracy=ACCURACY["position"],
         singular=SINGULAR_OVALS,
         period=sp.pi,
-        repeats=Repeats(sp.pi),
+        periodicity=Periodicity(sp.pi),
     ),
     Quantity(
         "acceleration",
@@ -249,7 +249,7 @@ QUANTITIES = (
         f"{SOURCE}, derivative of (10)",
         accuracy=ACCURACY["acceleration"],
         singular=SINGULAR_OVALS,
-        repeats=Repeats(sp.pi),
+        periodicity=Periodicity(sp.pi),
     ),
     Quantity(
         "ratio_cylindrical",
@@ -274,7 +274,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
         accuracy=ACCURACY["ratio_cylindrical"],
         singular=SINGULAR_CYLINDERS,
-        repeats=Repeats(sp.pi / k),
+        periodicity=Periodicity(sp.pi / k),
     ),
     Quantity(
         "position_cylindrical",
@@ -314,7 +314,7 @@ QUANTITIES = (
         accuracy=ACCURACY["position_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         period=sp.pi,
-        repeats=Repeats(sp.pi / k, sp.pi * (1 - k) / k),
+        periodicity=Periodicity(sp.pi / k, sp.pi * (1 - k) / k),
     ),
     Quantity(
         "acceleration_cylindrical",
@@ -332,6 +332,6 @@ QUANTITIES = (
         f"{SOURCE}, derivative of (10), pair 4-5 cylindrical",
         accuracy=ACCURACY["acceleration_cylindrical"],
         singular=SINGULAR_CYLINDERS,
-        repeats=Repeats(sp.pi / k),
+        periodicity=Periodicity(sp.pi / k),
     ),
 )

@@ -23,7 +23,7 @@ from sympy import (
     tan,
 )
 
-from mechproof.record import Accuracy, Equality, Holds, Part, Scale, Statement, Written
+from mechproof.record import Accuracy, EmittedForm, Equality, Holds, Part, Scale, Statement
 
 from .._relations import all_of
 from .mechanics import (
@@ -100,10 +100,10 @@ THICKNESS_CURVATURE = -2 * r_b * (sin(alpha + tilt) + (t_c + tilt) * cos(alpha +
 TAYLOR = "Taylor's remainder with |sin|, |cos| <= 1"
 
 
-def first_order(change: Expr, curvature: Expr) -> Callable[[Written], Statement]:
+def first_order(change: Expr, curvature: Expr) -> Callable[[EmittedForm], Statement]:
     """Make the statement that a form is the tangent at tilt 0, with the curvature it leaves out."""
 
-    def states(code: Written) -> Statement:
+    def states(code: EmittedForm) -> Statement:
         slope = diff(change, tilt)
         return all_of(
             Equality(change.subs(tilt, 0), S.Zero),
@@ -120,7 +120,7 @@ def first_order(change: Expr, curvature: Expr) -> Callable[[Written], Statement]
 MODEL_BOUND = m * tilt**2 * (pi / 4 + z / 2 + z * Abs(tilt) / 3)
 
 
-def by_height(code: Written) -> Statement:
+def by_height(code: EmittedForm) -> Statement:
     """State how much of the thickness the product with the height leaves out."""
     missing = thickness_change - code.output()
     return all_of(
@@ -135,7 +135,7 @@ TWENTY_DEGREES = Part(
 )
 
 
-def within_a_hundredth(code: Written) -> Statement:
+def within_a_hundredth(code: EmittedForm) -> Statement:
     """State that a form is off by a hundredth of the height at most: on a line through 0, of 1."""
     off = (code.output() - 2 * dh * tan(alpha)).subs(alpha, atan(incline))
     return all_of(

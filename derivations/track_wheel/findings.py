@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Check, Cost, Finding, Follower, Weight
+from mechproof.record import Check, Cost, Finding, FollowingRow, Weight
 
 from .consequences import FARTHEST, HALF, LARGEST_HEIGHT_ERROR, UNIFORM, gain
 from .mechanics import product_of
@@ -119,7 +119,7 @@ FINDINGS = (
             for kind, right in (("random", RIGHT_TOTAL), ("systematic", SYSTEMATIC_TOTAL))
             for unit, length in (("mm", sp.Integer(1)), ("µm", sp.Rational(1, 1000)))
         ),
-        follows=(Follower("(7)", renamed=RENAMED),),
+        follows=(FollowingRow("(7)", renamed=RENAMED),),
         weight=Weight.NUMBER,
         check=Check(
             "all K = 1, in mm: Δ² = 0.005061 + 0.15Δ gives {0}; in µm: Δ² = 5061 + 0.15Δ gives "

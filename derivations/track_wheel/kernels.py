@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
+    EmittedForm,
     Equality,
     Form,
     Part,
@@ -14,7 +15,6 @@ from mechproof.record import (
     Scale,
     Singular,
     Statement,
-    Written,
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
@@ -117,7 +117,7 @@ SOLVABLE = Part(
 )
 
 
-def compare_squares(code: Written) -> Statement:
+def compare_squares(code: EmittedForm) -> Statement:
     """State that a form is the double sum, by their squares; neither root is negative."""
     return Equality(code.output() ** 2, CORRELATED**2)
 

@@ -11,13 +11,13 @@ from mechproof.record import (
     Argument,
     Chart,
     Conjunction,
+    EmittedForm,
     Equality,
     Form,
     Quantity,
     Scale,
     Singular,
     Statement,
-    Written,
 )
 
 from .mechanics import (
@@ -87,7 +87,7 @@ def second_derivative() -> sp.Matrix:
     return squares + 2 * (c * v * b * u * a + w * c * b * u * a + w * c * v * b * a)
 
 
-def by_taylor(code: Written) -> Statement:
+def by_taylor(code: EmittedForm) -> Statement:
     """State that a form is the first-order model, and all that bounds what it leaves out."""
     whole = slow_down(DISPLACEMENT)
     slope = whole.diff(parameter).subs(parameter, 0)

@@ -12,12 +12,12 @@ from sympy import cos, sin
 from mechproof.record import (
     LENGTH,
     Conjunction,
+    EmittedForm,
     Equality,
     Holds,
     Part,
     Statement,
     Variable,
-    Written,
 )
 
 from .chain import (
@@ -102,7 +102,7 @@ NOT_UPRIGHT = Part(
 # Stages ----------------------------------------------------------------------------------------
 
 
-def same_lever(code: Written) -> Statement:
+def same_lever(code: EmittedForm) -> Statement:
     """State that the form is the direction of the solved projections."""
     return Equality(code.output(), lever_angle)
 
@@ -115,7 +115,7 @@ def push_by(pushed: sp.Basic) -> tuple[Equality, Equality]:
     )
 
 
-def by_pushing(code: Written) -> Statement:
+def by_pushing(code: EmittedForm) -> Statement:
     """State a form of the clearance."""
     return Conjunction(push_by(code.output()))
 
@@ -162,10 +162,10 @@ def as_meant(angle: sp.Basic) -> tuple[Statement, ...]:
 InR = Callable[[sp.Basic], tuple[Statement, ...]]
 
 
-def from_projection(direction: InR) -> Callable[[Written], Statement]:
+def from_projection(direction: InR) -> Callable[[EmittedForm], Statement]:
     """Make the statement of a form of the roller lever's angle, written in R."""
 
-    def states(code: Written) -> Statement:
+    def states(code: EmittedForm) -> Statement:
         return Conjunction(direction(code.output().subs(x5, l_KL * cos(alpha_KL) - R)))
 
     return states
@@ -174,10 +174,12 @@ def from_projection(direction: InR) -> Callable[[Written], Statement]:
 # The chain -------------------------------------------------------------------------------------
 
 
-def by_stages(chain: Chain, direction: InR, definition: sp.Basic) -> Callable[[Written], Statement]:
+def by_stages(
+    chain: Chain, direction: InR, definition: sp.Basic
+) -> Callable[[EmittedForm], Statement]:
     """Make the statement of a chain, stage by stage; slopes of the stages are in contact."""
 
-    def states(code: Written) -> Statement:
+    def states(code: EmittedForm) -> Statement:
         def stage(step: sp.Symbol, before: sp.Symbol, called: sp.Symbol) -> sp.Expr:
             return code.step(step, before).subs(before, called)
 
@@ -209,7 +211,7 @@ def of_rod(expression: sp.Basic) -> sp.Basic:
     return expression.xreplace(LINKS | {extended: reach}).xreplace({LINKS[extended]: reach})
 
 
-def up_to_push(code: Written) -> tuple[Statement, ...]:
+def up_to_push(code: EmittedForm) -> tuple[Statement, ...]:
     """State what the kernels of the chain compute up to the link 5'."""
     travel = code.step(run, guide_length).subs(guide_length, reach)
     return (
@@ -225,20 +227,20 @@ def of_link(definition: sp.Basic) -> sp.Basic:
     return of_rod(definition.xreplace(by_displacement))
 
 
-def position_in_contact(code: Written) -> Statement:
+def position_in_contact(code: EmittedForm) -> Statement:
     """State the position; no push, no displacement."""
     return Conjunction(
         (*up_to_push(code), Equality(code.output(push).subs(push, x5), of_link(POSITION)))
     )
 
 
-def slopes_in_contact(definition: sp.Basic) -> Callable[[Written], Statement]:
+def slopes_in_contact(definition: sp.Basic) -> Callable[[EmittedForm], Statement]:
     """Make the statement of derivatives: those in contact from its start on, zero before.
 
     The slope of y9 by x5' is proved apart and stands as a symbol in all that have it as a factor.
     """
 
-    def states(code: Written) -> Statement:
+    def states(code: EmittedForm) -> Statement:
         before = code.output(run).subs(run, l_GH - lack)
         slope = code.step(gain, run, push).subs(run, l_GH + excess).subs(push, x5)
         form = code.output(push, gain, guide_length, cos_lever).subs(

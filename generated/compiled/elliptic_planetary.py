@@ -640,7 +640,7 @@ def _value_of_eccentricity_of_largest_ratio(largest, R1, R2):
         & (R2 < R1)
         & (largest > 1)
         & _is_finite(largest)
-        & (R1 <= R2 * (largest - 1))
+        & (R2 * (largest - 1) >= R1)
     ):
         return _math.nan
     k = R1 / R2

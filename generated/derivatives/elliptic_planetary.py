@@ -941,7 +941,7 @@ def _check_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any) -> t
         R2 < R1,
         largest > 1.0,
         _is_finite(largest),
-        R1 <= R2 * (largest - 1.0),
+        R2 * (largest - 1.0) >= R1,
     )
 
 

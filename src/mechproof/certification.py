@@ -9,7 +9,7 @@ from mechproof.derivation import load_paper
 from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate
-from mechproof.roundoff.files import certify_paper
+from mechproof.roundoff.certificate_files import certify_paper
 
 # Seconds for a paper: a search for bounds that nobody knows yet may take an hour.
 LIMIT = 6 * 3600.0

@@ -31,7 +31,7 @@ from mechproof.measured import FOLDER, find_known, read_records, write_record
 from mechproof.processes import start_executor
 from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
 from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.files import write_certificates
+from mechproof.roundoff.certificate_files import write_certificates
 from mechproof.validation import ValidationError, validate_derivations
 from mechproof.verification import (
     LIMIT,

@@ -17,11 +17,11 @@ from mechproof.document import checking, judging
 from mechproof.document.sources import BESIDE, SUFFIXES
 from mechproof.ledger_cache import LedgerCache
 from mechproof.processes import START, WorkerError, run_batches
-from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.proof.ledger import JudgedPaper, Ledger, Origin
 from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.proof.verdict_cache import VerdictCache, row_keys
 from mechproof.reads import digest_files, note_reads
 from mechproof.record import Paper, Row
 

@@ -33,8 +33,8 @@ from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.points import choose_evenly, join
-from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
+from mechproof.lab.worst_search import draw_sets, find_worst, scaled_errors
 from mechproof.programs.kernel import Kernel
 from mechproof.roundoff.singles import Singles
 

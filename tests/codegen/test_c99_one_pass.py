@@ -26,7 +26,7 @@ from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.one_pass import join_kernels
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import NOTHING, Operation, Program
-from mechproof.record import Together
+from mechproof.record import OnePass
 
 pytestmark = needs_compiler
 # On both sides of where another form is taken, beyond the domain, and a size that is NaN.
@@ -59,7 +59,7 @@ def test_one_pass_has_the_bits_of_each_function_and_of_numba(
     name: str, single: bool, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
     system, _, of = name.partition(".")
-    (together,) = (t for t in paper_of(system).together if t.name == of)
+    (together,) = (t for t in paper_of(system).one_pass if t.name == of)
     library = libraries(system, single)
     compiled = import_module(f"mechproof.kernels.compiled.{system}")
     prefix = f"{system}_single" if single else system
@@ -110,7 +110,7 @@ def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None
         NotImplementedError, match=r"both: \['ratio'\] have another domain than 'pos"
     ):
         join_kernels("both", [position, everywhere])
-    together = [Together("both", names)]
+    together = [OnePass("both", names)]
     files = render_c_kernels("pair", [position, everywhere], ("", "", "pair"), {}, together)
     library = compile_files(tmp_path, files, STRICT)
     points = np.array([-4.0, 0.0, 0.3, 1e9, np.nan])

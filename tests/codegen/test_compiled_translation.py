@@ -36,10 +36,10 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
 
     (source,) = render_compiled(PAPER).values()
     kernels = list_scalars(PAPER)
-    check_translation(source, kernels, PAPER.together)
+    check_translation(source, kernels, PAPER.one_pass)
     assert right in source
     with pytest.raises(TranslationError, match="not as meant"):
-        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
+        check_translation(source.replace(right, wrong, 1), kernels, PAPER.one_pass)
 
 
 @pytest.mark.parametrize(
@@ -115,11 +115,11 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
 
     (source,) = render_compiled(PAPER).values()
     kernels = list_scalars(PAPER)
-    check_translation(source, kernels, PAPER.together)
+    check_translation(source, kernels, PAPER.one_pass)
     assert right in source
     told = r"(the module|_(sum|every)_\d+_term|(sums|fill|point)_of_error_sum\w*) is not as"
     with pytest.raises(TranslationError, match=told):
-        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
+        check_translation(source.replace(right, wrong, 1), kernels, PAPER.one_pass)
 
 
 def test_any_sum_is_compiled(tmp_path: Path) -> None:

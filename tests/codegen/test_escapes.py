@@ -24,12 +24,12 @@ from mechproof.record import (
     Claim,
     Equality,
     Form,
+    OnePass,
     Paper,
     Part,
     PublishedSizes,
     Quantity,
     Singular,
-    Together,
     Variable,
 )
 
@@ -74,7 +74,7 @@ def hostile_paper(text: str) -> Paper:
         conventions=text,
         rows=(row,),
         quantities=(hostile, replace(other, arguments=hostile.arguments)),
-        together=(Together("both", ("f", "g")),),
+        one_pass=(OnePass("both", ("f", "g")),),
         published=(PublishedSizes(text, {a: sp.Integer(2)}, (text,)),),
     )
 
@@ -165,7 +165,7 @@ def test_a_name_names_code_and_a_file(name: Any) -> None:
     form = Form("direct", x)
     for what, make in (
         ("quantity: name", lambda: Quantity(name, "", (), x, (form,), "")),
-        ("together: name", lambda: Together(name, ("f", "g"))),
+        ("together: name", lambda: OnePass(name, ("f", "g"))),
         ("paper: system", lambda: Paper(name, "", (), ())),
     ):
         with pytest.raises(ValueError, match=f"{what} = .* it names code and files"):

@@ -29,7 +29,7 @@ from mechproof.codegen.languages import SCRIPTS
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.sampling.points import choose_evenly, join
-from mechproof.lab.search import compare, draw_sets
+from mechproof.lab.worst_search import compare, draw_sets
 from mechproof.record.substitution import resolve
 
 SYSTEMS = sorted({name.partition(".")[0] for name in KERNELS})

@@ -85,10 +85,10 @@ def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
 ) -> None:
     paper = declared_paper_of("elliptic_planetary")
     source, kernels = compiled_source(), list_scalars(paper)
-    check_translation(source, kernels, paper.together)
+    check_translation(source, kernels, paper.one_pass)
     assert right in source
     with pytest.raises(SourceError, match=told):
-        check_translation(source.replace(right, wrong, 1), kernels, paper.together)
+        check_translation(source.replace(right, wrong, 1), kernels, paper.one_pass)
 
 
 @pytest.mark.parametrize("name", ["short_term", "row_of_x", "sum_1", "value"])

@@ -89,7 +89,7 @@ def test_what_is_no_name_of_the_paper_has_an_underscore(system: str) -> None:
     folded, loops = fold_sums(scalars)
     own |= {n for loop in loops for n in (loop.name, *loop.term.inputs)}
     own |= {n for kernel in folded for n in kernel.code.names}
-    own |= {several.name for several in paper.together}
+    own |= {several.name for several in paper.one_pass}
     stages = [stage for kernel in scalars for _, stage in list_stages(kernel)]
     own |= {name for stage in stages for p in stage.programs for name in p.inputs}
     annotations = {"tuple", "list", "str", "None"}

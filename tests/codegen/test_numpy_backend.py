@@ -93,7 +93,7 @@ def test_a_changed_coefficient_changes_the_kernel(tmp_path: Path) -> None:
         )
         changed = dataclasses.replace(ratio, forms=(form,))
         module = load_paper(
-            dataclasses.replace(paper, quantities=(changed,), together=()), tmp_path
+            dataclasses.replace(paper, quantities=(changed,), one_pass=()), tmp_path
         )
         return float(module.ratio(*arguments))
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_known
-from mechproof.coq.folder import CERTIFIABLE, Certificate, digest_prelude
+from mechproof.coq.folder import CERTIFIABLE, RowScript, digest_prelude
 
 GENERATED = Path(__file__).parents[2] / "generated"
 RECORDED = json.loads((GENERATED / RECORD).read_text(encoding="utf-8"))
@@ -45,7 +45,7 @@ def test_of_a_record_for_another_prelude_nothing_is_known(tmp_path: Path) -> Non
 
 def test_a_script_that_is_refused_or_differs_is_lost() -> None:
     certificates = [
-        Certificate(f"mine/{name}", "PROVED", "identical", "ours", f"{name}.v", text)
+        RowScript(f"mine/{name}", "PROVED", "identical", "ours", f"{name}.v", text)
         for name, text in (("same", "a"), ("changed", "b"), ("refused", "c"), ("new", "d"))
     ]
     known = {c.id: c.digest for c in certificates[:3]} | {"mine/changed": "other"}

@@ -12,8 +12,8 @@ from weights import make_thorough
 
 from mechproof.chosen import rewrite_definition
 from mechproof.improvement.candidates import Candidate, draw, measure_loss
+from mechproof.improvement.form_search import search
 from mechproof.improvement.offers import prove
-from mechproof.improvement.search import search
 from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import find_subjects
 

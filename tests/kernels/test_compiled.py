@@ -23,8 +23,8 @@ from mechproof.kernels.compiled import (
     oval_planetary,
     track_wheel,
 )
-from mechproof.lab.search import find_worst
 from mechproof.lab.subject import Subject
+from mechproof.lab.worst_search import find_worst
 
 FIELDS = ("names", "at", "rows", "widths", "shape")
 EPS = float(np.finfo(float).eps)

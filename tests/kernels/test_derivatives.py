@@ -27,8 +27,8 @@ from mechproof.kernels import elliptic_planetary as kernels, wedge_linkage
 from mechproof.kernels.derivatives import wedge_linkage as of_wedge
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import count_points, find_truth, list_values
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, PointSet, choose_evenly, draw_points
-from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments
 from mechproof.programs import derivatives
@@ -160,7 +160,7 @@ def test_every_derivative_that_is_shipped_is_proved() -> None:
 def test_a_wrong_derivative_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = elliptic_planetary.PAPER
     one = next(q for q in whole.quantities if q.name == "largest_ratio")
-    paper = replace(whole, quantities=(one,), together=())
+    paper = replace(whole, quantities=(one,), one_pass=())
     right = derivatives._go_back
 
     def double(*given: Any) -> sp.Basic:

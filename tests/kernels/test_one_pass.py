@@ -16,7 +16,7 @@ from weights import first_of
 from mechproof.codegen.backends.numba import render_compiled
 from mechproof.compiled_support import loops
 from mechproof.kernels.compiled import elliptic_planetary
-from mechproof.record import Together
+from mechproof.record import OnePass
 
 OF_SYSTEM = {
     "elliptic_planetary": [(66.0, 16.0, 0.475), (66.0, 16.0, np.array([[0.1], [0.9]])), (1, 2, 3)],
@@ -27,7 +27,7 @@ CYLINDRICAL = [(20.0, 40.0, 0.2), (20.0, 40.0, np.array([[0.1], [0.9]])), (20.0,
 
 def test_all_that_is_computed_in_one_pass_is_tested_here() -> None:
     found = {
-        f"{system}.{t.name}": t.quantities for system in SYSTEMS for t in paper_of(system).together
+        f"{system}.{t.name}": t.quantities for system in SYSTEMS for t in paper_of(system).one_pass
     }
     assert found == TOGETHER
 
@@ -84,6 +84,6 @@ def test_what_has_no_pass_in_common_is_refused(
     system: str, names: tuple[str, ...], message: str
 ) -> None:
     with pytest.raises((ValueError, NotImplementedError), match=message):
-        render_compiled(replace(paper_of(system), together=(Together("all", names),)))
+        render_compiled(replace(paper_of(system), one_pass=(OnePass("all", names),)))
     with pytest.raises(ValueError, match=r"quantities given twice: \['rotation'\]"):
-        replace(paper_of("track_wheel"), together=(Together("rotation", ("rotation",)),))
+        replace(paper_of("track_wheel"), one_pass=(OnePass("rotation", ("rotation",)),))

@@ -18,7 +18,7 @@ from weights import first_of, make_thorough
 from mechproof.kernel_support import arrays
 from mechproof.kernels import elliptic_planetary, track_wheel
 from mechproof.kernels.forms.elliptic_planetary import position_principal
-from mechproof.lab.sampling.sets import list_workloads
+from mechproof.lab.sampling.point_sets import list_workloads
 from mechproof.lab.subject import Subject
 
 OF_ANGLES = ("ratio", "position", "acceleration")

@@ -15,7 +15,7 @@ import pytest
 import sympy as sp
 from quantities import KERNELS, find_subject
 
-from mechproof.lab.sampling.sets import list_workloads
+from mechproof.lab.sampling.point_sets import list_workloads
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
 

@@ -15,9 +15,9 @@ import sympy as sp
 from compiled import grouped
 from quantities import BOUNDED, GENERATED, KERNELS, find_subject
 
-from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Array, Compute
+from mechproof.lab.worst_search import find_worst, scaled_errors
 from mechproof.measured import read_record
 
 # The worst inputs that searches met: arguments as numbers that read back to the same doubles.

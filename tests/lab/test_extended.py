@@ -7,17 +7,17 @@ import pytest
 from quantities import KERNELS, find_subject
 from weights import first_of
 
-from mechproof.lab import extended, search
-from mechproof.lab.extended import extend
+from mechproof.lab import extended_oracle, worst_search
+from mechproof.lab.extended_oracle import extend
 from mechproof.lab.oracle import Truth
 from mechproof.lab.sampling.points import choose_evenly
-from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
+from mechproof.lab.worst_search import find_worst, scaled_errors
 
 SEED, SHARE, POINTS = 4711, 0.1, 3
 pytestmark = pytest.mark.skipif(
-    not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
+    not extended_oracle.IS_LONGER, reason="long doubles have the digits of doubles here"
 )
 # What is relative to a scale that cancels where an arm has hardly turned.
 HARDLY_TURNED = {
@@ -28,7 +28,7 @@ HARDLY_TURNED = {
 
 
 def draw(subject: Subject) -> list[Arguments]:
-    drawn = [*search.draw_sets(subject, SEED, SHARE)][::4]
+    drawn = [*worst_search.draw_sets(subject, SEED, SHARE)][::4]
     return [tuple(c[choose_evenly(len(c), POINTS)] for c in points) for points in drawn]
 
 
@@ -36,7 +36,7 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
     oracle = extend(subject)
     assert oracle is not None
     truth = oracle.find_truth(points)
-    return truth, search.compare(subject.kernel, points, truth)
+    return truth, worst_search.compare(subject.kernel, points, truth)
 
 
 @pytest.mark.parametrize("name", first_of(sorted({*KERNELS} - HARDLY_TURNED)))
@@ -55,14 +55,14 @@ def test_long_doubles_tell_what_balls_tell(name: str) -> None:
 def test_a_search_led_by_long_doubles_finds_more(monkeypatch: pytest.MonkeyPatch) -> None:
     subject = find_subject("elliptic_planetary.acceleration")
     more = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
-    monkeypatch.setattr(search, "extend", lambda subject: None)
+    monkeypatch.setattr(worst_search, "extend", lambda subject: None)
     less = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
     assert more.tried > 50 * less.tried
     assert more.scaled > 1.2 * less.scaled
 
 
 def test_without_long_doubles_balls_are_all_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extended, "IS_LONGER", False)
+    monkeypatch.setattr(extended_oracle, "IS_LONGER", False)
     assert extend(find_subject("track_wheel.radius")) is None
 
 
@@ -79,5 +79,5 @@ def test_results_that_are_lost_inside_the_domain_are_seen() -> None:
     oracle = extend(subject)
     assert oracle is not None
     truth = oracle.find_truth(points)
-    lost = search.compare(lambda phi, *rest: phi * np.nan, points, truth)
+    lost = worst_search.compare(lambda phi, *rest: phi * np.nan, points, truth)
     assert (lost[truth.decided] == np.inf).all()

@@ -16,14 +16,14 @@ from mechproof.cli import app
 from mechproof.lab.accuracy import keep_worst
 from mechproof.lab.certificate_claims import list_claims
 from mechproof.lab.chart import draw_charts
+from mechproof.lab.computer import describe_machine
 from mechproof.lab.jumps import draw_jumps
-from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
-from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways
+from mechproof.lab.worst_search import scaled_errors
 from mechproof.measured import COPY, Record, find_known, read_record, read_records, write_record
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 

@@ -17,10 +17,10 @@ from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.sampling.draws import draw_mixed
 from mechproof.lab.sampling.points import REPORT, TUNE, draw_points
-from mechproof.lab.sampling.roots import Place, find_roots
 from mechproof.lab.sampling.singular_points import list_point_sets
-from mechproof.lab.sampling.sizes import draw_cell, make_workload
 from mechproof.lab.sampling.stated_sizes import Facts
+from mechproof.lab.sampling.usual_sizes import draw_cell, make_workload
+from mechproof.lab.sampling.zero_sets import ZeroSet, find_roots
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
@@ -48,12 +48,12 @@ FACTS = Facts(ARGUMENTS, DOMAIN, (PEAK, FLAT), (PUBLISHED,))
 SETS = {point_set.name: point_set for point_set in list_point_sets(FACTS)}
 
 
-def place_of(equation: sp.Equality) -> Place:
+def place_of(equation: sp.Equality) -> ZeroSet:
     gap = DOMAIN.resolve(equation)
-    return Place(gap.lhs - gap.rhs, "")
+    return ZeroSet(gap.lhs - gap.rhs, "")
 
 
-def roots_by_mpmath(place: Place, symbol: sp.Symbol, values: dict[sp.Symbol, Array], at: Array):
+def roots_by_mpmath(place: ZeroSet, symbol: sp.Symbol, values: dict[sp.Symbol, Array], at: Array):
     """Polish every root in 60 digits by the secant method."""
     names = [s for s in values if s != symbol]
     function = sp.lambdify([symbol, *names], place.gap, "mpmath")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from ways import bound_of, find_subject
 
-from mechproof.lab.search import find_worst
+from mechproof.lab.worst_search import find_worst
 
 FRESH = 4711
 

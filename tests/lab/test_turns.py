@@ -7,7 +7,7 @@ import pytest
 from ways import draw_set, find_subject, find_way, truth_of
 
 from mechproof.lab.error import find_errors
-from mechproof.lab.sampling.sets import list_sets
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.ways import Array
 
 ROTATION, DISPLACEMENT = "track_wheel.rotation", "track_wheel.displacement"

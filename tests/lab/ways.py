@@ -10,8 +10,8 @@ from quantities import find_subject
 
 from mechproof.lab.error import Errors, Summary, find_errors, summarise
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, draw_points
-from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.ways import Arguments, Way
 
 EPS = float(np.finfo(float).eps)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechproof.proof.anchors import find_equation, find_only_equation, name_anchors, slugify
 from mechproof.proof.verdict import Verdict
-from mechproof.report.words import LOOKS, set_numbers, set_prose, set_value
+from mechproof.report.phrases import LOOKS, set_numbers, set_prose, set_value
 
 
 def test_rows_are_named_by_their_numbers() -> None:

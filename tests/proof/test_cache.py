@@ -13,9 +13,9 @@ from weights import first_of
 
 from mechproof import verification
 from mechproof.cache import VARIABLE
-from mechproof.proof import cache
-from mechproof.proof.cache import VerdictCache
+from mechproof.proof import verdict_cache
 from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict_cache import VerdictCache
 from mechproof.verification import judge_derivations
 
 HEAD = """
@@ -127,8 +127,8 @@ def test_another_rung_judges_anew(
 ) -> None:
     """The prover is copied, one rung of the copy edited, and its sources are those that count."""
     copies = folder / "proof"
-    shutil.copytree(Path(cache.__file__).parent, copies)
-    monkeypatch.setattr(cache, "prover_sources", lambda: sorted(copies.glob("*.py")))
+    shutil.copytree(Path(verdict_cache.__file__).parent, copies)
+    monkeypatch.setattr(verdict_cache, "prover_sources", lambda: sorted(copies.glob("*.py")))
     judged(*ROWS)
     assert judged(*ROWS) == []
     rung = copies / "algebra.py"
@@ -143,7 +143,7 @@ def test_the_verdict_of_another_prover_replaces_the_old_one(
     judged(*ROWS)
     source = folder / "rung.py"
     source.write_text("# a rung that proves everything\n")
-    monkeypatch.setattr(cache, "prover_sources", lambda: [source])
+    monkeypatch.setattr(verdict_cache, "prover_sources", lambda: [source])
     rung = verification.judge
     monkeypatch.setattr(
         verification, "judge", lambda *row: replace(rung(*row), verdict=Verdict.PROVED)
@@ -162,13 +162,15 @@ def test_the_sources_of_the_prover_are_all_it_imports() -> None:
         "from mechproof.cache import Store, make_key, name_place",
         "from mechproof.notebook import Displayed",
     )
-    names = {path.name for path in cache.prover_sources()}
+    names = {path.name for path in verdict_cache.prover_sources()}
     assert {"judge.py", "ladder.py", "algebra.py", "domain.py", "statements.py"} <= names
-    for path in cache.prover_sources():
+    for path in verdict_cache.prover_sources():
         for line in path.read_text(encoding="utf-8").splitlines():
             if line.startswith(("from mechproof", "import mechproof")):
                 module = line.split()[1]
-                is_covered = module.removeprefix("mechproof.").partition(".")[0] in cache.LAYERS
+                is_covered = (
+                    module.removeprefix("mechproof.").partition(".")[0] in verdict_cache.LAYERS
+                )
                 assert is_covered or line in other, f"{path}: {line}"
 
 

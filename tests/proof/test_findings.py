@@ -16,7 +16,7 @@ from mechproof.record import (
     Equality,
     Equation,
     Finding,
-    Follower,
+    FollowingRow,
     Holds,
     Paper,
     PrintedNumber,
@@ -86,13 +86,13 @@ def test_what_follows_is_listed_under_its_cause_and_not_counted_again() -> None:
     ("row", "follower"),
     [
         # Our side of (5) has the print, too: it stays.
-        (IN_OTHER_LETTERS, Follower("(5)", renamed=RENAMED)),
-        (A_PART, Follower("(6)", parts={sp.cos(phi): sp.sin(phi)})),
-        (MEMBERS, Follower("(7)")),
+        (IN_OTHER_LETTERS, FollowingRow("(5)", renamed=RENAMED)),
+        (A_PART, FollowingRow("(6)", parts={sp.cos(phi): sp.sin(phi)})),
+        (MEMBERS, FollowingRow("(7)")),
     ],
 )
 def test_a_follower_may_have_other_letters_parts_or_the_print_as_second_member(
-    row: Equation, follower: Follower
+    row: Equation, follower: FollowingRow
 ) -> None:
     first, *others = find(Finding("(1)", "", follows=(follower,)), others=(row,))
     assert first.follows == (row.number,)
@@ -154,15 +154,15 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
         (Finding("(1)", "", follows=("(3)",)), r"'\(3\)' does not follow from '\(1\)'.*REFUTED"),
         (Finding("(4)", "", follows=("(3)",)), "it needs a correction"),
         (
-            Finding("(1)", "", follows=(Follower("(2)", parts={sp.cos(phi): sp.tan(phi)}),)),
+            Finding("(1)", "", follows=(FollowingRow("(2)", parts={sp.cos(phi): sp.tan(phi)}),)),
             r"it does not correct cos\(phi\) to tan\(phi\)",
         ),
         (
-            Finding("(1)", "", follows=(Follower("(2)", parts={sp.tan(phi): sp.sin(phi)}),)),
+            Finding("(1)", "", follows=(FollowingRow("(2)", parts={sp.tan(phi): sp.sin(phi)}),)),
             r"it does not correct tan\(phi\) to sin\(phi\)",
         ),
         (
-            Finding("(1)", "", follows=(Follower("(2)", renamed={phi: psi}),)),
+            Finding("(1)", "", follows=(FollowingRow("(2)", renamed={phi: psi}),)),
             r"'\(2\)' does not hold what '\(1\)' corrects",
         ),
         (

@@ -21,8 +21,8 @@ from mechproof.kernels.elliptic_planetary import position
 from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import find_files, read_record
 from mechproof.proof.cards import PUT, TAKEN
-from mechproof.report.layout import read_font, read_stylesheet
 from mechproof.report.mathml import write_formula
+from mechproof.report.pages import read_font, read_stylesheet
 from mechproof.report.pictures import chart, draw_pictures, list_charts
 
 pytestmark = pytest.mark.xdist_group("report")

@@ -11,8 +11,8 @@ from derived import paper_of
 import mechproof.kernels
 from mechproof.programs.kernel import list_functions
 from mechproof.roundoff.certificate import Certificate, RoundingClaim
+from mechproof.roundoff.certificate_files import FOLDER, find_certificate
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
-from mechproof.roundoff.files import FOLDER, find_certificate
 
 GENERATED = Path(next(iter(mechproof.kernels.__path__)))
 # Of the tests that need all subjects: one worker lowers them once.

@@ -23,7 +23,7 @@ from mechproof.roundoff.certificate import (
     tell_proofs,
 )
 from mechproof.roundoff.compensation import find_compensated
-from mechproof.roundoff.compiled import WAY
+from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.regions import list_regions

@@ -23,11 +23,11 @@ from mechproof.measured import KERNELS
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff import computed_stages as subject_module
 from mechproof.roundoff.certificate import RoundingClaim, holds
-from mechproof.roundoff.compiled import WAY
+from mechproof.roundoff.certificate_files import find_certificate
+from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.error_tables import ErrorTable
-from mechproof.roundoff.files import find_certificate
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.roundoff.worst import draw

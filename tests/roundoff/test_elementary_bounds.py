@@ -15,7 +15,7 @@ from mechproof.arithmetic.intervals import EPS, Interval
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import build
 from mechproof.programs.program import Operation
-from mechproof.roundoff.compiled import COMPILED, find_part
+from mechproof.roundoff.compiled_kernels import COMPILED, find_part
 from mechproof.roundoff.elementary import prove
 
 TRUTH: dict[str, Callable[..., arb]] = {

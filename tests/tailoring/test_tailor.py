@@ -25,10 +25,10 @@ from mechproof import extras
 from mechproof.cache import VARIABLE
 from mechproof.cli.commands import app
 from mechproof.kernels import elliptic_planetary
-from mechproof.tailoring import kernel as kernels
+from mechproof.tailoring import tailored as kernels
 from mechproof.tailoring.build import build
-from mechproof.tailoring.kernel import NUMBA, NUMPY, Tailored, make_kernel
 from mechproof.tailoring.request import read_request
+from mechproof.tailoring.tailored import NUMBA, NUMPY, Tailored, make_kernel
 
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}

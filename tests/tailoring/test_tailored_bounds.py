@@ -24,9 +24,9 @@ from mechproof.record import Paper, Quantity
 from mechproof.tailoring import tailor
 from mechproof.tailoring.build import Built, build
 from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose
-from mechproof.tailoring.kernel import NUMPY, Tailored, make_kernel
 from mechproof.tailoring.model import Model, Piece
 from mechproof.tailoring.request import Request, read_request
+from mechproof.tailoring.tailored import NUMPY, Tailored, make_kernel
 from mechproof.tailoring.taylor_models import track
 
 Array = NDArray[np.float64]
@@ -269,16 +269,16 @@ def test_what_is_said_to_repeat_does(system: str) -> None:
     """Sines and cosines of the angle a period on, and the gain, cancel symbol by symbol."""
     paper = paper_of(system)
     for quantity in paper.quantities:
-        if quantity.repeats is not None:
+        if quantity.periodicity is not None:
             assert_repeats(paper, quantity)
 
 
 def assert_repeats(paper: Paper, quantity: Quantity) -> None:
     resolve = Domain.of(paper).resolve
-    assert quantity.repeats is not None
+    assert quantity.periodicity is not None
     variable = quantity.arguments[0].symbols[0]
     moving = {v.symbol: v.given for v in paper.variables if v.given and v.given.has(variable)}
-    period, gain = quantity.repeats.period, quantity.repeats.gain
+    period, gain = quantity.periodicity.period, quantity.periodicity.gain
     value = quantity.definition.subs(moving)
 
     def differ(by: sp.Expr) -> sp.Expr:

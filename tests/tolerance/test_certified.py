@@ -137,7 +137,7 @@ def test_an_approximation_is_not_the_quantity() -> None:
     quantity = approximate.quantities[0]
     forms = (Form("first order", b, bound=a**2),)
     changed = dataclasses.replace(quantity, forms=forms)
-    other = dataclasses.replace(approximate, quantities=(changed,), together=())
+    other = dataclasses.replace(approximate, quantities=(changed,), one_pass=())
     assert certified_range(other, "f", 0.0, BOX).lower_attained == pytest.approx(0.5, abs=1e-9)
 
 
@@ -227,7 +227,7 @@ def test_where_the_input_leaves_the_domain_there_is_no_bound() -> None:
     principal = dataclasses.replace(
         position, on=half_turn, forms=(Form("principal", position_principal),)
     )
-    paper = dataclasses.replace(elliptic.PAPER, quantities=(principal,), together=())
+    paper = dataclasses.replace(elliptic.PAPER, quantities=(principal,), one_pass=())
     result = certified_range(paper, "position", inputs, sizes)
     assert np.isfinite(result.lower).tolist() == [True, True, False, False]
     assert np.isfinite(result.upper).tolist() == [True, True, False, False]

@@ -58,7 +58,7 @@ def certify(
     """
     from mechproof.coq.checker import RECORD_LIMIT, CheckerError
     from mechproof.coq.coverage import check_folder, keep_record, read_known
-    from mechproof.coq.folder import Certificate, write_certificates, write_folder
+    from mechproof.coq.folder import RowScript, write_certificates, write_folder
 
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")
@@ -68,7 +68,7 @@ def certify(
     refuse_failures(ledgers)
     pairs = zip(locations, ledgers, strict=True)
     opened = [open_paper(location, ledger.paper) for location, ledger in pairs]
-    certificates: list[Certificate] = []
+    certificates: list[RowScript] = []
     with show_progress("writing scripts") as tell:
         for ledger, paper in zip(ledgers, opened, strict=True):
             rows = {row.number: row for row in paper.rows}

@@ -19,6 +19,7 @@ from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
     Claim,
     Conjunction,
+    EmittedForm,
     Equality,
     Form,
     Holds,
@@ -28,7 +29,6 @@ from mechproof.record import (
     Row,
     Statement,
     Unwritten,
-    Written,
 )
 from mechproof.record.forms import KERNEL
 from mechproof.record.implicit import LEFT, LastIterate
@@ -85,8 +85,8 @@ def _tell_derivatives(row: Row) -> Row:
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
     """Return a paper without some of its quantities, and what is computed together with them."""
     left = tuple(q for q in paper.quantities if q.name not in names)
-    together = tuple(t for t in paper.together if not any(name in names for name in t.quantities))
-    return paper if left == paper.quantities else replace(paper, quantities=left, together=together)
+    together = tuple(t for t in paper.one_pass if not any(name in names for name in t.quantities))
+    return paper if left == paper.quantities else replace(paper, quantities=left, one_pass=together)
 
 
 def _state_refusal(quantity: Quantity, reason: str) -> Row:
@@ -192,14 +192,14 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
 
 
 def _equal_but_enclosures(
-    enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: Written
+    enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: EmittedForm
 ) -> Statement:
     """State an equality with what is enclosed in place of the steps that enclose it."""
     exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
     return Equality(code.output(*exact).xreplace(exact), definition)
 
 
-def _state_steps(code: Written, solved: Solved) -> Statement:
+def _state_steps(code: EmittedForm, solved: Solved) -> Statement:
     """State that the steps are Newton's, from any place, and that they end at the root."""
     root = solved.exact
     low, high = root.ends
@@ -221,7 +221,7 @@ def _widen(on: Part | None) -> Part:
     return replace(on, within={**on.within, _PLACE: sp.S.Reals})
 
 
-def _state_enclosure(code: Written, enclosure: Enclosure) -> Statement:
+def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
     """State how near the polynomial of a step is, and that its other branch is exact."""
     value = code.step(enclosure.step)
 

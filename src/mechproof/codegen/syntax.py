@@ -27,14 +27,14 @@ class Syntax:
 
 
 @dataclass(frozen=True)
-class Text:
+class ProgramText:
     """The text of a program: an assignment for each named result, and the outputs."""
 
     steps: tuple[tuple[str, str], ...]
     outputs: tuple[str, ...]
 
 
-def write_program(program: Program, syntax: Syntax) -> Text:
+def write_program(program: Program, syntax: Syntax) -> ProgramText:
     """Write a program; what has no name stands where it is used."""
     writer = _Writer(syntax)
     steps = []
@@ -45,7 +45,7 @@ def write_program(program: Program, syntax: Syntax) -> Text:
         else:
             steps.append((syntax.name(operation.result), text))
     outputs = (float(o) if isinstance(o, int) else o for o in program.outputs)
-    return Text(tuple(steps), tuple(writer.show(output)[0] for output in outputs))
+    return ProgramText(tuple(steps), tuple(writer.show(output)[0] for output in outputs))
 
 
 class _Writer:

@@ -20,11 +20,11 @@ from mechproof.compiled_support.machine import (
     stand_in,
     widen,
 )
+from mechproof.compiled_support.point_loops import fill, fill_blocks, vector
 from mechproof.compiled_support.points import POINTS, count_numbers, put, take
-from mechproof.compiled_support.rows import fill, fill_blocks, vector
-from mechproof.compiled_support.sets import add_up, element, every, fill_sets
+from mechproof.compiled_support.sum_sets import add_up, element, every, fill_sets
+from mechproof.compiled_support.sum_terms import count_terms, take_square, take_terms
 from mechproof.compiled_support.sums import Sums, run_sums
-from mechproof.compiled_support.terms import count_terms, take_square, take_terms
 
 __all__ = [
     "POINTS",

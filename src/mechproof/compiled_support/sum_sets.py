@@ -15,8 +15,8 @@ from numba.extending import intrinsic, overload
 from numba.np.arrayobj import load_item
 
 from mechproof.compiled_support.machine import apart, bare, choose, is_finite, widen, within
+from mechproof.compiled_support.point_loops import put_point, take_point
 from mechproof.compiled_support.points import POINTS, own_row, prefetch_row
-from mechproof.compiled_support.rows import put_point, take_point
 
 # Numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
 LARGEST_BLOCK = 4096

@@ -10,7 +10,7 @@ from numba.core.errors import TypingError
 from numba.extending import overload
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.sets import TAKEN
+from mechproof.compiled_support.sum_sets import TAKEN
 
 
 def count_terms(*values: Any) -> int:

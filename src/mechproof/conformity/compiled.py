@@ -194,7 +194,7 @@ def _fill_masses(masses: Array, parameters: Sequence[Array]) -> None:
 def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
     """Exact shares of rightly and wrongly accepted and rejected parts, compiled.
 
-    The help of `mechproof.conformity.shares` has all words. Laws that are not both normal take
-    the quadrature that they take there.
+    Its full documentation is that of `mechproof.conformity.shares`. Laws that are not both normal
+    take the quadrature that they take there.
     """
     return find_shares(true, error, tolerance, acceptance, _fill_masses)

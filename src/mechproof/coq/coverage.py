@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from mechproof.coq.checker import ASSUMED, ASSUMED_MODULES, LIMIT, check_files, find_version
-from mechproof.coq.folder import Certificate, digest_prelude, write_folder
+from mechproof.coq.folder import RowScript, digest_prelude, write_folder
 
 PAGE = "COQ.md"
 RECORD = "coq.json"
@@ -41,10 +41,10 @@ class Coverage:
     """
 
     version: str
-    certificates: tuple[Certificate, ...]
+    certificates: tuple[RowScript, ...]
     faults: Mapping[str, str]
 
-    def explain(self, certificate: Certificate) -> str:
+    def explain(self, certificate: RowScript) -> str:
         """Return why a row is withheld; nothing if Coq accepts its file."""
         return certificate.reason or self.faults.get(certificate.file, NOT_CHECKED)
 
@@ -72,7 +72,7 @@ class Coverage:
 
 def check_folder(
     folder: Path,
-    certificates: Sequence[Certificate],
+    certificates: Sequence[RowScript],
     tell: Callable[[str], None] = lambda text: None,
     *,
     known: Mapping[str, str] = MappingProxyType({}),

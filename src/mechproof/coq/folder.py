@@ -44,7 +44,7 @@ clean:
 
 
 @dataclass(frozen=True)
-class Certificate:
+class RowScript:
     """What there is of a row: its file with the text, or the reason why there is none."""
 
     id: str
@@ -75,7 +75,7 @@ def write_certificates(
     ledger: JudgedPaper,
     rows: Mapping[str, Row],
     tell: Callable[[str], None] = lambda text: None,
-) -> Iterator[Certificate]:
+) -> Iterator[RowScript]:
     """Yield a certificate for every row of a paper that is proved or refuted, in their order."""
     for judgement in ledger.judgements:
         if judgement.verdict in CERTIFIABLE:
@@ -83,19 +83,19 @@ def write_certificates(
             yield _certify(judgement, rows[judgement.number], ledger)
 
 
-def _certify(judgement: Judgement, row: Row, ledger: JudgedPaper) -> Certificate:
+def _certify(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
     about = (judgement.id, judgement.verdict.value, judgement.rung, classify(judgement))
     name = f"{re.sub(r'[^a-z0-9]+', '_', judgement.id.lower())}.v"
     try:
         theorems = build_theorems(row, judgement.verdict, Domain.of(ledger.paper, row.on))
         text = write_script(judgement.id, theorems)
     except UnwritableError as error:
-        return Certificate(*about, reason=str(error))
+        return RowScript(*about, reason=str(error))
     compare_script(text, theorems)
-    return Certificate(*about, file=name, text=text)
+    return RowScript(*about, file=name, text=text)
 
 
-def list_files(certificates: Sequence[Certificate]) -> dict[str, str]:
+def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:
     """Return the text of every file of the folder by its name."""
     found = {PRELUDE: read_prelude(), "Makefile": _MAKEFILE}
     for certificate in certificates:
@@ -104,7 +104,7 @@ def list_files(certificates: Sequence[Certificate]) -> dict[str, str]:
     return found
 
 
-def write_folder(folder: Path, certificates: Sequence[Certificate]) -> None:
+def write_folder(folder: Path, certificates: Sequence[RowScript]) -> None:
     """Write the files into a folder that is new, empty or was written so.
 
     Raises `ForeignFileError` for any other, and `OSError`.

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from mechproof.document.text import Files, Text
+from mechproof.document.text import Files, LocatedText
 
 _SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
 _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
@@ -74,7 +74,7 @@ class Block:
     scopes: list[tuple[list[str], dict[str, str]]] = field(default_factory=list)
 
 
-def read_block(lines: Sequence[Text], files: Files) -> Block:
+def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
     """Read the lines of a block; `BlockError` names the place of one that cannot be read."""
     block = Block()
     for line in lines:

@@ -16,7 +16,7 @@ from mechproof.document.lines import (
 )
 from mechproof.document.macros import Defined, Macro, expand, find_macros
 from mechproof.document.sources import DocumentError
-from mechproof.document.text import Text, join
+from mechproof.document.text import LocatedText, join
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
@@ -67,7 +67,7 @@ class Printed:
     """
 
     name: str
-    latex: Text
+    latex: LocatedText
     labels: tuple[str, ...] = ()
     fault: str = ""
     group: int = 0
@@ -146,7 +146,7 @@ def _print_count(number: int, kind: str) -> str:
     return str(number)
 
 
-def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
+def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     """Yield the equations of a text in their order; those without number are named by theirs.
 
     Without `cut` equations beside each other in one display stay together.
@@ -194,7 +194,9 @@ def _go_on(before: Printed, printed: Printed) -> Printed:
     return replace(printed, latex=taken + printed.latex, taken=len(taken))
 
 
-def _expand_frames(defined: Sequence[Defined], text: Text) -> tuple[list[Defined], Text]:
+def _expand_frames(
+    defined: Sequence[Defined], text: LocatedText
+) -> tuple[list[Defined], LocatedText]:
     """Expand the macros that abbreviate the beginning or the end of a display."""
     frames = {d.name: d.macro for d in defined if _FRAMING.search(d.macro.body)}
     cuts = [0, *(d.place for d in defined), len(text)]
@@ -205,7 +207,7 @@ def _expand_frames(defined: Sequence[Defined], text: Text) -> tuple[list[Defined
 
 
 def _read_display(
-    text: Text,
+    text: LocatedText,
     match: re.Match[str],
     macros: Mapping[str, Macro],
     counter: _Counter,
@@ -244,14 +246,14 @@ def _read_display(
             yield Printed(shown, latex, labels, fault)
 
 
-def _read_lines(lines: Sequence[Text], kind: str, *, cut: bool) -> Iterator[Text]:
+def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterator[LocatedText]:
     """Yield the equations of lines that belong together, without what names them."""
     plain = [line.replace(_NAMING, lambda _: " ") for line in lines]
     latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
     yield from (piece for piece in (cut_gaps(latex) if cut else [latex.strip()]) if len(piece))
 
 
-def _group(lines: Sequence[Text]) -> Iterator[tuple[int, int]]:
+def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
     """Yield where the lines of an equation begin and end."""
     starts = [
         place
@@ -261,7 +263,7 @@ def _group(lines: Sequence[Text]) -> Iterator[tuple[int, int]]:
     yield from zip(starts, [*starts[1:], len(lines)], strict=True)
 
 
-def _name(line: Text, is_numbered: bool, counter: _Counter) -> str:
+def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
     if tag := _TAG.search(line.string):
         return tag[2] if tag[1] else f"({tag[2]})"
     return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from mechproof.document.text import Text, join
+from mechproof.document.text import LocatedText, join
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.tokens import same_sign
 
@@ -51,7 +51,7 @@ _BETWEEN = re.compile(_WORD)
 _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
 
 
-def split_lines(body: Text) -> list[Text]:
+def split_lines(body: LocatedText) -> list[LocatedText]:
     r"""Cut a display at its \\, but for those inside of matrices, cases and braces."""
     body = body.replace(_WRAPPING, lambda _: " ").replace(_INTERTEXT, lambda _: r"\\ ")
     lines, start = [], 0
@@ -65,7 +65,7 @@ def split_lines(body: Text) -> list[Text]:
     return [part for pair in zip(kept, before, strict=True) for part in _open(*pair)]
 
 
-def _open(line: Text, before: str) -> Iterator[Text]:
+def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
     """Yield the lines of the systems of equations that a line consists of."""
     latex = _drop_leads(line)
     brace = _SYSTEM.match(latex.string)
@@ -122,18 +122,18 @@ def _list_signs(line: str) -> list[str]:
     return [sign for sign, _, _ in walk_signs(line) if not (sign.isspace() or sign in _BLANK)]
 
 
-def join_lines(lines: Sequence[Text], *, has_columns: bool = True) -> Text:
+def join_lines(lines: Sequence[LocatedText], *, has_columns: bool = True) -> LocatedText:
     """Return lines as one equation, without what aligns them and what leads to them.
 
     Every second sign that aligns begins a column of its own, but for displays of one.
     """
-    parts: list[Text] = []
+    parts: list[LocatedText] = []
     for line in lines:
         parts += [_drop_leads(join(list(_drop_alignment(line, has_columns)))), line.put(" ", 0)]
     return _clean(join(parts))
 
 
-def _drop_alignment(line: Text, has_columns: bool) -> Iterator[Text]:
+def _drop_alignment(line: LocatedText, has_columns: bool) -> Iterator[LocatedText]:
     start, signs = 0, 0
     for sign, place, depth in walk_signs(line.string):
         if sign == "&" and depth == 0:
@@ -145,7 +145,7 @@ def _drop_alignment(line: Text, has_columns: bool) -> Iterator[Text]:
     yield line[start:]
 
 
-def _drop_leads(latex: Text) -> Text:
+def _drop_leads(latex: LocatedText) -> LocatedText:
     """Drop blanks and arrows before an equation."""
     for sign, place, _ in walk_signs(latex.string):
         if not (sign.isspace() or sign in _LEADS or sign in _BLANK):
@@ -153,7 +153,7 @@ def _drop_leads(latex: Text) -> Text:
     return latex[len(latex) :]
 
 
-def _clean(latex: Text) -> Text:
+def _clean(latex: LocatedText) -> LocatedText:
     """Drop what leads to an equation, and the stop behind it."""
     latex = _drop_leads(latex.replace(_TITLE_AT_START, lambda _: "")).strip(end=".,;~")
     if (found := _RANGE.search(latex.string)) and found.start():
@@ -163,7 +163,7 @@ def _clean(latex: Text) -> Text:
     return latex
 
 
-def cut_gaps(latex: Text) -> Iterator[Text]:
+def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
     """Yield the equations of a line that wide gaps part, or a word such as "or"."""
     signs = list(walk_signs(latex.string))
     words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
@@ -180,7 +180,7 @@ def cut_gaps(latex: Text) -> Iterator[Text]:
     yield _clean(_drop_and(latex[start:]))
 
 
-def _drop_and(latex: Text) -> Text:
+def _drop_and(latex: LocatedText) -> LocatedText:
     latex = _clean(latex)
     found = _AND.search(latex.string)
     return latex[: found.start()] if found else latex

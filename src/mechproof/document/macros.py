@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechproof.document.sources import DocumentError
-from mechproof.document.text import Text, join
+from mechproof.document.text import LocatedText, join
 
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000
@@ -41,7 +41,7 @@ class Defined:
     place: int
 
 
-def find_macros(text: Text) -> tuple[list[Defined], Text]:
+def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
     """Return the macros that a text defines, in their order, and the text without these."""
     macros: list[Defined] = []
     parts, last, string = [], 0, text.string
@@ -76,13 +76,13 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | No
     return name, Macro(body, count, default), end
 
 
-def expand(text: Text, macros: Mapping[str, Macro]) -> Text:
+def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
     """Put the bodies of macros in the place of their calls.
 
     What is put in stands where its call does. Raises `DocumentError` for macros in a circle and for
     calls without their arguments.
     """
-    done: list[Text] = []
+    done: list[LocatedText] = []
     for _ in range(MOST_CALLS):
         found = next((m for m in _COMMAND.finditer(text.string) if m[0] in macros), None)
         if found is None:

@@ -21,7 +21,7 @@ _TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 
 @dataclass(frozen=True)
-class Size:
+class RoundedSize:
     """A size of a line in the unit of its letter, and half of its last place if it is rounded."""
 
     value: sp.Expr
@@ -37,7 +37,7 @@ class Result:
     head: Head
     number: Numeral
     factor: sp.Expr
-    sizes: Mapping[sp.Basic, Size]
+    sizes: Mapping[sp.Basic, RoundedSize]
 
     @property
     def text(self) -> str:
@@ -96,11 +96,11 @@ class Scales:
             return sp.S.One
         return unit.scale / self.known.get(symbol, sp.S.One)
 
-    def size(self, head: Head, number: Numeral) -> Size:
+    def size(self, head: Head, number: Numeral) -> RoundedSize:
         """Return the size that a cell says."""
         factor = self.convert(head.symbol, number.unit or head.unit)
         half = number.half_place * number.factor * factor if number.is_decimal else sp.S.Zero
-        return Size(number.value * factor, half)
+        return RoundedSize(number.value * factor, half)
 
     def are_known(self, letters: Iterable[sp.Basic]) -> bool:
         """Return whether all units are said by the block or by heads."""

@@ -24,8 +24,8 @@ from mechproof.document.cells import (
     read_numeral,
 )
 from mechproof.document.roles import Known, Role, Sign
-from mechproof.document.scales import Result, Scales, Size
-from mechproof.document.tabulars import Cell, Tabular
+from mechproof.document.scales import Result, RoundedSize, Scales
+from mechproof.document.tabulars import TableCell, Tabular
 from mechproof.document.tasks import Task
 from mechproof.document.text import Files
 from mechproof.latex import Reader
@@ -51,8 +51,8 @@ class Grid:
 
     name: str
     heads: Mapping[int, Head]
-    lines: Sequence[Sequence[Cell]]
-    unread: Sequence[Cell] = ()
+    lines: Sequence[Sequence[TableCell]]
+    unread: Sequence[TableCell] = ()
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
@@ -68,13 +68,16 @@ def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
 
 
 def _make_grid(
-    name: str, heads: Mapping[int, Head], row: Sequence[Cell], lines: Sequence[Sequence[Cell]]
+    name: str,
+    heads: Mapping[int, Head],
+    row: Sequence[TableCell],
+    lines: Sequence[Sequence[TableCell]],
 ) -> Grid:
     unread = [cell for n, cell in enumerate(row) if n not in heads and _MATH.search(cell.string)]
     return Grid(name, heads, lines, unread)
 
 
-def _read_heads(cells: Sequence[Cell], reader: Reader) -> dict[int, Head]:
+def _read_heads(cells: Sequence[TableCell], reader: Reader) -> dict[int, Head]:
     found = {n: read_head(cell.string, reader) for n, cell in enumerate(cells)}
     return {n: head for n, head in found.items() if head is not None}
 
@@ -152,7 +155,7 @@ class SizeTables:
     def _read_column(self, grid: Grid, column: int, numbers: Numbers) -> Iterator[Task | Left]:
         """Yield the rows of the results of one letter, grouped by the formula that gives them."""
         head, groups = grid.heads[column], dict[tuple[sp.Expr, ...], list[Result]]()
-        missing: dict[str, Cell] = {}
+        missing: dict[str, TableCell] = {}
         for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
             name, number = f"{grid.name}, line {count}, {head.printed}", found[column]
             if number is None:
@@ -170,7 +173,7 @@ class SizeTables:
                 missing.setdefault(lacks, line[column])
                 continue
             factor = number.factor * scales.convert(head.symbol, number.unit or head.unit)
-            usual = {s: Size(v) for s, v in self.known.symbols.usual.items()}
+            usual = {s: RoundedSize(v) for s, v in self.known.symbols.usual.items()}
             letters = set().union(*(formula.free_symbols for formula in formulas))
             used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
             result = Result(name, line[column].offset, head, number, factor, used)
@@ -182,7 +185,7 @@ class SizeTables:
             yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
 
     def _find_formulas(
-        self, symbol: sp.Basic, sizes: Mapping[sp.Basic, Size]
+        self, symbol: sp.Basic, sizes: Mapping[sp.Basic, RoundedSize]
     ) -> tuple[tuple[sp.Expr, ...], str]:
         """Return what gives a letter by the sizes of a line, or which letters it lacks.
 
@@ -219,12 +222,12 @@ class SizeTables:
         agreeing = len([*filter(None, telling)])
         if 2 * agreeing < len(telling) and not (are_told and scales.are_known({*letters, own})):
             name = f"{grid.name}, {results[0].head.printed}"
-            yield self._leave(name, Cell(results[0].text, results[0].offset), _NONE_AGREES)
+            yield self._leave(name, TableCell(results[0].text, results[0].offset), _NONE_AGREES)
             return
         every = [branch for reading in readings for branch in reading]
         for result, found in zip(results, chosen[best], strict=True):
             if found is None and any(map(result.is_near, every)):
-                yield self._leave(result.name, Cell(result.text, result.offset), _NEAR)
+                yield self._leave(result.name, TableCell(result.text, result.offset), _NEAR)
             else:
                 yield self._make_task(result, found or readings[best][0])
 
@@ -236,5 +239,5 @@ class SizeTables:
         sign = Sign(Role.NUMBER, None, first)
         return Task(row, self.files.locate(result.offset), sign, self.paper, asserts=True)
 
-    def _leave(self, name: str, cell: Cell, reason: str) -> Left:
+    def _leave(self, name: str, cell: TableCell, reason: str) -> Left:
         return Left(name, self.files.locate(cell.offset), cell.string, State.NOT_JUDGED, reason)

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from mechproof.document.text import Files, Text, join
+from mechproof.document.text import Files, LocatedText, join
 from mechproof.proof.verdict import Place
 
 STDIN = "-"
@@ -49,8 +49,8 @@ class Source:
     """The text of a paper, the lines of its blocks of letters, and what was not found."""
 
     files: Files
-    text: Text
-    lines: list[Text] = field(default_factory=list)
+    text: LocatedText
+    lines: list[LocatedText] = field(default_factory=list)
     has_block: bool = False
     missing: list[tuple[Place, str]] = field(default_factory=list)
 
@@ -60,7 +60,7 @@ def read_source(path: str, content: str | None = None) -> Source:
 
     Raises `DocumentError` for a file that cannot be read and for a block without an end.
     """
-    source = Source(Files(), Text("", ()))
+    source = Source(Files(), LocatedText("", ()))
     folder = Path(path).resolve().parent if content is None else None
     source.text = _read(path, _open(Path(path)) if content is None else content, source, folder, ())
     beside = Path(path).with_suffix(BESIDE) if content is None else None
@@ -80,7 +80,7 @@ def _open(path: Path) -> str:
 
 def _read(
     name: str, content: str, source: Source, folder: Path | None, above: tuple[str, ...]
-) -> Text:
+) -> LocatedText:
     """Return a file without comments, and in it the files that it inputs."""
     text = source.files.add(name, content)
     is_markdown = Path(name).suffix in MARKDOWN
@@ -102,7 +102,7 @@ def _read(
     return _insert(plain, source, folder, (*above, name))
 
 
-def _drop_false(text: Text) -> Text:
+def _drop_false(text: LocatedText) -> LocatedText:
     r"""Leave out what stands between \iffalse and its \fi, with the branches inside."""
     parts, last, depth = [], 0, 0
     for match in _BRANCH.finditer(text.string):
@@ -115,7 +115,7 @@ def _drop_false(text: Text) -> Text:
     return text if depth else join([*parts, text[last:]])
 
 
-def _show(text: Text, pattern: re.Pattern[str]) -> Text:
+def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
     """Put what a pattern encloses between the dollars of a display."""
     parts, last = [], 0
     for match in pattern.finditer(text.string):
@@ -125,7 +125,7 @@ def _show(text: Text, pattern: re.Pattern[str]) -> Text:
     return join([*parts, text[last:]])
 
 
-def _take_lines(block: Text, source: Source) -> None:
+def _take_lines(block: LocatedText, source: Source) -> None:
     for match in _LINE.finditer(block.string):
         mark = _MARK.match(match[0].lstrip())
         line = block[match.start() : match.end()].strip()
@@ -135,7 +135,9 @@ def _take_lines(block: Text, source: Source) -> None:
             source.lines.append(line)
 
 
-def _insert(text: Text, source: Source, folder: Path | None, above: tuple[str, ...]) -> Text:
+def _insert(
+    text: LocatedText, source: Source, folder: Path | None, above: tuple[str, ...]
+) -> LocatedText:
     parts, last = [], 0
     for match in _INPUT.finditer(text.string):
         parts.append(text[last : match.start()])

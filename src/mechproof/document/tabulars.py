@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from mechproof.document.lines import split_lines, walk_signs
 from mechproof.document.macros import expand, find_brace, find_macros
 from mechproof.document.sources import DocumentError
-from mechproof.document.text import Text
+from mechproof.document.text import LocatedText
 
 _BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")
@@ -42,7 +42,7 @@ _PIPE = re.compile(r"\$[^$]*\$|\\.|\|")
 
 
 @dataclass(frozen=True)
-class Cell:
+class TableCell:
     """What stands in a cell, and where that is in all that was read."""
 
     string: str
@@ -54,10 +54,10 @@ class Tabular:
     """A table: where it begins, and its rows; all of them have the same number of cells."""
 
     offset: int
-    rows: tuple[tuple[Cell, ...], ...]
+    rows: tuple[tuple[TableCell, ...], ...]
 
 
-def find_tabulars(text: Text) -> Iterator[Tabular]:
+def find_tabulars(text: LocatedText) -> Iterator[Tabular]:
     """Yield the tables of a text that have a head and a row, in their order."""
     defined, plain = find_macros(text)
     found = [(match.start(), _read_pipes(plain, match)) for match in _PIPES.finditer(plain.string)]
@@ -75,7 +75,7 @@ def find_tabulars(text: Text) -> Iterator[Tabular]:
             yield Tabular(plain.offsets[place], tuple(map(tuple, square)))
 
 
-def _find_body(text: Text, match: re.Match[str]) -> Text:
+def _find_body(text: LocatedText, match: re.Match[str]) -> LocatedText:
     """Return what stands in an environment behind its arguments."""
     kind, place, string = match[1], match.end(), text.string
     for _ in range(_ARGUMENTS.get(kind, 1)):
@@ -87,13 +87,13 @@ def _find_body(text: Text, match: re.Match[str]) -> Text:
     return text[place : len(text) if end < 0 else end]
 
 
-def _split(body: Text) -> Iterator[Text]:
+def _split(body: LocatedText) -> Iterator[LocatedText]:
     for line in split_lines(body.replace(_RULES, lambda _: " ")):
         if line.string.strip():
             yield line
 
 
-def _cut(line: Text) -> list[Cell]:
+def _cut(line: LocatedText) -> list[TableCell]:
     """Cut a line at its &."""
     cells, start = [], 0
     for sign, place, depth in walk_signs(line.string):
@@ -103,19 +103,19 @@ def _cut(line: Text) -> list[Cell]:
     return [*cells, *_make(line[start:])]
 
 
-def _make(text: Text) -> list[Cell]:
+def _make(text: LocatedText) -> list[TableCell]:
     """Return a cell, and empty ones for the further columns that it spans."""
     bare = text.strip()
     if not len(bare):
-        return [Cell("", text.offsets[0] if len(text) else 0)]
+        return [TableCell("", text.offsets[0] if len(text) else 0)]
     span = _SPAN.match(bare.string)
     if span is None:
-        return [Cell(bare.string, bare.offsets[0])]
-    empty = Cell("", bare.offsets[0])
-    return [Cell(span[2].strip(), bare.offsets[0]), *[empty] * (int(span[1]) - 1)]
+        return [TableCell(bare.string, bare.offsets[0])]
+    empty = TableCell("", bare.offsets[0])
+    return [TableCell(span[2].strip(), bare.offsets[0]), *[empty] * (int(span[1]) - 1)]
 
 
-def _read_pipes(text: Text, match: re.Match[str]) -> list[list[Cell]]:
+def _read_pipes(text: LocatedText, match: re.Match[str]) -> list[list[TableCell]]:
     rows, place = [], match.start()
     for line in match[0].splitlines(keepends=True):
         if not _RULE.match(line.rstrip("\n")):
@@ -124,7 +124,7 @@ def _read_pipes(text: Text, match: re.Match[str]) -> list[list[Cell]]:
     return rows
 
 
-def _cut_pipes(line: Text) -> Iterator[Cell]:
+def _cut_pipes(line: LocatedText) -> Iterator[TableCell]:
     start, end = 0, len(line)
     places = [m.start() for m in _PIPE.finditer(line.string) if m[0] == "|"]
     if places[:1] == [0]:
@@ -136,20 +136,20 @@ def _cut_pipes(line: Text) -> Iterator[Cell]:
         start = place + 1
 
 
-def _fill(rows: Sequence[Sequence[Cell]]) -> list[list[Cell]]:
+def _fill(rows: Sequence[Sequence[TableCell]]) -> list[list[TableCell]]:
     """Return rows of one width, what a cell holds in rows below it put into them."""
     width = max(map(len, rows), default=0)
-    held: dict[int, tuple[int, Cell]] = {}
+    held: dict[int, tuple[int, TableCell]] = {}
     filled = []
     for row in rows:
-        cells = [*row, *[Cell("", row[-1].offset)] * (width - len(row))]
+        cells = [*row, *[TableCell("", row[-1].offset)] * (width - len(row))]
         for column, cell in enumerate(cells):
             if down := _DOWN.match(cell.string):
-                cells[column] = Cell(down[2].strip(), cell.offset)
+                cells[column] = TableCell(down[2].strip(), cell.offset)
                 held[column] = int(down[1]) - 1, cells[column]
             elif not cell.string and held.get(column, (0, cell))[0] > 0:
                 left, above = held[column]
-                cells[column] = Cell(above.string, cell.offset)
+                cells[column] = TableCell(above.string, cell.offset)
                 held[column] = left - 1, above
-        filled.append([Cell(_WRAPPED.sub("", c.string).strip(), c.offset) for c in cells])
+        filled.append([TableCell(_WRAPPED.sub("", c.string).strip(), c.offset) for c in cells])
     return filled

@@ -12,7 +12,7 @@ from mechproof.proof.verdict import Place
 
 
 @dataclass(frozen=True)
-class Text:
+class LocatedText:
     """Characters and, of each, where it stands in all that was read, one file after the other."""
 
     string: str
@@ -21,18 +21,18 @@ class Text:
     def __len__(self) -> int:
         return len(self.string)
 
-    def __getitem__(self, part: slice) -> Text:
-        return Text(self.string[part], self.offsets[part])
+    def __getitem__(self, part: slice) -> LocatedText:
+        return LocatedText(self.string[part], self.offsets[part])
 
-    def __add__(self, other: Text) -> Text:
-        return Text(self.string + other.string, (*self.offsets, *other.offsets))
+    def __add__(self, other: LocatedText) -> LocatedText:
+        return LocatedText(self.string + other.string, (*self.offsets, *other.offsets))
 
-    def strip(self, *, end: str = "") -> Text:
+    def strip(self, *, end: str = "") -> LocatedText:
         """Return the text without blanks around it, nor the signs `end` behind it."""
         kept = self.string.rstrip().rstrip(end + " \t\n") if end else self.string.rstrip()
         return self[len(kept) - len(kept.lstrip()) : len(kept)]
 
-    def replace(self, pattern: Pattern[str], make: Callable[[Match[str]], str]) -> Text:
+    def replace(self, pattern: Pattern[str], make: Callable[[Match[str]], str]) -> LocatedText:
         """Put other characters in the place of matches; they stand where their match begins."""
         parts, last = [], 0
         for match in pattern.finditer(self.string):
@@ -41,15 +41,15 @@ class Text:
             last = match.end()
         return join([*parts, self[last:]])
 
-    def put(self, string: str, place: int) -> Text:
+    def put(self, string: str, place: int) -> LocatedText:
         """Return other characters that all stand at a place of this text."""
-        return Text(string, (self.offsets[place],) * len(string))
+        return LocatedText(string, (self.offsets[place],) * len(string))
 
 
-def join(parts: Sequence[Text]) -> Text:
+def join(parts: Sequence[LocatedText]) -> LocatedText:
     """Return texts one behind the other."""
     offsets = tuple(offset for part in parts for offset in part.offsets)
-    return Text("".join(part.string for part in parts), offsets)
+    return LocatedText("".join(part.string for part in parts), offsets)
 
 
 @dataclass
@@ -59,12 +59,12 @@ class Files:
     names: list[str] = field(default_factory=list)
     contents: list[str] = field(default_factory=list)
 
-    def add(self, name: str, content: str) -> Text:
+    def add(self, name: str, content: str) -> LocatedText:
         """Enter a file and return what stands in it."""
         start = sum(len(text) + 1 for text in self.contents)
         self.names.append(name)
         self.contents.append(content)
-        return Text(content, range(start, start + len(content)))
+        return LocatedText(content, range(start, start + len(content)))
 
     def locate(self, offset: int) -> Place:
         """Return the place that an offset of a text is."""

@@ -14,9 +14,9 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import ALL_BITS, Errors, find_errors
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.sampling.points import choose_evenly, join
-from mechproof.lab.search import draw_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
+from mechproof.lab.worst_search import draw_sets
 from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel, build_kernel
 from mechproof.programs.scalar import map_affinely

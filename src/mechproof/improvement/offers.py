@@ -19,7 +19,7 @@ from mechproof.improvement.candidates import (
     draw,
     measure_loss,
 )
-from mechproof.improvement.search import UNFIT, search
+from mechproof.improvement.form_search import UNFIT, search
 from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.processes import START, WorkerError, run_tasks
@@ -107,7 +107,7 @@ def find_offer(subject: Subject) -> Offer:
 
 def prove(candidate: Candidate) -> tuple[str, ...]:
     """Return the rungs that prove all that the emitted source of a form claims, none otherwise."""
-    paper = replace(candidate.subject.paper, quantities=(candidate.quantity,), together=())
+    paper = replace(candidate.subject.paper, quantities=(candidate.quantity,), one_pass=())
     try:
         rows = form_rows(paper)
     except UNFIT:

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic.balls import evaluate
-from mechproof.lab.sampling.sizes import Sides
+from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Way
 from mechproof.proof.domain import Domain

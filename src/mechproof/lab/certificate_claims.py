@@ -10,8 +10,8 @@ from mechproof.lab.chart_points import write_eps
 from mechproof.measured import KERNELS, Record
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import Certificate, RoundingClaim
-from mechproof.roundoff.compiled import WAY
-from mechproof.roundoff.files import find_certificate
+from mechproof.roundoff.certificate_files import find_certificate
+from mechproof.roundoff.compiled_kernels import WAY
 
 AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
 

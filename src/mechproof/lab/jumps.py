@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import find_truth
+from mechproof.lab.sampling.point_sets import list_sweeps
 from mechproof.lab.sampling.points import REPORT, PointSet, draw_points
-from mechproof.lab.sampling.sets import list_sweeps
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array, Way
 

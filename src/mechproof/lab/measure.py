@@ -12,9 +12,9 @@ from datetime import UTC, datetime
 
 from mechproof.executors import check_executor
 from mechproof.lab.accuracy import Report, measure_accuracy
-from mechproof.lab.machine import describe_machine, find_load
+from mechproof.lab.computer import describe_machine, find_load
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, TUNE
-from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.tailored_kernels import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs

@@ -12,12 +12,12 @@ import sympy as sp
 
 from mechproof.codegen.docstrings import tell_bound
 from mechproof.lab.error import EPS
-from mechproof.lab.extended import extend
+from mechproof.lab.extended_oracle import extend
 from mechproof.lab.sampling.points import TUNE, choose_evenly, join
 from mechproof.lab.sampling.region import MARGIN
-from mechproof.lab.search import WorstInput, compare, draw_sets, scaled_errors
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.ways import Arguments, Array
+from mechproof.lab.worst_search import WorstInput, compare, draw_sets, scaled_errors
 from mechproof.measured import round_up
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE
 from mechproof.programs.kernel import Kernel

@@ -28,8 +28,8 @@ from mechproof.derivation import (
     packaged_directory,
 )
 from mechproof.lab.sampling.points import PointSet
-from mechproof.lab.sampling.sizes import Sides
 from mechproof.lab.sampling.stated_sizes import Facts
+from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
 from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.sampling.sets import list_workloads
+from mechproof.lab.sampling.point_sets import list_workloads
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import COMPILED, Arguments, Array, Way
 from mechproof.measured import MeasuredTailoring
 from mechproof.tailoring import tailor
-from mechproof.tailoring.kernel import Tailored
+from mechproof.tailoring.tailored import Tailored
 
 # Errors asked for, in the unit of the quantity.
 ASKED = (1e-3, 1e-6, 1e-9, 1e-12)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.lab.sampling.sets import list_workloads
+from mechproof.lab.sampling.point_sets import list_workloads
 from mechproof.lab.subject import Subject
 from mechproof.lab.tailored_kernels import Tailoring
 from mechproof.lab.ways import Arguments, Way

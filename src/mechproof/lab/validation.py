@@ -24,8 +24,8 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
 from mechproof.lab.rounding import decide, enclose_stage
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import TUNE, PointSet, choose_evenly, draw_points
-from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs.code import KernelCode, Stage

@@ -15,10 +15,10 @@ import numpy as np
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
-from mechproof.lab.extended import extend
+from mechproof.lab.extended_oracle import extend
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import TUNE, choose_evenly, draw_points, join
-from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.roundoff.climb import (

@@ -22,7 +22,7 @@ from mechproof.latex.tree import (
     Node,
     PrintedFunction,
     Quotient,
-    Root,
+    Radical,
     Table,
     Transposed,
     shows_matrix,
@@ -84,7 +84,7 @@ def _read_root(parser: Parser, start: int) -> Node:
     degree = None
     if parser.text == "[":
         degree = parser.read_inside("[", parser.read_sum, "]")
-    return Root(parser.read_group(), degree, start=start, end=parser.end)
+    return Radical(parser.read_group(), degree, start=start, end=parser.end)
 
 
 def _read_bracket(parser: Parser, start: int) -> Node:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from mechproof.latex import conditions, groups
 from mechproof.latex.conditions import ChainPart
-from mechproof.latex.layout import Line
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.parser import Parser
 from mechproof.latex.relations import (
@@ -18,6 +17,7 @@ from mechproof.latex.relations import (
     read_interval,
     skip_set,
 )
+from mechproof.latex.several_equations import Line
 from mechproof.latex.tokens import NARROW, WIDE
 from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Product
 from mechproof.latex.words import AND, ELSE, IF

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from mechproof.latex.parts import Part, Parts, join, measure, parse
+from mechproof.latex.fragments import Fragment, Parts, join, measure, parse
 
 # Signs that part the cells of a table are no part of a formula that can be marked.
 PARTING = ("&", r"\\")
@@ -24,7 +24,7 @@ OPENING = 2
 class Marked:
     """A part, whether the other print lacks it, and all that it holds likewise."""
 
-    part: Part
+    part: Fragment
     changed: bool
     slots: tuple[tuple[Marked, ...], ...]
 
@@ -112,7 +112,7 @@ def _mark(parts: Parts, *, changed: bool) -> tuple[Marked, ...]:
     )
 
 
-def _open(part: Part, place: int, held: tuple[Marked, ...]) -> Marked:
+def _open(part: Fragment, place: int, held: tuple[Marked, ...]) -> Marked:
     """Mark a part as changed, but for what stands at one place in it."""
     slots = [_mark(slot, changed=True) for slot in part.slots]
     slots[place] = held

@@ -25,11 +25,11 @@ SILENT = frozenset(
 )
 SIZE = re.compile(r"^\\(?:left|right|[bB]igg?[lr]?)\s*")
 
-Parts = tuple["Part", ...]
+Parts = tuple["Fragment", ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class Fragment:
     """A sign with its scripts, or what encloses other parts: `pieces` stand around them."""
 
     pieces: tuple[str, ...]
@@ -88,23 +88,23 @@ class _Parser:
         return self._read(len(self.signs))
 
     def _read(self, end: int) -> Parts:
-        parts: list[Part] = []
+        parts: list[Fragment] = []
         while self.place < end:
             sign = self.signs[self.place]
             if sign in SILENT and parts:
                 parts[-1] = _replace(parts[-1], tail=join([parts[-1].tail, sign]))
                 self.place += 1
             elif sign in ("_", "^", "'"):
-                base = parts.pop() if parts else Part(("{}",))
+                base = parts.pop() if parts else Fragment(("{}",))
                 parts.append(self._read_script(base, sign, end))
             else:
                 parts += self._read_item(end)
         return tuple(parts)
 
-    def _read_script(self, base: Part, sign: str, end: int) -> Part:
+    def _read_script(self, base: Fragment, sign: str, end: int) -> Fragment:
         self.place += 1
         if sign == "'":
-            return _replace(base, sup=(*base.sup, Part((r"\prime",))))
+            return _replace(base, sup=(*base.sup, Fragment((r"\prime",))))
         script = self._read_argument(end)
         if sign == "_":
             return _replace(base, sub=base.sub + script)
@@ -129,26 +129,26 @@ class _Parser:
         if close < end:
             inside = self._read_braces(end)
             if sign != "{":
-                return (Part((sign, self.signs[close]), (inside,)),)
+                return (Fragment((sign, self.signs[close]), (inside,)),)
             is_base = self._peek(end) in ("_", "^", "'") and len(inside) > 1
-            return (Part(("{", "}"), (inside,)),) if is_base else inside
+            return (Fragment(("{", "}"), (inside,)),) if is_base else inside
         self.place += 1
-        return (self._read_command(sign, end),) if sign[0] == "\\" else (Part((sign,)),)
+        return (self._read_command(sign, end),) if sign[0] == "\\" else (Fragment((sign,)),)
 
-    def _read_command(self, sign: str, end: int) -> Part:
+    def _read_command(self, sign: str, end: int) -> Fragment:
         arguments: list[Parts] = []
         opening = f"{sign}{{"
         if sign == r"\sqrt" and self._peek(end) == "[" and self.place in self.partners:
             (degree,) = self._read_item(end)
-            return Part((r"\sqrt[", "]{", "}"), (degree.inner[0], self._read_argument(end)))
+            return Fragment((r"\sqrt[", "]{", "}"), (degree.inner[0], self._read_argument(end)))
         least = ARGUMENTS.get(sign, 0)
         while len(arguments) < least or self._takes_braces(sign, end):
             if self.place >= end:
                 break
             arguments.append(self._read_argument(end))
         if not arguments:
-            return Part((sign,))
-        return Part((opening, *["}{"] * (len(arguments) - 1), "}"), tuple(arguments))
+            return Fragment((sign,))
+        return Fragment((opening, *["}{"] * (len(arguments) - 1), "}"), tuple(arguments))
 
     def _takes_braces(self, sign: str, end: int) -> bool:
         is_name = sign[1:].isalpha() and sign not in ARGUMENTS
@@ -158,9 +158,9 @@ class _Parser:
         return self.signs[self.place] if self.place < end else ""
 
 
-def _replace(part: Part, **changes: Parts | str) -> Part:
+def _replace(part: Fragment, **changes: Parts | str) -> Fragment:
     fields = {name: getattr(part, name) for name in ("pieces", "inner", "sub", "sup", "tail")}
-    return Part(**{**fields, **changes})
+    return Fragment(**{**fields, **changes})
 
 
 def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.blocks import assemble, cut
+from mechproof.latex.matrices import assemble, cut
 from mechproof.latex.products import UnclearProductError, is_matrix, multiply, show_entries
 from mechproof.latex.tree import Entries, Excerpt, Magnitude, Product, Table, Transposed
 

@@ -44,8 +44,8 @@ from mechproof.latex.tree import (
     Power,
     Product,
     Quotient,
+    Radical,
     Repeated,
-    Root,
     Table,
     Transposed,
 )
@@ -188,7 +188,7 @@ class Meaning:
                 raise self.source.refuse(node.start, "a power of so many digits is not worked out")
         return base**exponent
 
-    def _root(self, node: Root) -> sp.Expr:
+    def _root(self, node: Radical) -> sp.Expr:
         degree = self._number(node.degree) if node.degree else sp.Integer(2)
         radicand = self._number(node.radicand)
         if degree.is_odd and not radicand.is_nonnegative:
@@ -346,7 +346,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Product: give_product,
     Quotient: Meaning._quotient,
     Power: Meaning._power,
-    Root: Meaning._root,
+    Radical: Meaning._root,
     Call: Meaning._call,
     Repeated: Meaning._repeated,
     Integration: Meaning._integration,

@@ -18,9 +18,9 @@ from mechproof.latex import (
     calls,
     conditions,
     derivatives,
-    layout,
     letters,
     places,
+    several_equations,
 )
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
@@ -80,7 +80,7 @@ class Parser:
     ) -> None:
         self.source = PrintedText(latex)
         signs = read_signs(latex)
-        self.lines = layout.split(signs.tokens)
+        self.lines = several_equations.split(signs.tokens)
         self.begin(signs.tokens, len(latex))
         self.groups = signs.groups
         self.names = names

@@ -30,8 +30,8 @@ from mechproof.latex.tree import (
     Power,
     Product,
     Quotient,
+    Radical,
     Repeated,
-    Root,
     Table,
     Transposed,
     shows_matrix,
@@ -42,7 +42,7 @@ from mechproof.latex.words import AND
 _SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
 # Written as they are wherever they stand; all else gets brackets within powers and products.
 _CLOSED = (
-    *(Number, Constant, Letter, Call, Root, Repeated, Integration, Magnitude, Entries, Table),
+    *(Number, Constant, Letter, Call, Radical, Repeated, Integration, Magnitude, Entries, Table),
     Approach,
 )
 
@@ -132,7 +132,7 @@ def _approach(node: Approach) -> str:
     return f"limit[{write(node.by)} -> {write(node.point)}{side}]({write(_strip(node.term))})"
 
 
-def _root(node: Root) -> str:
+def _root(node: Radical) -> str:
     inside = write(_strip(node.radicand))
     return f"root({inside}, {write(node.degree)})" if node.degree else f"sqrt({inside})"
 
@@ -172,7 +172,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Product: _product,
     Quotient: _quotient,
     Power: lambda node: f"{_closed(node.base)}^{_closed(node.exponent)}",
-    Root: _root,
+    Radical: _root,
     Call: _call,
     Repeated: _repeated,
     Integration: _integration,

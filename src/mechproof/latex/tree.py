@@ -88,7 +88,7 @@ class Power(Node):
 
 
 @dataclass(frozen=True)
-class Root(Node):
+class Radical(Node):
     """A root; without degree the square root."""
 
     radicand: Node

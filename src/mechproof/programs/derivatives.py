@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.programs.evaluation import Alongside
+from mechproof.programs.evaluation import KeepsShape
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
 
 Given = Mapping[sp.Symbol, sp.Expr]
@@ -36,7 +36,7 @@ def differentiate(paper: Paper) -> Paper:
     quantities = paper.quantities if paper.derivatives else ()
     wanted = (q for q in quantities if q.slopes and is_scalar(q))
     quantities = tuple(_differentiate(quantity, paper) for quantity in wanted)
-    derived = replace(paper, rows=(), findings=(), together=(), quantities=quantities)
+    derived = replace(paper, rows=(), findings=(), one_pass=(), quantities=quantities)
     _known[:] = [*_known[1 - MOST_KNOWN :], (paper, derived)]
     return derived
 
@@ -63,7 +63,7 @@ def _differentiate(quantity: Quantity, paper: Paper) -> Quantity:
     exact = quantity.definition if form.states is None else form.expression
     return Quantity(
         quantity.name,
-        f"Compute the derivatives of `{quantity.name}` by its arguments, in their order.",
+        f"Differentiate `{quantity.name}` by its arguments, in their order.",
         quantity.arguments,
         sp.ImmutableDenseMatrix(chain(exact, symbols, given)),
         (Form("backward pass", _go_back(form.expression, symbols, given), form.rewrites),),
@@ -107,7 +107,7 @@ def _go_back(
     # An argument that no derivative depends on gives its shape and its NaN.
     needed = {s for entry in entries for s in _find_inputs(entry, given)}
     for idle in (s for s in symbols if s not in needed):
-        entries = [Alongside(entry, idle) for entry in entries]
+        entries = [KeepsShape(entry, idle) for entry in entries]
     return sp.ImmutableDenseMatrix(entries)
 
 

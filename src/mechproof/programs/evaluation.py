@@ -17,7 +17,7 @@ from mechproof.record.substitution import write_steps, write_sums_out
 Step = tuple[sp.Symbol, sp.Expr]
 
 
-class Alongside(sp.Function):  # type: ignore[misc]
+class KeepsShape(sp.Function):  # type: ignore[misc]
     """A value that an argument only gives its shape and its NaN: value + 0*argument."""
 
     nargs = 2
@@ -163,7 +163,7 @@ def _write_out(entry: sp.Expr) -> sp.Expr:
 
 def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evaluation:
     def add(entry: sp.Expr) -> sp.Expr:
-        return reduce(Alongside, symbols, entry)
+        return reduce(KeepsShape, symbols, entry)
 
     return evaluation.rearrange(evaluation.steps, map_entries(add, evaluation.output))
 

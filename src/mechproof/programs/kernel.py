@@ -16,9 +16,9 @@ import sympy as sp
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.domain import can_be_left, checked_relations
 from mechproof.programs.evaluation import (
-    Alongside,
     Enclosure,
     Evaluation,
+    KeepsShape,
     Solved,
     count_axes,
     entries,
@@ -273,7 +273,7 @@ def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluatio
         carried = find_carried(entry, steps)
         lost = trace_inputs(entry, steps) - carried - {*masked}
         alongside = [*sorted(lost, key=str), *(masked[-1:] if carried.isdisjoint(masked) else ())]
-        return reduce(Alongside, alongside, entry)
+        return reduce(KeepsShape, alongside, entry)
 
     return evaluation.rearrange(evaluation.steps, map_entries(carry, evaluation.output))
 

@@ -17,7 +17,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.programs import program
-from mechproof.programs.evaluation import Alongside, unused_name
+from mechproof.programs.evaluation import KeepsShape, unused_name
 from mechproof.programs.names import sort_positive_first, suggest_name
 from mechproof.programs.operations import KINDS, SYMBOLIC, Kind
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
@@ -126,7 +126,7 @@ class Lowering:
             return self.lower(row.meaning(SYMBOLIC, *function.args))
         return self._add(row.name, *map(self.lower, function.args))
 
-    def _alongside(self, alongside: Alongside) -> Operand:
+    def _alongside(self, alongside: KeepsShape) -> Operand:
         value, argument = map(self.lower, alongside.args)
         return self._add("add", value, self._add("multiply", 0, argument))
 
@@ -304,7 +304,7 @@ _METHODS: tuple[tuple[type, Callable[[Lowering, sp.Basic], Operand]], ...] = (
     (sp.core.relational.Relational, Lowering._relation),
     (sp.And, Lowering._logical),
     (sp.Or, Lowering._logical),
-    (Alongside, Lowering._alongside),
+    (KeepsShape, Lowering._alongside),
     (sp.Function, Lowering._function),
 )
 

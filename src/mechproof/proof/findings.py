@@ -24,7 +24,7 @@ from mechproof.record import (
     Cost,
     Equality,
     Finding,
-    Follower,
+    FollowingRow,
     Paper,
     PrintedNumber,
     Row,
@@ -262,7 +262,7 @@ def _corrected_number(number: str, root: str) -> str:
     return f"{number}, with {root} corrected"
 
 
-def _insert_correction(row: Row, root: Row, follower: Follower) -> Row:
+def _insert_correction(row: Row, root: Row, follower: FollowingRow) -> Row:
     pairs = _rename(_corrections(root, follower), follower)
     says = row.statement
     if isinstance(says, Equality) and says.rebuilt_from == "mechanics":
@@ -285,7 +285,7 @@ def _insert_correction(row: Row, root: Row, follower: Follower) -> Row:
     )
 
 
-def _corrections(root: Row, follower: Follower) -> Mapping[sp.Basic, sp.Basic]:
+def _corrections(root: Row, follower: FollowingRow) -> Mapping[sp.Basic, sp.Basic]:
     """Pair what the print of a cause has with what its correction has in the same place.
 
     Of a correction that says more than one thing it is the first that replaces the print.
@@ -302,7 +302,7 @@ def _corrections(root: Row, follower: Follower) -> Mapping[sp.Basic, sp.Basic]:
     return follower.parts or whole
 
 
-def _rename(pairs: Mapping[sp.Basic, sp.Basic], follower: Follower) -> dict[sp.Basic, sp.Basic]:
+def _rename(pairs: Mapping[sp.Basic, sp.Basic], follower: FollowingRow) -> dict[sp.Basic, sp.Basic]:
     renamed = dict(follower.renamed)
     return {part.xreplace(renamed): right.xreplace(renamed) for part, right in pairs.items()}
 

@@ -13,8 +13,8 @@ from mechproof.record.expressions import (
     ValueWhere,
     sum_distinct,
 )
-from mechproof.record.findings import Check, Cost, Finding, Follower, Weight
-from mechproof.record.forms import Chart, Form, Peer, Written
+from mechproof.record.findings import Check, Cost, Finding, FollowingRow, Weight
+from mechproof.record.forms import Chart, EmittedForm, Form, Peer
 from mechproof.record.implicit import Root
 from mechproof.record.needs import list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
@@ -22,11 +22,11 @@ from mechproof.record.quantities import (
     SLOPES,
     Accuracy,
     Argument,
+    OnePass,
+    Periodicity,
     Quantity,
-    Repeats,
     Scale,
     Singular,
-    Together,
 )
 from mechproof.record.relations import Slack
 from mechproof.record.rows import (
@@ -80,26 +80,28 @@ __all__ = [
     "Derived",
     "Dimension",
     "Distinct",
+    "EmittedForm",
     "Equality",
     "Equation",
     "Finding",
-    "Follower",
+    "FollowingRow",
     "Form",
     "FunctionWithoutArgument",
     "Holds",
     "IntegralWithoutDifferential",
     "NotCheckable",
     "Notation",
+    "OnePass",
     "Paper",
     "Part",
     "Peer",
+    "Periodicity",
     "Power",
     "PrintedNumber",
     "PublishedSizes",
     "Quantity",
     "Reading",
     "RecordError",
-    "Repeats",
     "Root",
     "Row",
     "Scale",
@@ -107,13 +109,11 @@ __all__ = [
     "Singular",
     "Slack",
     "Statement",
-    "Together",
     "Toleranced",
     "Unwritten",
     "ValueWhere",
     "Variable",
     "Weight",
-    "Written",
     "family_of",
     "list_given",
     "list_needs",

@@ -62,7 +62,7 @@ class Cost:
 
 
 @dataclass(frozen=True)
-class Follower:
+class FollowingRow:
     """A row that holds the print of its cause in other letters, or only parts of it.
 
     `renamed` has what symbols of the cause are called in the row. `parts` pairs parts of the
@@ -87,13 +87,13 @@ class Finding:
     row: str
     wrong: str
     costs: tuple[Cost, ...] = ()
-    follows: tuple[str | Follower, ...] = ()
+    follows: tuple[str | FollowingRow, ...] = ()
     weight: Weight = Weight.NUMBER
     mend: str = ""
     check: Check | None = None
     figure: str = ""
 
     @property
-    def followers(self) -> tuple[Follower, ...]:
+    def followers(self) -> tuple[FollowingRow, ...]:
         """Return what follows, a mere number as the row that holds the whole print."""
-        return tuple(Follower(f) if isinstance(f, str) else f for f in self.follows)
+        return tuple(FollowingRow(f) if isinstance(f, str) else f for f in self.follows)

@@ -16,7 +16,7 @@ from mechproof.record.variables import Part
 KERNEL = "kernel "
 
 
-class Written(Protocol):
+class EmittedForm(Protocol):
     """A form as its emitted source has it: what a proof compares."""
 
     def output(self, *kept: sp.Symbol) -> sp.Basic:
@@ -64,7 +64,7 @@ class Form:
     key: str = ""
     when: sp.Basic | None = None
     bound: sp.Expr | None = None
-    states: Callable[[Written], Statement] | None = None
+    states: Callable[[EmittedForm], Statement] | None = None
     on: Part | None = None
     holds_on: Part | None = None
     source: str = ""

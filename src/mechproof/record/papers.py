@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.notebook import Displayed
 from mechproof.record.findings import Finding
-from mechproof.record.quantities import Quantity, Together
+from mechproof.record.quantities import OnePass, Quantity
 from mechproof.record.rows import Row
 from mechproof.record.texts import check_name, check_texts
 from mechproof.record.variables import Notation, Part, Variable, list_given
@@ -59,7 +59,7 @@ class Paper(Displayed):
     rows: tuple[Row, ...]
     where: tuple[sp.Basic, ...] = ()
     quantities: tuple[Quantity, ...] = ()
-    together: tuple[Together, ...] = ()
+    one_pass: tuple[OnePass, ...] = ()
     published: tuple[PublishedSizes, ...] = ()
     findings: tuple[Finding, ...] = ()
     conventions: str = ""
@@ -82,14 +82,14 @@ class Paper(Displayed):
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
-            ("quantities", [q.name for q in self.quantities] + [t.name for t in self.together]),
+            ("quantities", [q.name for q in self.quantities] + [t.name for t in self.one_pass]),
             ("findings", [finding.row for finding in self.findings]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
         _check_sentences(self)
-        for together in self.together:
+        for together in self.one_pass:
             _check_together(self, together)
 
     @property
@@ -118,7 +118,7 @@ def _check_sentences(paper: Paper) -> None:
         raise ValueError(f"{where}: aside: rows judge {both}")
 
 
-def _check_together(paper: Paper, together: Together) -> None:
+def _check_together(paper: Paper, together: OnePass) -> None:
     arguments = {
         q.name: tuple((a.name, a.symbols, a.default) for a in q.arguments)
         for q in paper.quantities

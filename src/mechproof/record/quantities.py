@@ -77,7 +77,7 @@ class Singular:
 
 
 @dataclass(frozen=True)
-class Repeats:
+class Periodicity:
     """What comes again in the running variable: a `period` on, the value is more by the `gain`."""
 
     period: sp.Expr
@@ -110,7 +110,7 @@ class Quantity:
     on: Part | None = None
     singular: tuple[Singular, ...] = ()
     period: sp.Expr | None = None
-    repeats: Repeats | None = None
+    periodicity: Periodicity | None = None
     workloads: tuple[tuple[str, tuple[str, ...]], ...] = ()
     remarks: tuple[str, ...] = ()
 
@@ -137,7 +137,7 @@ class Quantity:
 
 
 @dataclass(frozen=True)
-class Together:
+class OnePass:
     """Quantities of the same arguments that compiled kernels compute in one pass, by their names.
 
     What they have in common is computed once.

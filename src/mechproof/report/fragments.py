@@ -15,7 +15,7 @@ from mechproof.proof.anchors import name_anchors
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.report.layout import read_stylesheet, render
+from mechproof.report.pages import read_stylesheet, render
 from mechproof.report.papers import count_totals, describe_finding, list_prints
 from mechproof.report.pictures import Picture
 from mechproof.report.rows import describe_row, name_symbols

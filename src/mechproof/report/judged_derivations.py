@@ -13,11 +13,11 @@ from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, 
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import tell_proofs
-from mechproof.roundoff.files import find_certificate
+from mechproof.roundoff.certificate_files import find_certificate
 
 
 @dataclass(frozen=True)
-class Source:
+class JudgedDerivation:
     """A derivation and its ledger; `home` is where its kernels are imported from, if they are.
 
     `told` is the paper whose forms say what is proved of their rounding errors.
@@ -35,7 +35,7 @@ class Source:
         return self.ledger.system
 
 
-def find_source(location: Path, ledger: JudgedPaper) -> Source:
+def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
     """Find what was generated from a derivation and measured of it, in its folder `generated`.
 
     Raises ValueError, naming the file, for a record or a certificate that cannot be read.
@@ -44,7 +44,7 @@ def find_source(location: Path, ledger: JudgedPaper) -> Source:
     paper = ledger.paper
     kernels = folder.joinpath(f"{paper.system}.py")
     home = KERNELS if _is_packaged(location) else folder.name
-    return Source(
+    return JudgedDerivation(
         location,
         ledger,
         tell_proofs(paper, find_certificate(folder, paper.system)),

@@ -13,8 +13,8 @@ import jinja2
 from markupsafe import Markup, escape
 
 from mechproof.proof.anchors import slugify
+from mechproof.report.phrases import set_prose
 from mechproof.report.rows import MARKED
-from mechproof.report.words import set_prose
 
 STYLESHEET = "report.css"
 SUFFIX = ".html.jinja"

@@ -17,7 +17,9 @@ from mechproof.proof.verdict import Judgement, Left
 from mechproof.record import Paper, Row, Variable, Weight
 from mechproof.record.findings import WEIGHTS
 from mechproof.report.formulas import write_print
+from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
+from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
 from mechproof.report.rows import (
     RowView,
     describe_failure,
@@ -26,8 +28,6 @@ from mechproof.report.rows import (
     describe_row,
     name_symbols,
 )
-from mechproof.report.sources import Source
-from mechproof.report.words import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
 
 CONSEQUENCE = "consequence"
 
@@ -140,7 +140,7 @@ class PaperView:
     quantities: tuple[tuple[str, str], ...]
 
 
-def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
+def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> PaperView:
     """Describe a paper; `figures` have the number of the row after which each is shown."""
     ledger = source.ledger
     paper = ledger.paper
@@ -220,7 +220,7 @@ def count_left(rows: Sequence[Left]) -> tuple[Count, ...]:
 
 
 def _list_sections(
-    source: Source, anchors: Mapping[str, str], figures: Mapping[str, str]
+    source: JudgedDerivation, anchors: Mapping[str, str], figures: Mapping[str, str]
 ) -> Iterator[Section]:
     paper, judged = source.ledger.paper, {j.number: j for j in source.ledger.judgements}
     own = {row.number for row in paper.rows}
@@ -251,7 +251,7 @@ def _list_sections(
     )
 
 
-def _view_rows(source: Source, anchors: Mapping[str, str]) -> list[RowView]:
+def _view_rows(source: JudgedDerivation, anchors: Mapping[str, str]) -> list[RowView]:
     """View the paper's own rows; of those without a judgement, why they have none."""
     ledger, symbols = source.ledger, name_symbols(source.ledger.paper)
     views = {j.number: describe_row(j, anchors[j.number], symbols) for j in ledger.judgements}
@@ -264,13 +264,13 @@ def _view_rows(source: Source, anchors: Mapping[str, str]) -> list[RowView]:
     ]
 
 
-def _find_failure(source: Source, row: Row) -> str:
+def _find_failure(source: JudgedDerivation, row: Row) -> str:
     start = f"row {row.number}: "
     failures = (f for f in _strip_failures(source) if f.startswith(start))
     return next(failures, "").removeprefix(start)
 
 
-def _strip_failures(source: Source) -> Iterator[str]:
+def _strip_failures(source: JudgedDerivation) -> Iterator[str]:
     """Yield what failed without the place of the file, which is not the reader's."""
     return (text.removeprefix(f"{source.location}: ") for text in source.ledger.failures)
 

@@ -27,10 +27,10 @@ from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
 from mechproof.report.formulas import write_lines
+from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
+from mechproof.report.phrases import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
 from mechproof.report.rows import RowView, describe_row, name_symbols
-from mechproof.report.sources import Source
-from mechproof.report.words import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
 
 # Letters of a multiple of pi that is written as such.
 SHORT = 8
@@ -114,7 +114,7 @@ class QuantityView:
     rows: tuple[RowView, ...]
 
 
-def describe_quantities(source: Source) -> Iterator[QuantityView]:
+def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
     """Describe every quantity of a paper."""
     paper = source.ledger.paper
     kernels = {kernel.name: kernel for kernel in build_functions(paper).kernels}
@@ -167,7 +167,7 @@ def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
     return write_lines(f"{left}={write_latex(definition, paper.variables)}")
 
 
-def _list_rows(quantity: Quantity, source: Source) -> Iterator[RowView]:
+def _list_rows(quantity: Quantity, source: JudgedDerivation) -> Iterator[RowView]:
     """View the rows that say what the source of its forms computes."""
     judged = {j.number: j for j in source.ledger.judgements}
     anchors, symbols = name_anchors(judged), name_symbols(source.ledger.paper)
@@ -204,7 +204,7 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
     """Yield what is said beside domain, accuracy and source, which stand for themselves."""
     for note in list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
-        if lead not in ("Domain", TESTED, "Source"):
+        if lead not in ("Domain", TESTED, "JudgedDerivation"):
             named = colon and len(lead.split()) == 1
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
@@ -249,7 +249,9 @@ def _enclose(numbers: Sequence[str]) -> str:
     return f"({', '.join(numbers)})"
 
 
-def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> Iterator[FormView]:
+def _list_forms(
+    quantity: Quantity, source: JudgedDerivation, record: Record | None
+) -> Iterator[FormView]:
     """List the forms with their verdicts of now, then what else was measured."""
     judged = {j.number: j for j in source.ledger.judgements}
     count = len(quantity.shipped)
@@ -314,7 +316,9 @@ def _write_header(paper: Paper) -> str:
         return ""
 
 
-def _list_calls(quantity: Quantity, source: Source, header: str) -> Iterator[tuple[str, str, str]]:
+def _list_calls(
+    quantity: Quantity, source: JudgedDerivation, header: str
+) -> Iterator[tuple[str, str, str]]:
     """Yield language, code and a remark for each way to call the kernel."""
     if not (quantity.forms and source.home):
         return

@@ -12,7 +12,7 @@ from mechproof.proof.verdict import Evidence, Judgement, Left, Place, Verdict
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
-from mechproof.report.words import (
+from mechproof.report.phrases import (
     LEFT,
     NOT_JUDGED,
     VerdictStyle,

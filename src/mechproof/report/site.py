@@ -9,8 +9,10 @@ from pathlib import Path
 from mechproof.made import STAGED, ForeignFileError, Made
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.rungs import RUNGS
-from mechproof.report.layout import STYLESHEET, read_font, read_stylesheet, render
+from mechproof.report.judged_derivations import JudgedDerivation, find_source
+from mechproof.report.pages import STYLESHEET, read_font, read_stylesheet, render
 from mechproof.report.papers import FindingView, PaperView, count_totals, describe_paper
+from mechproof.report.phrases import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 from mechproof.report.pictures import (
     OVERVIEW,
     Picture,
@@ -22,8 +24,6 @@ from mechproof.report.pictures import (
 )
 from mechproof.report.quantities import QuantityView, describe_quantities
 from mechproof.report.rows import MARKED
-from mechproof.report.sources import Source, find_source
-from mechproof.report.words import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 
 INDEX = "index.html"
 # Lists the files of the report, so that the next one knows what it may replace.
@@ -82,7 +82,7 @@ def build_site(
     return Site(found, tuple(failures))
 
 
-def _list_pictures(sources: Sequence[Source]) -> Mapping[str, PictureTask]:
+def _list_pictures(sources: Sequence[JudgedDerivation]) -> Mapping[str, PictureTask]:
     """List what is to be drawn: the picture of all first, which takes longest."""
     records = [record for source in sources for record in source.records]
     tasks = list_overview(records)
@@ -93,7 +93,7 @@ def _list_pictures(sources: Sequence[Source]) -> Mapping[str, PictureTask]:
     return tasks
 
 
-def _describe(source: Source, pictures: Mapping[str, Picture]) -> PaperView:
+def _describe(source: JudgedDerivation, pictures: Mapping[str, Picture]) -> PaperView:
     own = list_figures(source.location)
     return describe_paper(source, {name: pictures[name].after for name in own})
 
@@ -101,7 +101,7 @@ def _describe(source: Source, pictures: Mapping[str, Picture]) -> PaperView:
 def _render_index(
     papers: Sequence[PaperView],
     quantities: Sequence[QuantityView],
-    sources: Sequence[Source],
+    sources: Sequence[JudgedDerivation],
     picture: Picture | None,
 ) -> str:
     judgements = [row for source in sources for row in source.ledger.judgements]

@@ -26,7 +26,7 @@ from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
-from mechproof.roundoff.compiled import COMPILED, WAY as COMPILED_WAY, list_expansions
+from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
 from mechproof.roundoff.grouping import bound_in_groups

@@ -23,12 +23,12 @@ from mechproof.programs.elementary.functions import build
 from mechproof.programs.program import Program
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.case_split import Rows, split_cases
-from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.error_tables import ErrorTable, find_highest
 from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
+from mechproof.roundoff.specialisation import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed, make_step
 from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 

@@ -18,7 +18,7 @@ from mechproof.extras import require_modules
 from mechproof.tailoring.receiving import NEEDED
 
 if TYPE_CHECKING:
-    from mechproof.tailoring.kernel import Tailored
+    from mechproof.tailoring.tailored import Tailored
 
 __all__ = ["tailor"]
 
@@ -80,8 +80,8 @@ def tailor(
     """
     require_modules("mechproof.tailor", "derive", NEEDED)
     from mechproof.tailoring.build import build
-    from mechproof.tailoring.kernel import make_kernel
     from mechproof.tailoring.request import read_request
+    from mechproof.tailoring.tailored import make_kernel
 
     # Precision and length of series belong to the process.
     with BALLS:

@@ -80,7 +80,7 @@ class Request:
 
     def repetition(self) -> Repetition | None:
         """Return the period and the gain over it; None for a quantity that has none."""
-        repeats = self.quantity.repeats
+        repeats = self.quantity.periodicity
         if repeats is None:
             return None
         with working(1, BITS):
@@ -154,7 +154,7 @@ def read_request(
     conditions = [c for c in vars(module)["DOMAIN"] if quantity.name in c.quantities]
     check_domain(conditions, values)
     ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
-    if ends is None and quantity.repeats is None:
+    if ends is None and quantity.periodicity is None:
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
     # One kernel is everybody's that unpickles it.
     return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)

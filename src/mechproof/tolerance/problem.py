@@ -17,8 +17,8 @@ from mechproof.tolerance.conditions import (
     is_inside,
     split,
 )
-from mechproof.tolerance.search import Search
 from mechproof.tolerance.sizes import Size, check_sizes
+from mechproof.tolerance.subdivision import Search
 
 if TYPE_CHECKING:
     from mechproof.proof.domain import Domain

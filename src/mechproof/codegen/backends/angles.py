@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.scalar_texts import ScalarStage, list_booleans
-from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import HELPER
@@ -24,7 +24,7 @@ class Angles:
 
     running: tuple[str, ...]
     prepared: tuple[tuple[str, int], ...]
-    text: Text
+    text: ProgramText
     booleans: frozenset[str]
 
 

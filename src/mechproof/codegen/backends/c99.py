@@ -30,7 +30,7 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
 from mechproof.programs.scalar import list_scalars, list_stages
 from mechproof.programs.sums import LOOPS, fold_sums
-from mechproof.record import Paper, Together
+from mechproof.record import OnePass, Paper
 
 WIDTH = 90
 ACCURACY = {
@@ -67,7 +67,7 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     file = f"{paper.system}_single" if single else paper.system
     about = paper.reference, ACCURACY[single], paper.system
     notes = {k.name: _describe(k, paper, errors) for k in kernels}
-    return render_c_kernels(file, kernels, about, notes, paper.together, single=single)
+    return render_c_kernels(file, kernels, about, notes, paper.one_pass, single=single)
 
 
 def render_c_formula(name: str, paper: Paper) -> str:
@@ -100,7 +100,7 @@ def render_c_kernels(
     kernels: Sequence[Kernel],
     about: tuple[str, str, str],
     notes: Mapping[str, Sequence[str]],
-    together: Iterable[Together] = (),
+    together: Iterable[OnePass] = (),
     *,
     single: bool = False,
 ) -> dict[str, str]:
@@ -197,7 +197,7 @@ def _write(kernel: Kernel, syntax: Syntax, form: Format, angles: dict[str, Angle
 
 
 def _write_together(
-    together: Together,
+    together: OnePass,
     kernels: Sequence[Kernel],
     written: Sequence[ScalarKernel],
     *how: Any,

@@ -43,7 +43,7 @@ from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import list_scalars
 from mechproof.programs.sums import LOOPS, TermLoop, fold_sums
-from mechproof.record import Paper, Together
+from mechproof.record import OnePass, Paper
 
 # What modules need beside operations.
 _FRAME = (
@@ -78,7 +78,7 @@ def render_compiled(paper: Paper) -> dict[str, str]:
         return {}
     about = (*_describe(paper.system), *(SUMMED if any(k.code.indexed for k in kernels) else ()))
     docstring = (*about, *tell_origin(paper.system))
-    source = render_scalars(paper.system, docstring, kernels, paper.together)
+    source = render_scalars(paper.system, docstring, kernels, paper.one_pass)
     return {f"compiled/{paper.system}.py": source}
 
 
@@ -150,7 +150,7 @@ def render_scalars(
     system: str,
     docstring: Sequence[str],
     kernels: Sequence[Kernel],
-    together: Iterable[Together] = (),
+    together: Iterable[OnePass] = (),
 ) -> str:
     """Render a module of kernels and read it back."""
     written, reductions, language = _write(kernels, together)
@@ -169,7 +169,7 @@ def render_scalars(
 
 
 def _write(
-    kernels: Iterable[Kernel], together: Iterable[Together]
+    kernels: Iterable[Kernel], together: Iterable[OnePass]
 ) -> tuple[list[ScalarKernel], tuple[TermLoop, ...], Syntax]:
     """Return the texts of kernels, the loops that they call, and the language."""
     parted, reductions, language = _part(kernels)
@@ -191,7 +191,7 @@ def _part(
     return described, reductions, language
 
 
-def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[Together]) -> None:
+def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[OnePass]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
     kernels = tuple(kernels)
     (parted, reductions, _), (written, _, _) = _part(kernels), _write(kernels, together)

@@ -23,9 +23,14 @@ from mechproof.codegen.docstrings import (
     describe_module,
 )
 from mechproof.codegen.escapes import ESCAPES
-from mechproof.codegen.facts import ConditionText, SizesText, list_conditions, list_sizes
+from mechproof.codegen.facts import (
+    ConditionText,
+    SizesText,
+    list_conditions,
+    list_sizes,
+)
 from mechproof.codegen.languages import NUMPY_BODY
-from mechproof.codegen.syntax import Text, write_program
+from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.derivatives import differentiate
 from mechproof.programs.kernel import Kernel, list_functions
@@ -74,8 +79,8 @@ class StageText:
     suffix: str
     when: str
     code: Stage
-    prepare: Text
-    evaluate: Text
+    prepare: ProgramText
+    evaluate: ProgramText
 
 
 @dataclass(frozen=True)
@@ -169,7 +174,9 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
                 _write_condition(stage.when),
                 stage,
                 write_program(stage.prepare, NUMPY_BODY),
-                write_program(stage.evaluate, NUMPY_BODY) if stage.evaluate else Text((), ()),
+                write_program(stage.evaluate, NUMPY_BODY)
+                if stage.evaluate
+                else ProgramText((), ()),
             )
         )
     return KernelText(kernel, docstring, *_list_conditions(code), tuple(stages))

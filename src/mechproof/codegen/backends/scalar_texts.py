@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from mechproof.codegen.c_names import STORED
 from mechproof.codegen.languages import EXACT
-from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.fits import enclose
 from mechproof.programs.elementary.formats import Format
@@ -24,7 +24,7 @@ from mechproof.programs.scalar import (
     rename_components,
 )
 from mechproof.programs.sums import TermLoop
-from mechproof.record import Together
+from mechproof.record import OnePass
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
 
@@ -39,13 +39,13 @@ class ScalarStage:
     name: str
     when: str
     parameters: tuple[str, ...]
-    prepare: Text
-    evaluate: Text
+    prepare: ProgramText
+    evaluate: ProgramText
     inputs: tuple[str, ...]
     running: tuple[str, ...]
     booleans: frozenset[str]
     needed: tuple[str, ...]
-    whole: Text
+    whole: ProgramText
 
 
 @dataclass(frozen=True)
@@ -168,8 +168,8 @@ class FunctionText:
     kind: str
     meaning: str
     inputs: tuple[str, ...]
-    text: Text
-    far: Text | None
+    text: ProgramText
+    far: ProgramText | None
     booleans: frozenset[str]
     bounds: tuple[tuple[str, float], ...]
 
@@ -204,7 +204,7 @@ def _spell(names: Iterable[str], syntax: Syntax) -> tuple[str, ...]:
     return tuple(map(syntax.name, names))
 
 
-def join_scalars(together: Together, kernels: Sequence[ScalarKernel]) -> ScalarKernel:
+def join_scalars(together: OnePass, kernels: Sequence[ScalarKernel]) -> ScalarKernel:
     """Return the kernel that computes several in one pass.
 
     Raises NotImplementedError for sums and for results with components.
@@ -277,7 +277,7 @@ class ReductionText:
     """What is printed of a loop over terms."""
 
     loop: TermLoop
-    text: Text
+    text: ProgramText
     booleans: frozenset[str]
     limited: bool
 

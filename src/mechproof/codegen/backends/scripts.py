@@ -21,7 +21,7 @@ from mechproof.codegen.languages import (
     STRUCTURED_TEXT_WORDS,
     Script,
 )
-from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.operations import HELPER
@@ -38,7 +38,7 @@ class Helper:
 
     name: str
     inputs: tuple[str, ...]
-    text: Text
+    text: ProgramText
     booleans: frozenset[str]
     is_boolean: bool
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.sampling.roots import Columns
 from mechproof.lab.sampling.stated_sizes import FEWEST, WIDE, Facts
+from mechproof.lab.sampling.zero_sets import Columns
 from mechproof.lab.ways import Array
 from mechproof.record import Argument
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.singular_points import list_point_sets
-from mechproof.lab.sampling.sizes import Sides, draw_cell, make_workload
 from mechproof.lab.sampling.stated_sizes import Facts
+from mechproof.lab.sampling.usual_sizes import Sides, draw_cell, make_workload
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
 

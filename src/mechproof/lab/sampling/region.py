@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.lab.sampling.roots import Columns, call
+from mechproof.lab.sampling.zero_sets import Columns, call
 from mechproof.lab.ways import Array
 from mechproof.programs.domain import set_relations
 from mechproof.proof.domain import Domain

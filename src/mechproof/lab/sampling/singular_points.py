@@ -18,8 +18,8 @@ import sympy as sp
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.sampling.draws import Rng, count_points, draw_inside, draw_mixed
 from mechproof.lab.sampling.points import PointSet, draw_ladder
-from mechproof.lab.sampling.roots import Columns, Place, find_integers, find_roots
 from mechproof.lab.sampling.stated_sizes import FEWEST, Facts
+from mechproof.lab.sampling.zero_sets import Columns, ZeroSet, find_integers, find_roots
 from mechproof.lab.ways import Arguments, Array
 
 GENERIC, ALONE, MEETING, FAR, TINY = 300, 80, 200, 300, 160
@@ -33,7 +33,7 @@ TINIEST, HUGEST = 1e-290, 1e200
 class SingularTarget:
     """A place and the argument that is moved onto it."""
 
-    place: Place
+    place: ZeroSet
     symbol: sp.Symbol
 
     def leaves(self, other: SingularTarget) -> bool:
@@ -43,7 +43,7 @@ class SingularTarget:
 
 def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
     """List the sets of a quantity: generic, about each singular place, the edges, tiny sizes."""
-    groups: list[tuple[str, tuple[Place, ...]]] = [
+    groups: list[tuple[str, tuple[ZeroSet, ...]]] = [
         (place.text, (place,)) for place in facts.singular_places
     ]
     if facts.edges:
@@ -60,7 +60,7 @@ def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
     )
 
 
-def list_targets(facts: Facts, places: tuple[Place, ...]) -> list[SingularTarget]:
+def list_targets(facts: Facts, places: tuple[ZeroSet, ...]) -> list[SingularTarget]:
     """List every argument that can be moved onto one of the places by any distance."""
     return [
         SingularTarget(place, symbol)
@@ -160,7 +160,7 @@ def _move_onto(
 
 
 def _draw_integers(
-    facts: Facts, rng: Rng, place: Place, columns: Columns
+    facts: Facts, rng: Rng, place: ZeroSet, columns: Columns
 ) -> Mapping[sp.Symbol, Array]:
     """Draw integers: those that come nearest to the values drawn, and small ones."""
     _, integers = place.split(facts.symbols)

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.sampling.region import Region
-from mechproof.lab.sampling.roots import Columns, Place
+from mechproof.lab.sampling.zero_sets import Columns, ZeroSet
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
 from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
@@ -60,28 +60,28 @@ class Facts:
         return tuple({s: _list_limits(v) for s, v in row.items()} for row in rows if row)
 
     @cached_property
-    def singular_places(self) -> tuple[Place, ...]:
+    def singular_places(self) -> tuple[ZeroSet, ...]:
         """Return where it is singular, as equations of the arguments.
 
         Raises ValueError for an equation in which no argument occurs, or another symbol.
         """
         return tuple(self._place(row) for row in self.singular)
 
-    def _place(self, row: Singular) -> Place:
+    def _place(self, row: Singular) -> ZeroSet:
         written_out = self.domain.resolve(row.equation)
-        place = Place(written_out.lhs - written_out.rhs, row.text or str(row.equation))
+        place = ZeroSet(written_out.lhs - written_out.rhs, row.text or str(row.equation))
         own, others = place.split(self.symbols)
         if not own or not all(s.is_integer for s in others):
             raise ValueError(f"singular set {row.equation}: {others} are no arguments or integers")
         return place
 
     @cached_property
-    def edges(self) -> tuple[Place, ...]:
+    def edges(self) -> tuple[ZeroSet, ...]:
         """Return the edges of the domain."""
-        return tuple(Place(gap, f"edge {sp.Eq(gap, 0)}") for gap in self.region.edges)
+        return tuple(ZeroSet(gap, f"edge {sp.Eq(gap, 0)}") for gap in self.region.edges)
 
     @cached_property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[ZeroSet, ...]:
         """Return singular places, then edges that are none of them."""
         known = {place.gap for place in self.singular_places}
         others = [e for e in self.edges if e.gap not in known and -e.gap not in known]

@@ -33,7 +33,7 @@ FARTHEST = 2**44
 
 
 @dataclass(frozen=True)
-class Place:
+class ZeroSet:
     """Where `gap` is zero; symbols that are no arguments run over the integers."""
 
     gap: sp.Expr
@@ -51,7 +51,7 @@ class Place:
 
 
 def find_roots(
-    place: Place, symbol: sp.Symbol, values: Columns, within: tuple[float, float], wanted: Wanted
+    place: ZeroSet, symbol: sp.Symbol, values: Columns, within: tuple[float, float], wanted: Wanted
 ) -> Array:
     """Return the doubles nearest to roots, one to a point, near the values drawn; NaN without one.
 
@@ -67,13 +67,15 @@ def find_roots(
     return roots
 
 
-def find_integers(place: Place, integer: sp.Symbol, values: Columns) -> Array | None:
+def find_integers(place: ZeroSet, integer: sp.Symbol, values: Columns) -> Array | None:
     """Return the whole numbers for which the values drawn lie nearest; None if not linear."""
     found = solve_linear(place.gap, integer)
     return None if found is None else np.rint(call(found, values))
 
 
-def _guess(place: Place, symbol: sp.Symbol, values: Columns, within: tuple[float, float]) -> Array:
+def _guess(
+    place: ZeroSet, symbol: sp.Symbol, values: Columns, within: tuple[float, float]
+) -> Array:
     solution = solve_linear(place.gap, symbol)
     with np.errstate(all="ignore"):
         if solution is not None:
@@ -106,7 +108,7 @@ def call(expression: sp.Expr, values: Columns) -> Array:
     return np.broadcast_to(np.asarray(result, float), shape)
 
 
-def _as_function(place: Place, symbol: sp.Symbol, values: Columns) -> Callable[[Array], Array]:
+def _as_function(place: ZeroSet, symbol: sp.Symbol, values: Columns) -> Callable[[Array], Array]:
     others = {s: v for s, v in values.items() if s in place.symbols and s != symbol}
     return lambda tried: call(
         place.gap,

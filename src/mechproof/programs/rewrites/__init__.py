@@ -24,7 +24,11 @@ from mechproof.programs.rewrites.half_angle import (
 )
 from mechproof.programs.rewrites.low_product import low_product
 from mechproof.programs.rewrites.low_word import low_word
-from mechproof.programs.rewrites.roots import conjugate_root, difference_of_squares, hypotenuse
+from mechproof.programs.rewrites.square_roots import (
+    conjugate_root,
+    difference_of_squares,
+    hypotenuse,
+)
 from mechproof.programs.rewrites.taylor import taylor
 
 __all__ = ["REWRITES", "apply_rewrites"]
