@@ -197,7 +197,7 @@ DOMAIN = (
         "R1",
         "R1 <= R2*(largest - 1)",
         ("largest", "R1", "R2"),
-        lambda largest, R1, R2: R2 * (largest - 1) >= R1,
+        lambda largest, R1, R2: R1 <= R2 * (largest - 1),
         ("eccentricity_of_largest_ratio",),
     ),
     _Condition(
@@ -1162,7 +1162,7 @@ def _check_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any) -> t
         R2 < R1,
         largest > 1.0,
         _is_finite(largest),
-        R2 * (largest - 1.0) >= R1,
+        R1 <= R2 * (largest - 1.0),
     )
 
 

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 7c4f48979007.
+Elementary functions: `elementary` 5798b8db980a.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -97,7 +97,8 @@ def ratio(
 ) -> Any:
     """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.ratio`.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -160,7 +161,8 @@ def position(
 ) -> Any:
     """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.position` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.position`.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -220,7 +222,8 @@ def acceleration(
 ) -> Any:
     """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.acceleration` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.acceleration`.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -259,7 +262,8 @@ def largest_ratio(
 ) -> Any:
     """Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.largest_ratio`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -296,7 +300,8 @@ def smallest_ratio(
 ) -> Any:
     """Compute the smallest transmission ratio, met half a period after the largest.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.smallest_ratio`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -364,7 +369,8 @@ def jerk(
 ) -> Any:
     """Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.jerk` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.jerk`.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -414,7 +420,8 @@ def largest_acceleration(
 ) -> Any:
     """Compute the largest acceleration; the smallest is as far below zero.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_acceleration` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.largest_acceleration`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -463,7 +470,8 @@ def angle_of_smallest_acceleration(
 ) -> Any:
     """Compute phi1 where the acceleration is smallest; it is largest as far before 0.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.angle_of_smallest_acceleration` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.angle_of_smallest_acceleration`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -520,7 +528,8 @@ def largest_jerk(
 ) -> Any:
     """Compute the largest jerk, met at angle_of_largest_jerk to both sides of 0.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_jerk` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.largest_jerk`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -558,7 +567,8 @@ def smallest_jerk(
 ) -> Any:
     """Compute the smallest jerk, met where the ratio is largest.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_jerk` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.smallest_jerk`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -609,7 +619,8 @@ def angle_of_largest_jerk(
 ) -> Any:
     """Compute the first phi1 from 0 on where the jerk is largest.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.angle_of_largest_jerk` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.angle_of_largest_jerk`.
     """
     if _type(R2) is _type(e) is _float:
         if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
@@ -640,7 +651,7 @@ def _value_of_eccentricity_of_largest_ratio(largest, R1, R2):
         & (R2 < R1)
         & (largest > 1)
         & _is_finite(largest)
-        & (R2 * (largest - 1) >= R1)
+        & (R1 <= R2 * (largest - 1))
     ):
         return _math.nan
     k = R1 / R2
@@ -657,7 +668,8 @@ def eccentricity_of_largest_ratio(
 ) -> Any:
     """Compute the eccentricity at which the largest ratio is the one wanted.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.eccentricity_of_largest_ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.eccentricity_of_largest_ratio`.
     """
     if _type(R1) is _type(R2) is _float:
         if _type(largest) is _ndarray and (_row := _take_row(largest, out)) is not None:
@@ -707,7 +719,8 @@ def eccentricity_of_smallest_ratio(
 ) -> Any:
     """Compute the eccentricity at which the smallest ratio is the one wanted.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.eccentricity_of_smallest_ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.eccentricity_of_smallest_ratio`.
     """
     if _type(R1) is _type(R2) is _float:
         if _type(smallest) is _ndarray and (_row := _take_row(smallest, out)) is not None:
@@ -763,7 +776,8 @@ def eccentricity_of_quotient(
 ) -> Any:
     """Compute the eccentricity at which the largest ratio is so many times the smallest.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.eccentricity_of_quotient` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.eccentricity_of_quotient`.
     """
     if _type(R1) is _type(R2) is _float:
         if _type(quotient) is _ndarray and (_row := _take_row(quotient, out)) is not None:
@@ -815,7 +829,8 @@ def eccentricity_of_non_uniformity(
 ) -> Any:
     """Compute the eccentricity at which (largest - smallest ratio)/(mean ratio) is as wanted.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.eccentricity_of_non_uniformity` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.eccentricity_of_non_uniformity`.
     """
     if _type(R1) is _type(R2) is _float:
         if (
@@ -867,7 +882,8 @@ def eccentricity_of_extremes(
 ) -> Any:
     """Compute the eccentricity at which both extremes of the ratio are those wanted.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.eccentricity_of_extremes` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.eccentricity_of_extremes`.
     """
     if _type(smallest) is _float:
         if _type(largest) is _ndarray and (_row := _take_row(largest, out)) is not None:
@@ -912,7 +928,8 @@ def radii_of_extremes(
 ) -> Any:
     """Compute R1/R2 at which both extremes of the ratio are those wanted.
 
-    Compiled. The help of `mechproof.kernels.elliptic_planetary.radii_of_extremes` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.elliptic_planetary.radii_of_extremes`.
     """
     if _type(smallest) is _float:
         if _type(largest) is _ndarray and (_row := _take_row(largest, out)) is not None:

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 7c4f48979007.
+Elementary functions: `elementary` 5798b8db980a.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -90,7 +90,8 @@ def ratio(
 ) -> Any:
     """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.ratio` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.ratio`.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -143,7 +144,8 @@ def position(
 ) -> Any:
     """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.position` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.position`.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -226,7 +228,8 @@ def acceleration(
 ) -> Any:
     """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.acceleration` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.acceleration`.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -280,7 +283,8 @@ def ratio_cylindrical(
 ) -> Any:
     """Compute the ratio d phi3/d phi1 with a cylindrical pair 4-5.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.ratio_cylindrical` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.ratio_cylindrical`.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -350,7 +354,8 @@ def position_cylindrical(
 ) -> Any:
     """Compute the position function phi3(phi1) with a cylindrical pair 4-5, phi3(0) = 0.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.position_cylindrical` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.position_cylindrical`.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -414,7 +419,8 @@ def acceleration_cylindrical(
 ) -> Any:
     """Compute d ratio/d phi1 with a cylindrical pair 4-5.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.acceleration_cylindrical` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.acceleration_cylindrical`.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -515,7 +521,8 @@ def jerk(
 ) -> Any:
     """Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.jerk` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.jerk`.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
@@ -581,7 +588,8 @@ def jerk_cylindrical(
 ) -> Any:
     """Compute d acceleration/d phi1 with a cylindrical pair 4-5.
 
-    Compiled. The help of `mechproof.kernels.oval_planetary.jerk_cylindrical` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.oval_planetary.jerk_cylindrical`.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
         if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 7c4f48979007.
+Elementary functions: `elementary` 5798b8db980a.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -67,7 +67,8 @@ def _fill_of_constant_chord(_out, m, alpha):
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the constant chord, between the points where a rack touches both flanks.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.constant_chord`.
     """
     if _type(alpha) is _float:
         if _type(m) is _ndarray and (_row := _take_row(m, out)) is not None:
@@ -101,7 +102,8 @@ def _fill_of_chord_height(_out, m, alpha):
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the height from the tip circle to the constant chord, addendum of one module.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.chord_height`.
     """
     if _type(alpha) is _float:
         if _type(m) is _ndarray and (_row := _take_row(m, out)) is not None:
@@ -160,7 +162,8 @@ def height_change(
 ) -> Any:
     """Compute how much deeper than the constant chord the chord lies, by its flank's tangent.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.height_change`.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
         if _type(tilt) is _ndarray and (_row := _take_row(tilt, out)) is not None:
@@ -225,7 +228,8 @@ def thickness_change(
 ) -> Any:
     """Compute how much thicker than the constant chord the chord is, by its flank's tangent.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.thickness_change`.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
         if _type(tilt) is _ndarray and (_row := _take_row(tilt, out)) is not None:
@@ -265,7 +269,8 @@ def thickness_change_linear(
 ) -> Any:
     """Compute the change of thickness with the height to first order, on the rack exactly.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.thickness_change_linear`.
     """
     if _type(alpha) is _float:
         if _type(dh) is _ndarray and (_row := _take_row(dh, out)) is not None:
@@ -320,7 +325,8 @@ def linearisation_bound(
 ) -> Any:
     """Bound the excess of the first order over the exact change of thickness; it is >= 0.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.linearisation_bound`.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
         if _type(dh) is _ndarray and (_row := _take_row(dh, out)) is not None:
@@ -360,7 +366,8 @@ def thickness_error(
 ) -> Any:
     """Compute the error of thickness from the tip diameter and the gauge's height.
 
-    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.tooth_thickness.thickness_error`.
     """
     if _type(height_error) is _type(alpha) is _float:
         if _type(e_tip) is _ndarray and (_row := _take_row(e_tip, out)) is not None:

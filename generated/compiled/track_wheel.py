@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 7c4f48979007.
+Elementary functions: `elementary` 5798b8db980a.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -189,7 +189,8 @@ def rotation(
 ) -> Any:
     """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.rotation` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.rotation`.
     """
     return _run(_loops_of_rotation, (alpha, beta, gamma), out)
 
@@ -262,7 +263,8 @@ def displacement(
 ) -> Any:
     """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.displacement` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.displacement`.
     """
     return _run(_loops_of_displacement, (points, angles, shift), out)
 
@@ -305,7 +307,8 @@ def _fill_of_planar_error(_out, displacement):
 def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the error in the end plane X0Y0.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.planar_error` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.planar_error`.
     """
     return _run(_loops_of_planar_error, (displacement,), out)
 
@@ -335,7 +338,8 @@ def _fill_of_spatial_error(_out, displacement):
 def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the error in space.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.spatial_error` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.spatial_error`.
     """
     return _run(_loops_of_spatial_error, (displacement,), out)
 
@@ -374,7 +378,8 @@ def radius(
 ) -> Any:
     """Compute the radius vector of the track, a shifted circle repeated z times.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.radius`.
     """
     if _type(R) is _type(A) is _type(z) is _float:
         if _type(phi) is _ndarray and (_row := _take_row(phi, out)) is not None:
@@ -431,7 +436,8 @@ def track(
 ) -> Any:
     """Compute points of the track.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.track` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.track`.
     """
     return _run(_loops_of_track, (phi, R, A, z, H), out)
 
@@ -459,7 +465,8 @@ def _fill_of_largest_radius(_out, R, A):
 def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the largest radius vector of the track.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.largest_radius`.
     """
     if _type(A) is _float:
         if _type(R) is _ndarray and (_row := _take_row(R, out)) is not None:
@@ -493,7 +500,8 @@ def _fill_of_smallest_radius(_out, R, A):
 def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the smallest radius vector of the track.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.smallest_radius`.
     """
     if _type(A) is _float:
         if _type(R) is _ndarray and (_row := _take_row(R, out)) is not None:
@@ -602,7 +610,8 @@ def error_sum_correlated(
 ) -> Any:
     """Compute the total error of correlated elementary errors.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.error_sum_correlated` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.error_sum_correlated`.
     """
     return _run_sums(
         _loops_of_error_sum_correlated,
@@ -685,7 +694,8 @@ def error_sum(
 ) -> Any:
     """Compute the total error of independent elementary errors.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.error_sum` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.error_sum`.
     """
     return _run_sums(_loops_of_error_sum, (tolerances, sensitivities, scatters, total_scatter), out)
 
@@ -783,7 +793,8 @@ def error_sum_thermal(
 ) -> Any:
     """Compute the total error with a temperature error in fixed proportion to the total itself.
 
-    Compiled. The help of `mechproof.kernels.track_wheel.error_sum_thermal` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.error_sum_thermal`.
     """
     return _run_sums(
         _loops_of_error_sum_thermal,

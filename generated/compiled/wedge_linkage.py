@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 7c4f48979007.
+Elementary functions: `elementary` 5798b8db980a.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -87,7 +87,8 @@ def guide_radicand(
 ) -> Any:
     """Compute the radicand of Q, the square of BC: the guide follows where it is not negative.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.guide_radicand` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.guide_radicand`.
     """
     if _type(l_AB) is _type(l_BC) is _type(l_CD) is _float:
         if _type(x1) is _ndarray and (_row := _take_row(x1, out)) is not None:
@@ -140,7 +141,8 @@ def lever_angle(
 ) -> Any:
     """Compute the rotation phi3 of the lever.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.lever_angle` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.lever_angle`.
     """
     if _type(l_AB) is _type(l_BC) is _type(l_CD) is _float:
         if _type(x1) is _ndarray and (_row := _take_row(x1, out)) is not None:
@@ -180,7 +182,8 @@ def rod_displacement(
 ) -> Any:
     """Compute the displacement x5 of the rod.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.rod_displacement` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.rod_displacement`.
     """
     if _type(l_DE) is _type(alpha_DE) is _float:
         if _type(phi3) is _ndarray and (_row := _take_row(phi3, out)) is not None:
@@ -216,7 +219,8 @@ def _fill_of_clearance(_out, x5, l_GH):
 def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the displacement x5' of the pushed link after the clearance.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.clearance` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.clearance`.
     """
     if _type(l_GH) is _float:
         if _type(x5) is _ndarray and (_row := _take_row(x5, out)) is not None:
@@ -252,7 +256,8 @@ def roller_offset(
 ) -> Any:
     """Compute R, the projection of KL on Ox: the roller lever follows where |R| <= l_KL.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.roller_offset` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.roller_offset`.
     """
     if _type(l_KL) is _type(alpha_KL) is _float:
         if _type(x5) is _ndarray and (_row := _take_row(x5, out)) is not None:
@@ -297,7 +302,8 @@ def roller_lever_angle(
 ) -> Any:
     """Compute the rotation phi7 of the roller lever.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.roller_lever_angle` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.roller_lever_angle`.
     """
     if _type(l_KL) is _type(alpha_KL) is _float:
         if _type(x5) is _ndarray and (_row := _take_row(x5, out)) is not None:
@@ -337,7 +343,8 @@ def wedge_displacement(
 ) -> Any:
     """Compute the displacement y9 of the wedge.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.wedge_displacement` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.wedge_displacement`.
     """
     if _type(l_LM) is _type(alpha_LM) is _float:
         if _type(phi7) is _ndarray and (_row := _take_row(phi7, out)) is not None:
@@ -428,7 +435,8 @@ def position(
 ) -> Any:
     """Compute the displacement y9 of the wedge, the whole chain.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.position` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.position`.
     """
     if (
         _type(l_AB)
@@ -574,7 +582,8 @@ def velocity(
 ) -> Any:
     """Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.velocity` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.velocity`.
     """
     if (
         _type(l_AB)
@@ -744,7 +753,8 @@ def sensitivities(
 ) -> Any:
     """Compute the derivatives of y9 by the sizes, in the order of the arguments.
 
-    Compiled. The help of `mechproof.kernels.wedge_linkage.sensitivities` has all words.
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.wedge_linkage.sensitivities`.
     """
     return _run(
         _loops_of_sensitivities,

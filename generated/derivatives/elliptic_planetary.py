@@ -68,7 +68,7 @@ def __dir__() -> list[str]:
 def ratio(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `ratio` by its arguments, in their order.
+    """Differentiate `ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
@@ -156,7 +156,7 @@ def _form_of_ratio(
 def position(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `position` by its arguments, in their order.
+    """Differentiate `position` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and
     (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
@@ -214,7 +214,7 @@ def _form_of_position(
 def acceleration(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `acceleration` by its arguments, in their order.
+    """Differentiate `acceleration` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and
@@ -352,7 +352,7 @@ def _form_of_acceleration(
 def largest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `largest_ratio` by its arguments, in their order.
+    """Differentiate `largest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
@@ -394,7 +394,7 @@ def _form_of_largest_ratio(R1: Any, R2: Any, one_plus_e: Any, one_minus_e: Any, 
 def smallest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `smallest_ratio` by its arguments, in their order.
+    """Differentiate `smallest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
@@ -437,7 +437,7 @@ def _form_of_smallest_ratio(R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any,
 def jerk(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `jerk` by its arguments, in their order.
+    """Differentiate `jerk` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2 and
@@ -611,7 +611,7 @@ def _form_of_jerk(
 def largest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `largest_acceleration` by its arguments, in their order.
+    """Differentiate `largest_acceleration` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
     and 1e-300 <= R2 and R1 <= 1e90*R2.
@@ -755,8 +755,7 @@ def _form_of_largest_acceleration(
 def angle_of_smallest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `angle_of_smallest_acceleration` by its arguments, in their
-    order.
+    """Differentiate `angle_of_smallest_acceleration` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1 and
     1e-300 <= R2 and R1 <= 1e90*R2.
@@ -868,7 +867,7 @@ def _form_of_angle_of_smallest_acceleration(
 def smallest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `smallest_jerk` by its arguments, in their order.
+    """Differentiate `smallest_jerk` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
     and 1e-300 <= R2 and R1 <= 1e90*R2.
@@ -916,7 +915,7 @@ def _form_of_smallest_jerk(
 def eccentricity_of_largest_ratio(
     largest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `eccentricity_of_largest_ratio` by its arguments, in their order.
+    """Differentiate `eccentricity_of_largest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
@@ -941,7 +940,7 @@ def _check_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any) -> t
         R2 < R1,
         largest > 1.0,
         _is_finite(largest),
-        R2 * (largest - 1.0) >= R1,
+        R1 <= R2 * (largest - 1.0),
     )
 
 
@@ -972,8 +971,7 @@ def _form_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any, k: An
 def eccentricity_of_smallest_ratio(
     smallest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `eccentricity_of_smallest_ratio` by its arguments, in their
-    order.
+    """Differentiate `eccentricity_of_smallest_ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
@@ -1029,7 +1027,7 @@ def _form_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any, k: 
 def eccentricity_of_quotient(
     quotient: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `eccentricity_of_quotient` by its arguments, in their order.
+    """Differentiate `eccentricity_of_quotient` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2 and quotient <= 1e100.
@@ -1096,7 +1094,7 @@ def _form_of_eccentricity_of_quotient(
 def eccentricity_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `eccentricity_of_extremes` by its arguments, in their order.
+    """Differentiate `eccentricity_of_extremes` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
 
@@ -1150,7 +1148,7 @@ def _form_of_eccentricity_of_extremes(largest: Any, smallest: Any, smallest_minu
 def radii_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `radii_of_extremes` by its arguments, in their order.
+    """Differentiate `radii_of_extremes` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
 

@@ -66,7 +66,7 @@ def ratio(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `ratio` by its arguments, in their order.
+    """Differentiate `ratio` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
 
@@ -219,7 +219,7 @@ def position(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `position` by its arguments, in their order.
+    """Differentiate `position` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 16 eps of its conditioning, where (phi1 = 0 or e1 + e2
     = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <= e2*|mount|) and
@@ -359,7 +359,7 @@ def acceleration(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `acceleration` by its arguments, in their order.
+    """Differentiate `acceleration` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
     e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
@@ -609,7 +609,7 @@ def _form_of_acceleration(
 def ratio_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `ratio_cylindrical` by its arguments, in their order.
+    """Differentiate `ratio_cylindrical` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26.
 
@@ -713,7 +713,7 @@ def _form_of_ratio_cylindrical(
 def position_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `position_cylindrical` by its arguments, in their order.
+    """Differentiate `position_cylindrical` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and (e2
     = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
@@ -777,7 +777,7 @@ def _form_of_position_cylindrical(
 def acceleration_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `acceleration_cylindrical` by its arguments, in their order.
+    """Differentiate `acceleration_cylindrical` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and
@@ -926,7 +926,7 @@ def jerk(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `jerk` by its arguments, in their order.
+    """Differentiate `jerk` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
     e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
@@ -1523,7 +1523,7 @@ def _form_of_jerk(
 def jerk_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `jerk_cylindrical` by its arguments, in their order.
+    """Differentiate `jerk_cylindrical` by its arguments, in their order.
 
     Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
     and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and

@@ -58,7 +58,7 @@ def __dir__() -> list[str]:
 # Form: backward pass
 # Operations: 9
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the derivatives of `constant_chord` by its arguments, in their order.
+    """Differentiate `constant_chord` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -93,7 +93,7 @@ def _form_of_constant_chord(m: Any, alpha: Any, cos_alpha: Any) -> Any:
 # Form: backward pass
 # Operations: 11
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the derivatives of `chord_height` by its arguments, in their order.
+    """Differentiate `chord_height` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -135,7 +135,7 @@ def height_change(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `height_change` by its arguments, in their order.
+    """Differentiate `height_change` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
@@ -211,7 +211,7 @@ def thickness_change(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `thickness_change` by its arguments, in their order.
+    """Differentiate `thickness_change` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
@@ -283,7 +283,7 @@ def _form_of_thickness_change(
 def thickness_change_linear(
     dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `thickness_change_linear` by its arguments, in their order.
+    """Differentiate `thickness_change_linear` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -325,7 +325,7 @@ def _form_of_thickness_change_linear(dh: Any, tan_alpha: Any) -> Any:
 def linearisation_bound(
     dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `linearisation_bound` by its arguments, in their order.
+    """Differentiate `linearisation_bound` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (dh = 0 or 1e-100 <=
     |dh|) and 1e-30 <= m and m*z <= 1e50.
@@ -427,7 +427,7 @@ def _form_of_linearisation_bound(
 def thickness_error(
     e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `thickness_error` by its arguments, in their order.
+    """Differentiate `thickness_error` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 

@@ -57,7 +57,7 @@ def __dir__() -> list[str]:
 def radius(
     phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `radius` by its arguments, in their order.
+    """Differentiate `radius` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where 1e-140 <= R and R <=
     1e150 and z*|phi| <= 2**26.
@@ -94,11 +94,11 @@ def _form_of_radius(phi: Any, R: Any, A: Any, z: Any, A_squared: Any) -> Any:
 
 
 # Source: extremes of Kapitonov, Yakubovsky 2022, equation (16)
-# Expressions sha256: b281bb105ddadd6311e2baa86b5d0181be4c98f7ddf2f6c974b7334f96dd5d70
+# Expressions sha256: bad4908b3bf57438aa28d10beee4920f9cf9ed31efd2e614a87ad745d44f3708
 # Form: backward pass
 # Operations: 6
 def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the derivatives of `largest_radius` by its arguments, in their order.
+    """Differentiate `largest_radius` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -134,11 +134,11 @@ def _form_of_largest_radius(R: Any, A: Any) -> Any:
 
 
 # Source: extremes of Kapitonov, Yakubovsky 2022, equation (16)
-# Expressions sha256: c32b0cdeb837c729171da29332a66a53b885e2bb43687c67744c773fa76bdb68
+# Expressions sha256: 34c7a7c1d7c3e337533b957d1c7127e385af6b97afceeae5909366532f2994b6
 # Form: backward pass
 # Operations: 7
 def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the derivatives of `smallest_radius` by its arguments, in their order.
+    """Differentiate `smallest_radius` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 

@@ -64,7 +64,7 @@ def guide_radicand(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `guide_radicand` by its arguments, in their order.
+    """Differentiate `guide_radicand` by its arguments, in their order.
 
     Of a value in: mm**2. Accuracy, tested: 4 eps of its conditioning, where (1e-50 <= |x1| <=
     1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
@@ -114,7 +114,7 @@ def lever_angle(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `lever_angle` by its arguments, in their order.
+    """Differentiate `lever_angle` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where (1e-50 <= |x1| <=
     1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
@@ -169,7 +169,7 @@ def _form_of_lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
 def rod_displacement(
     phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `rod_displacement` by its arguments, in their order.
+    """Differentiate `rod_displacement` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where |phi3| <= pi and (phi3
     = 0 or 1e-140 <= |phi3|) and 1e-10 <= l_DE <= 1e300.
@@ -214,7 +214,7 @@ def _form_of_rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 # Form: backward pass
 # Operations: 12
 def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-    """Compute the derivatives of `clearance` by its arguments, in their order.
+    """Differentiate `clearance` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
 
@@ -245,13 +245,13 @@ def _form_of_clearance(x5: Any, l_GH: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
-# Expressions sha256: 5b7430cf8663429c71c7b206643c53cc0671c537c83fe2501f63de27fe6624ca
+# Expressions sha256: a6a329d7678d271dc9f34d36088082f9c039923bea1d680a21cfb406b77995c4
 # Form: backward pass
 # Operations: 12
 def roller_offset(
     x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `roller_offset` by its arguments, in their order.
+    """Differentiate `roller_offset` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (1e-50 <= |x5| <= 1e50
     or x5 = 0) and 1e-50 <= l_KL <= 1e50.
@@ -294,7 +294,7 @@ def _form_of_roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 def roller_lever_angle(
     x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `roller_lever_angle` by its arguments, in their order.
+    """Differentiate `roller_lever_angle` by its arguments, in their order.
 
     Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where (1e-50 <= |x5| <=
     1e50 or x5 = 0) and 1e-50 <= l_KL <= 1e50 and height_condition/2**48 < height_square.
@@ -401,7 +401,7 @@ def _form_of_roller_lever_angle(
 def wedge_displacement(
     phi7: ArrayLike, l_LM: ArrayLike, alpha_LM: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the derivatives of `wedge_displacement` by its arguments, in their order.
+    """Differentiate `wedge_displacement` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where |phi7| <= pi and (phi7
     = 0 or 1e-140 <= |phi7|) and 1e-10 <= l_LM <= 1e300.
@@ -460,7 +460,7 @@ def position(
     *,
     out: NDArray[Any] | None = None,
 ) -> Any:
-    """Compute the derivatives of `position` by its arguments, in their order.
+    """Differentiate `position` by its arguments, in their order.
 
     Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where (1e-50 <= |x1| <= 1e50
     or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and

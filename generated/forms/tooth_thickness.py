@@ -53,7 +53,7 @@ def __dir__() -> list[str]:
 
 
 # Source: paper on tooth thickness, design data; basic rack
-# Expressions sha256: 8b0116c7e826406ef9a73a71863c2ac6d5ea4d55955fa79d468f7af59ad6d0d1
+# Expressions sha256: 936559349d97f637613058013326cf4733d1ab39c945855d9286c8dcba8e8360
 # Form: 1.387 m
 # Operations: 4
 def constant_chord_handbook(
@@ -94,7 +94,7 @@ def _form_of_constant_chord_handbook(m: Any, alpha: Any) -> Any:
 
 
 # Source: paper on tooth thickness, design data; basic rack
-# Expressions sha256: 9c4f120757e4e400167424052dbe0b9a752439b8c139d0420e0284eaadb36d86
+# Expressions sha256: 9aa095afe556f0963b5fd0dd3541ab74a579e98b61b8d824f50481a44e8db02e
 # Form: 0.7476 m
 # Operations: 4
 def chord_height_handbook(
@@ -536,7 +536,7 @@ def _form_of_thickness_change_by_height(
 
 
 # Source: paper on tooth thickness, equation (1) with the exact derivative
-# Expressions sha256: e3b9cd0c935a2d0cf4dd7873b5e345b30de15464175c4df6abf186e6b37d3779
+# Expressions sha256: c6bf7d9c9801d9c2bf7dcf2237ba44f443da441a7ff882c77f3bd2dafbad29b6
 # Form: printed (1)
 # Operations: 4
 def thickness_change_linear_printed(
@@ -580,7 +580,7 @@ def _form_of_thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
 
 
 # Source: paper on tooth thickness, steps 5 and 6 corrected
-# Expressions sha256: 6318500434945f23a3dc76da6d5e6f5da53d3b90df163c450adb8f157777a7f7
+# Expressions sha256: 19eb798a2a68c48d5faaa67c3436f930da25074eb99d5da78c5ee0c6d011dd37
 # Form: printed (1), steps 5 and 6
 # Operations: 7
 def thickness_error_printed(
