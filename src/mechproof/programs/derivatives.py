@@ -15,6 +15,7 @@ import sympy as sp
 
 from mechproof.programs.evaluation import KeepsShape
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
+from mechproof.record.parts import find_free
 
 Given = Mapping[sp.Symbol, sp.Expr]
 # In place of the sine and the cosine of an angle.
@@ -116,7 +117,8 @@ def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
     ordered: dict[sp.Symbol, None] = {}
 
     def visit(part: sp.Expr) -> None:
-        for step in (s for s in given if s in part.free_symbols and s not in ordered):
+        needed = find_free(part)
+        for step in (s for s in given if s in needed and s not in ordered):
             visit(given[step])
             ordered[step] = None
 
@@ -124,10 +126,9 @@ def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
     return list(ordered)
 
 
-def _find_inputs(expression: sp.Expr, given: Given) -> set[sp.Symbol]:
+def _find_inputs(expression: sp.Expr, given: Given) -> frozenset[sp.Basic]:
     steps = _order_steps(expression, given)
-    used: set[sp.Symbol] = expression.free_symbols.union(*(given[s].free_symbols for s in steps))
-    return used - given.keys()
+    return find_free(expression).union(*(find_free(given[s]) for s in steps)) - given.keys()
 
 
 def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp.Expr:

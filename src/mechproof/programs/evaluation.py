@@ -176,9 +176,15 @@ def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic
 def _arranged(steps: Iterable[Step], output: sp.Basic) -> dict[str, Any]:
     values: Mapping[sp.Symbol, sp.Expr] = dict(steps)
     ordered: dict[sp.Symbol, sp.Expr] = {}
+    met: set[sp.Basic] = set()
 
     def visit(expression: sp.Basic) -> None:
-        for node in sp.preorder_traversal(expression):
+        nodes = sp.preorder_traversal(expression)
+        for node in nodes:
+            if node in met:
+                nodes.skip()
+                continue
+            met.add(node)
             if node in values and node not in ordered:
                 visit(values[node])
                 ordered[node] = values[node]

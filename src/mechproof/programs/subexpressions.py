@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
-from operator import methodcaller
+from collections.abc import Container, Mapping
+from functools import lru_cache, partial
 
 import sympy as sp
 
 from mechproof.programs.evaluation import Evaluation, entries, map_entries
 from mechproof.programs.names import suggest_name
+from mechproof.record.parts import replace_parts
 
 
 def share_subexpressions(evaluation: Evaluation) -> Evaluation:
@@ -20,10 +21,10 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
     """
     while (repeated := _find_repeated(evaluation)) is not None:
         symbol = evaluation.new_symbol(suggest_name(repeated))
-        replace = methodcaller("xreplace", {repeated: symbol})
+        named = {repeated: symbol}
         evaluation = evaluation.rearrange(
-            [(symbol, repeated), *((s, replace(v)) for s, v in evaluation.steps)],
-            map_entries(replace, evaluation.output),
+            [(symbol, repeated), *((s, replace_parts(v, named)) for s, v in evaluation.steps)],
+            map_entries(partial(replace_parts, values=named), evaluation.output),
         )
     return _merge_steps(evaluation)
 
@@ -31,20 +32,33 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
 def _find_repeated(evaluation: Evaluation) -> sp.Expr | None:
     values = [value for _, value in evaluation.steps] + list(entries(evaluation.output))
     named = {value for _, value in evaluation.steps}
-    seen = Counter(node for value in values for node in _worth_naming(value))
+    seen: Counter[sp.Expr] = Counter()
+    for value in values:
+        _count(value, seen, named)
     repeated = [node for node, count in seen.items() if count > 1 and node not in named]
     # max keeps the first of equals, and the counter keeps the order of appearance.
-    return max(repeated, key=sp.count_ops, default=None)
+    return max(repeated, key=_count_operations, default=None)
 
 
-def _worth_naming(expression: sp.Expr) -> list[sp.Expr]:
-    """List compound nodes in order; what lies inside a Sum depends on its index and stays there."""
-    if isinstance(expression, sp.Sum):
-        return [expression]
-    inner = [node for argument in expression.args for node in _worth_naming(argument)]
-    return [expression, *inner] if _is_worth_naming(expression) else inner
+def _count(expression: sp.Expr, seen: Counter[sp.Expr], named: Container[sp.Expr]) -> None:
+    """Count compound nodes in order; what lies inside a Sum depends on its index and stays there.
+
+    What lies inside of what repeats is smaller than that, and not counted again.
+    """
+    if isinstance(expression, sp.Sum) or _is_worth_naming(expression):
+        seen[expression] += 1
+        if isinstance(expression, sp.Sum) or (seen[expression] > 1 and expression not in named):
+            return
+    for argument in expression.args:
+        _count(argument, seen, named)
 
 
+@lru_cache(maxsize=1 << 14)
+def _count_operations(expression: sp.Expr) -> int:
+    return int(sp.count_ops(expression))
+
+
+@lru_cache(maxsize=1 << 14)
 def _is_worth_naming(expression: sp.Basic) -> bool:
     """Accept sums, products, powers, functions; not -x, 1/x, 2*x, cheap where they stand."""
     if not isinstance(expression, sp.Expr) or expression.is_Atom or not expression.free_symbols:
@@ -59,11 +73,11 @@ def _merge_steps(evaluation: Evaluation) -> Evaluation:
     """Use a step wherever its value occurs outside it."""
     names = {value: symbol for symbol, value in evaluation.steps if not value.is_Atom}
     steps = [(symbol, _rebuild(value, names)) for symbol, value in evaluation.steps]
-    output = map_entries(lambda e: e.xreplace(names), evaluation.output)
+    output = map_entries(partial(replace_parts, values=names), evaluation.output)
     return evaluation.rearrange(steps, output)
 
 
 def _rebuild(value: sp.Expr, names: Mapping[sp.Expr, sp.Symbol]) -> sp.Expr:
     if value.is_Atom:
         return value
-    return value.func(*(argument.xreplace(names) for argument in value.args))
+    return value.func(*(replace_parts(argument, names) for argument in value.args))

@@ -45,6 +45,7 @@ class Field:
         self._meaning: dict[sp.Basic, sp.Basic] = {}
         self._relations: dict[sp.Symbol, sp.Expr] = {}
         self._unsigned: list[sp.Expr] = []
+        self._translated: dict[sp.Basic, sp.Expr] = {}
 
     def vanishes(self, expression: sp.Basic) -> bool:
         """Decide whether the expression is identically zero; False means "not shown"."""
@@ -53,6 +54,7 @@ class Field:
         self.used_sums = self.used_sums or expression.has(sp.Sum)
         expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
+        self._translated.clear()
         translated = self._translate(expression)
         return is_zero(translated, self._relations)
 
@@ -73,6 +75,11 @@ class Field:
                 self._denominators[monomial] = lcm(known, int(factor.q))
 
     def _translate(self, node: sp.Basic) -> sp.Expr:
+        if node not in self._translated:
+            self._translated[node] = self._translate_anew(node)
+        return self._translated[node]
+
+    def _translate_anew(self, node: sp.Basic) -> sp.Expr:
         if node.is_Rational or node.is_Symbol:
             return node
         if isinstance(node, sp.Add | sp.Mul):

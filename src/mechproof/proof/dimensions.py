@@ -36,11 +36,19 @@ class DimensionError(ValueError):
     """Terms of unlike dimension are added, compared or put into a function of a number."""
 
 
+class _OfPaper(dict[sp.Basic, Dimension]):
+    """The dimensions of the symbols of a paper, and what was inferred by these alone."""
+
+    def __init__(self, known: Dimensions) -> None:
+        super().__init__(known)
+        self.inferred: dict[sp.Basic, Dimension | None] = {}
+
+
 def dimensions_of(paper: Paper) -> Dimensions:
     """Return the dimension of every symbol of the paper."""
     known = {variable.symbol: variable.dimension for variable in paper.variables}
     matrices = [symbol for symbol in known if isinstance(symbol, sp.MatrixSymbol)]
-    return known | {family_of(symbol): known[symbol] for symbol in matrices}
+    return _OfPaper(known | {family_of(symbol): known[symbol] for symbol in matrices})
 
 
 def check_derived(paper: Paper) -> None:
@@ -75,6 +83,14 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
 
     Raises `DimensionError` naming the terms that do not fit.
     """
+    if not isinstance(known, _OfPaper):
+        return _infer(expression, known)
+    if expression not in known.inferred:
+        known.inferred[expression] = _infer(expression, known)
+    return known.inferred[expression]
+
+
+def _infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
     if expression.is_number:
         return None if expression == 0 else NUMBER
     if isinstance(expression, sp.Indexed):

@@ -143,9 +143,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         sides = (printed, rebuilt)
         needs = [list_unshown(side, domain) for side in sides]
         needed = _tell_needs(needs)
-        undefined = _cross_examine(printed, rebuilt, domain)
-        if not undefined and needed and not need_the_same(sides, needs, domain):
-            undefined = find_unlike(sides, domain)
+        undefined = _find_one_sided(sides, needs, domain) if printed != rebuilt else ""
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
@@ -182,6 +180,16 @@ def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
     """Prove sides equal for each sign of what stands in moduli."""
     one, other = map(write_pieces, sides)
     return None if (one, other) == tuple(sides) else _prove_equal(one, other, domain)
+
+
+def _find_one_sided(
+    sides: tuple[sp.Expr, sp.Expr], needs: Sequence[list[Slack]], domain: Domain
+) -> str:
+    """Return an interior point at which only one side has a value, empty if none is met."""
+    undefined = _cross_examine(*sides, domain)
+    if undefined or not any(needs) or need_the_same(sides, needs, domain):
+        return undefined
+    return find_unlike(sides, domain)
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:

@@ -98,6 +98,8 @@ class _Ring:
         self.generators: dict[sp.Symbol, fmpq_mpoly] = dict(
             zip(self.symbols, self.context.gens(), strict=False)
         )
+        # A derivative repeats its parts a thousand times.
+        self._known: dict[sp.Expr, _Quotient] = {}
 
     def read(self, node: sp.Expr) -> fmpq_mpoly:
         """Return the polynomial of an expression."""
@@ -112,8 +114,13 @@ class _Ring:
             return self.read(node.base) ** int(node.exp)
         raise sp.PolynomialError(f"no polynomial: {node}")
 
-    def read_quotient(self, node: sp.Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    def read_quotient(self, node: sp.Expr) -> _Quotient:
         """Return numerator and denominator of an expression; the latter may be zero."""
+        if node not in self._known:
+            self._known[node] = self._read_quotient(node)
+        return self._known[node]
+
+    def _read_quotient(self, node: sp.Expr) -> _Quotient:
         one = self.context.constant(1)
         if isinstance(node, sp.Add | sp.Mul):
             combine = _add if node.is_Add else _multiply

@@ -5,6 +5,7 @@ SymPy's own searches meet a part as often as it occurs, and begin anew for each 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from typing import Any
 
@@ -28,6 +29,24 @@ def list_parts(expression: sp.Basic) -> tuple[sp.Basic, ...]:
 def find_parts(expression: sp.Basic, *kinds: Any) -> set[Any]:
     """Return the parts of some kinds."""
     return {part for part in list_parts(expression) if isinstance(part, kinds)}
+
+
+def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
+    """Put values for parts, as SymPy's `xreplace`, which rebuilds a part as often as it occurs."""
+    known: dict[Any, Any] = dict(values)
+
+    def visit(node: Any) -> Any:
+        if not isinstance(node, sp.Basic):
+            return node
+        if node not in known:
+            parts = [visit(part) for part in node.args]
+            is_kept = all(new is old for new, old in zip(parts, node.args, strict=True))
+            known[node] = node if is_kept else node.func(*parts)
+        return known[node]
+
+    if isinstance(expression, sp.MatrixBase):
+        return expression.applyfunc(visit)
+    return visit(expression)
 
 
 # Statements share their parts, so that each part is asked for itself.

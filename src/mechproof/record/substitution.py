@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.exactness import RecordError
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, replace_parts
 
 # A sum of more terms is not written out.
 MOST_TERMS = 64
@@ -21,7 +21,7 @@ MOST_TERMS = 64
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Put values for free symbols, all at once."""
     arriving = {s for value in values.values() for s in find_free(value)} | values.keys()
-    return release(expression, arriving).xreplace(dict(values))
+    return replace_parts(release(expression, arriving), values)
 
 
 def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
