@@ -72,19 +72,20 @@ def _check(derivations: Path, options: str) -> Places:
     return Places(derivations, named.parent / "generated", options)
 
 
-def read_out(text: str | Path) -> Path:
-    """Return the folder that --out names, there or not; refuse one that cannot be written to."""
+def read_out(text: str | Path, is_file: bool = False) -> Path:
+    """Return the folder or file that --out names, there or not; refuse what cannot be written."""
     if not str(text):
-        refuse("--out: is empty, a folder is needed")
-    folder = Path(text)
-    nearest = next(place for place in (folder, *folder.parents) if os.path.lexists(place))
+        refuse(f"--out: is empty, a {'file' if is_file else 'folder'} is needed")
+    target = Path(text)
+    places = target.parents if is_file else (target, *target.parents)
+    nearest = next(place for place in places if os.path.lexists(place))
     if not nearest.is_dir():
-        refuse(f"--out {folder}: {nearest} is no folder")
+        refuse(f"--out {target}: {nearest} is no folder")
     try:
         with TemporaryFile(dir=nearest):
-            return folder
+            return target
     except OSError as error:
-        refuse(f"--out {folder}: cannot write to {nearest.absolute()}: {error.strerror}")
+        refuse(f"--out {target}: cannot write to {nearest.absolute()}: {error.strerror}")
 
 
 def find_location(name: str, directory: Path, sources: Sequence[str] = ()) -> Path:

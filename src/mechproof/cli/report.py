@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,16 +18,27 @@ from mechproof.cli.paths import (
 )
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
+from mechproof.files import write_whole
 from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT
+
+if TYPE_CHECKING:
+    from mechproof.report import Site
 
 
 def report(
     papers: PapersArgument = None,
     out: Annotated[
-        Path,
-        typer.Option(metavar="FOLDER", help="The folder that the pages go to.", parser=read_out),
-    ] = Path("report"),
+        str | None,
+        typer.Option(
+            metavar="FOLDER",
+            help="The folder that the pages go to, report by default; with --single the file, "
+            "report.html.",
+        ),
+    ] = None,
+    single: Annotated[
+        bool, typer.Option("--single", help="Write one HTML file that holds all pages.")
+    ] = False,
     derivations: DerivationsOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
@@ -35,26 +46,45 @@ def report(
     """Write pages for a browser: every row with its verdict, every quantity, the papers' figures.
 
     They open from the file, without network or script: index.html first. A folder that holds
-    anything but a report is refused.
+    anything but a report is refused, and so is a file that is none.
 
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import build_site, check_folder, write_folder
+    from mechproof.report import build_site
 
-    try:
-        check_folder(out)
-    except ForeignFileError as error:
-        refuse(f"--out {error}")
+    target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     try:
         with show_progress("writing the pages") as tell:
             site = build_site(locations, ledgers, tell)
-        write_folder(out, site.files)
+        _write(target, site, is_file=single)
     except (DerivationError, ForeignFileError, ValueError) as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")
-    say(f"{out}: {len(site.files)} files; open {out / 'index.html'}")
     refuse_failures(ledgers, site.failures)
+
+
+def _find_target(out: str | None, *, is_file: bool) -> Path:
+    """Return the file or folder that --out names; refuse what holds anything but a report."""
+    from mechproof.report import check_file, check_folder
+
+    target = read_out(("report.html" if is_file else "report") if out is None else out, is_file)
+    try:
+        (check_file if is_file else check_folder)(target)
+    except ForeignFileError as error:
+        refuse(f"--out {error}")
+    return target
+
+
+def _write(target: Path, site: Site, *, is_file: bool) -> None:
+    from mechproof.report import join_pages, write_folder
+
+    if is_file:
+        write_whole(target, join_pages(site.files))
+        say(f"wrote {target}")
+    else:
+        write_folder(target, site.files)
+        say(f"{target}: {len(site.files)} files; open {target / 'index.html'}")

@@ -1,10 +1,11 @@
 """The report: what was read, judged, proved and measured of papers, as pages for a browser.
 
-A static site of one stylesheet: a start page, a page for each paper and one for each quantity.
-It needs no network and no script. In a notebook a paper, its ledger, a row and a mechanism show
-themselves from the same templates. Needs the `derive` extra.
+A static site of one stylesheet: a start page, a page for each paper and one for each quantity; or
+one file that holds them all. It needs no network and no script. In a notebook a paper, its ledger,
+a row and a mechanism show themselves from the same templates. Needs the `derive` extra.
 """
 
+from mechproof.report.single import check_file, join_pages
 from mechproof.report.site import Site, build_site, check_folder, write_folder
 
-__all__ = ["Site", "build_site", "check_folder", "write_folder"]
+__all__ = ["Site", "build_site", "check_file", "check_folder", "join_pages", "write_folder"]
