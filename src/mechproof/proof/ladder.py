@@ -143,7 +143,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         sides = (printed, rebuilt)
         needs = [list_unshown(side, domain) for side in sides]
         needed = _tell_needs(needs)
-        undefined = _find_one_sided(sides, needs, domain) if printed != rebuilt else ""
+        undefined = _find_break(sides, needs, domain)
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
@@ -182,12 +182,15 @@ def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
     return None if (one, other) == tuple(sides) else _prove_equal(one, other, domain)
 
 
-def _find_one_sided(
+def _find_break(
     sides: tuple[sp.Expr, sp.Expr], needs: Sequence[list[Slack]], domain: Domain
 ) -> str:
-    """Return an interior point at which only one side has a value, empty if none is met."""
+    """Return an interior point at which only one side has a value, empty if none is met.
+
+    Where no point gives values to both, that is told as well.
+    """
     undefined = _cross_examine(*sides, domain)
-    if undefined or not any(needs) or need_the_same(sides, needs, domain):
+    if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
         return undefined
     return find_unlike(sides, domain)
 
