@@ -118,6 +118,7 @@ def judge_derivations(
     """
     progress: dict[Path, _Progress] = {}
     places: dict[str, Path] = {}
+    found: dict[Path, JudgedPaper] = {}
 
     def load(location: Path) -> _Progress:
         report(f"loading {location}")
@@ -129,13 +130,18 @@ def judge_derivations(
         return progress[location]
 
     derivations = [location for location in locations if location.suffix not in SUFFIXES]
+    for location in derivations if use_cache and not only_kernels else ():
+        if kept := LedgerCache(location).load():
+            check_names(places, kept.system, location)
+            found[location] = _restore(kept, location, limit, report)
+    changed = [location for location in derivations if location not in found]
     try:
-        _fill([partial(load, one) for one in derivations], limit, processes, start, report)
+        _fill([partial(load, one) for one in changed], limit, processes, start, report)
     finally:
         _opened.clear()
         for paper in progress.values() if use_cache else ():
             paper.save()
-    found = {location: paper.finish(limit, report) for location, paper in progress.items()}
+    found |= {location: paper.finish(limit, report) for location, paper in progress.items()}
     for location in locations:
         if location not in found:
             found[location] = _check_source(location, limit, report, use_cache=use_cache)
@@ -143,15 +149,20 @@ def judge_derivations(
     return [found[location] for location in locations]
 
 
-def _add_rest(
-    ledger: JudgedPaper, file: Path, limit: float, report: Callable[[str], None]
+def _restore(
+    kept: Ledger, location: Path, limit: float, report: Callable[[str], None]
 ) -> JudgedPaper:
+    """Put a kept ledger and its paper together again; the rows of forms are not stated anew."""
+    report(f"loading {location}")
+    with stop_after(limit, location):
+        paper = load_paper(location)
+    rest = _read_rest(paper, limit, report).paper.rows if paper.print else ()
+    return JudgedPaper(**vars(kept), paper=replace(paper, rows=paper.rows + rest))
+
+
+def _add_rest(ledger: JudgedPaper, limit: float, report: Callable[[str], None]) -> JudgedPaper:
     """Add what the print of a paper has besides its rows; it needs no mechanics."""
-    try:
-        checked = checking.check_rest(file, ledger.paper.rows, min(limit, judging.LIMIT), report)
-    except ValueError as error:
-        raise DerivationError(str(error)) from error
-    rest = checked.to_ledger(ledger.system)
+    rest = _read_rest(ledger.paper, limit, report)
     return replace(
         ledger,
         judgements=ledger.judgements + rest.judgements,
@@ -159,6 +170,15 @@ def _add_rest(
         left=rest.left,
         paper=replace(ledger.paper, rows=ledger.paper.rows + rest.paper.rows),
     )
+
+
+def _read_rest(paper: Paper, limit: float, report: Callable[[str], None]) -> JudgedPaper:
+    assert paper.print
+    try:
+        checked = checking.check_rest(paper.print, paper.rows, min(limit, judging.LIMIT), report)
+    except ValueError as error:
+        raise DerivationError(str(error)) from error
+    return checked.to_ledger(paper.system)
 
 
 def _check_source(
@@ -241,7 +261,7 @@ class _Progress:
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
         if paper.print:
-            ledger = _add_rest(ledger, paper.print, limit, report)
+            ledger = _add_rest(ledger, limit, report)
         if self.whole and self.read and all(self.keys):
             self.whole.save(ledger, self.read)
         return ledger

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from functools import partial
+from functools import cache, partial
 from importlib.resources import files
 from pathlib import Path
 
@@ -102,7 +102,7 @@ def list_charts(record: Record) -> dict[str, PictureTask]:
         f"{record.quantity}, {workload}": PictureTask(
             partial(chart, record, workload, count),
             Picture(record.quantity, workload, ""),
-            _key_of(CHART_SOURCES, workload, *write_lines(record)),
+            _key_chart(workload, *write_lines(record)),
         )
         for workload, count in list_workloads(record)
     }
@@ -121,7 +121,7 @@ def list_overview(records: Sequence[Record]) -> dict[str, PictureTask]:
     if len(records) < 2:
         return {}
     lines = [line for record in records for line in write_lines(record)]
-    key = _key_of(CHART_SOURCES, OVERVIEW, *lines)
+    key = _key_chart(OVERVIEW, *lines)
     return {
         OVERVIEW: PictureTask(partial(overview, records), Picture("All quantities", "", ""), key)
     }
@@ -152,15 +152,27 @@ def list_figures(place: Path) -> dict[str, PictureTask]:
 def _key_figure(place: Path, blank: Picture) -> str:
     """Return the digest of all that a figure is drawn from: its folder, kernels, the runtime."""
     folder = place if place.is_dir() else place.parent
+    own = sorted(path for path in folder.rglob("*") if path.suffix in (".py", ".tex"))
+    return make_key(own, PACKAGES, _digest_drawing(), *map(str, asdict(blank).values()))
+
+
+@cache
+def _digest_drawing() -> str:
+    """Return the digest of what figures are drawn by, for the life of the process."""
     program = [path for path in list_program() if path.relative_to(HERE).parts[0] not in UNSEEN]
-    own = [path for path in folder.rglob("*") if path.suffix in (".py", ".tex")]
-    kernels = sorted(Path(str(files(KERNELS))).rglob("*.py"))
-    return make_key([*program, *sorted(own), *kernels], PACKAGES, *map(str, asdict(blank).values()))
+    return make_key([*program, *sorted(Path(str(files(KERNELS))).rglob("*.py"))], ())
 
 
-def _key_of(sources: Sequence[str], *parts: str) -> str:
-    paths = [path for path in list_program() if path.relative_to(HERE).parts[0] in sources]
-    return make_key(paths, PACKAGES, *parts)
+@cache
+def _digest_charting() -> str:
+    """Return the digest of what charts are drawn by, for the life of the process."""
+    return make_key(
+        [p for p in list_program() if p.relative_to(HERE).parts[0] in CHART_SOURCES], ()
+    )
+
+
+def _key_chart(*parts: str) -> str:
+    return make_key((), PACKAGES, _digest_charting(), *parts)
 
 
 def draw_figure(place: Path, blank: Picture) -> Picture:
