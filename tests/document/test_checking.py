@@ -405,6 +405,26 @@ def test_rows_say_what_they_do_and_where_they_stand() -> None:
     assert [row.place.line for row in rows] == [17, 18]
 
 
+# An equation, what stands behind it, and whether it tells that nothing else uses its letter.
+LONELY = {
+    (r"u=m\cos\alpha", ""): True,
+    (r"u=m\cos\alpha", "$$k=2u$$"): False,
+    (r"\dot x=r\dot\varphi", "$$x=r$$"): False,
+    # Nobody knows what stands there.
+    (r"u=m\cos\alpha", "$$k=2q_u$$"): False,
+    (r"u=m\cos\alpha", "$$k=\\mu$$"): True,
+    (r"u=m\cos\alpha", r"\begin{tabular}{ll}$m$ & $u$\\1 & 2\end{tabular}"): False,
+    (r"u=3", ""): True,
+}
+
+
+@pytest.mark.parametrize(("latex", "more"), LONELY)
+def test_a_letter_that_nothing_else_uses_is_told(latex: str, more: str) -> None:
+    row = check("paper.tex", paper(latex) + more).rows[0]
+    assert row.outcome == "DEFINITION"
+    assert row.reason.endswith(" uses u.") == LONELY[latex, more]
+
+
 def test_an_accusation_names_what_it_is_compared_with() -> None:
     rows = run(r"\lambda=\frac rl", r"\lambda=\frac lr").rows
     assert rows[1].reason.endswith("compared with (1)")

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
+import sympy as sp
+
 from mechproof.document.block import Block
 from mechproof.document.displays import Printed
-from mechproof.document.roles import EQUAL, is_sum_of_letters
+from mechproof.document.letters import name_symbol
+from mechproof.document.roles import EQUAL, Known, is_sum_of_letters
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Letter, Measure, walk
 
 T = TypeVar("T")
+_COMMAND = re.compile(r"\\[A-Za-z]+")
 
 
 def refuse_units(read: Print) -> None:
@@ -50,3 +55,15 @@ def look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
 def is_listed(printed: Printed, names: Sequence[str]) -> bool:
     """Return whether an equation is among those that are named."""
     return any(key in names for key in (printed.name, *printed.labels))
+
+
+def is_met_once(symbol: sp.Basic, known: Known) -> bool:
+    """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
+    moving = known.symbols.moving
+    steps = next((x for s, (_, own) in moving.items() if symbol in (x := (s, *own))), (symbol,))
+    names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
+    plain = _COMMAND.sub(" ", known.unread)
+    texts = ((name, known.unread if "\\" in name else plain) for name in names)
+    if any(name_symbol(name) in name_symbol(text) for name, text in texts):
+        return False
+    return sum(known.met[step] for step in steps) == 1

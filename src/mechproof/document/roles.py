@@ -7,6 +7,7 @@ bare number is a size.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -78,6 +79,7 @@ class Sign:
 class Known:
     """What is known of letters: their values, which equation printed them first, which were met.
 
+    `met` counts in how many equations and tables; `unread` is all that is not read.
     `others` are the further members of the chains that printed them first, and which these are;
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
@@ -86,7 +88,8 @@ class Known:
     symbols: Symbols
     values: Values = field(default_factory=dict)
     printed: dict[sp.Basic, str] = field(default_factory=dict)
-    met: set[sp.Basic] = field(default_factory=set)
+    met: Counter[sp.Basic] = field(default_factory=Counter)
+    unread: str = ""
     others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
@@ -166,7 +169,8 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
         _note_others(name, found, known)
         signs += found
-    known.met |= {part.symbol for part in walk(read.chains) if isinstance(part, Letter)}
+    for chain in read.chains:
+        known.met.update({part.symbol for part in walk(chain) if isinstance(part, Letter)})
     return signs
 
 

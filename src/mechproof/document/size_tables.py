@@ -109,6 +109,8 @@ class SizeTables:
         for number, table in enumerate(tables, start=1):
             grid = find_grid(f"table {number}", table, reader)
             found = list(self._read_grid(grid)) if grid else []
+            if grid:
+                self.known.met.update(head.symbol for head in grid.heads.values())
             yield from found
             for cell in grid.unread if grid and found else ():
                 reason = f"the column {cell.string.strip()} is not compared: its head is no letter"
