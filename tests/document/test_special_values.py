@@ -67,6 +67,11 @@ CASES = {
     r"w(\alpha)=a": ["not read"],
     r"h=a+b\quad\text{for }c=0,\ \psi=0": ["PROVED"],
     r"h=a-b,\quad\text{for }c=0,\ \psi=0": ["REFUTED"],
+    r"h=a+b\quad\text{for }c>0,\ \psi=0": ["PROVED"],
+    r"h=a-b\quad\text{for }c>0,\ \psi=0": ["REFUTED"],
+    r"z=0\quad\text{for }t=0": ["PROVED"],
+    r"z=1\quad\text{for }t=0": ["REFUTED"],
+    r"z=0\quad\text{for }\nu=1": ["not judged"],
     r"h=a+b\quad\text{for }c=0,\ \psi=a": ["not read"],
     r"\dot z=a\nu\cos\nu t": ["PROVED"],
     r"\dot z=-a\nu\cos\nu t": ["REFUTED"],
@@ -107,7 +112,10 @@ NUMBERS = {
     r"r+2l=485": "REFUTED",
     r"r+l=282000\,\mu\mathrm{m}": "PROVED",
     r"r+l=282001\,\mu\mathrm{m}": "REFUTED",
-    r"l-x=20.2\,\mathrm{mm}": "not judged",
+    # Without sizes it is one itself.
+    r"l-x=20.2\,\mathrm{mm}": "DEFINITION",
+    r"l-x=20.2": "DEFINITION",
+    r"l-x=20.2\,\mathrm{N}": "not judged",
     r"l+\alpha=20.2\,\mathrm{mm}": "not judged",
     r"\alpha=\arctan\frac rl=21.61": "PROVED",
     r"\alpha=\arctan\frac rl=0.3771": "PROVED",
@@ -126,3 +134,10 @@ NUMBERS = {
 def test_numbers_are_compared_in_the_unit_that_is_printed(latex: str) -> None:
     *_, row = check("paper.tex", f"{SIZES}$${latex}$$").rows
     assert row.outcome == NUMBERS[latex]
+
+
+@pytest.mark.parametrize(("number", "outcome"), [("80.0", "PROVED"), ("70.2", "not judged")])
+def test_the_values_of_a_condition_are_meant_and_not_the_sizes(number: str, outcome: str) -> None:
+    block = SIZES.replace("l=202 mm", "\\alpha=0.5")
+    text = rf"$$x=r\cos\alpha$$ $$x={number}\text{{ for }}\alpha=0$$"
+    assert check("paper.tex", block + text).rows[-1].outcome == outcome

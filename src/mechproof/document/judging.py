@@ -66,7 +66,7 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
-    if found.verdict is Verdict.REFUTED and task.is_rounded:
+    if found.verdict is Verdict.REFUTED and task.is_rounded and task.asserts:
         return "the two sides differ, but a decimal is a rounded number"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
@@ -89,7 +89,7 @@ def _judge_alone(task: Task) -> Judgement | str:
         return replace(found, reason=reason)
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
-    if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
+    if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
         return replace(found, reason=f"it is true nowhere: {found.reason}")
     return _take_as_given(task, found)
 

@@ -218,7 +218,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
-    if not left and _is_sum_of_sizes(nodes, known):
+    if not left and _is_sum_of_sizes(nodes, other, known):
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     if not left:
         return Sign(Role.CONSTRAINT, sides=sides)
@@ -267,12 +267,14 @@ def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, 
     return "", None, ""
 
 
-def _is_sum_of_sizes(nodes: Sequence[Node], known: Known) -> bool:
-    """Return whether a number is said of a sum of letters: one with a unit, or at their sizes."""
+def _is_sum_of_sizes(nodes: Sequence[Node], number: Any, known: Known) -> bool:
+    """Return whether a number is said of a sum of letters: with a unit, in theirs, or at sizes."""
     if not (is_sum_of_letters(nodes[0]) and _is_number(nodes[1])):
         return False
     letters = {part.symbol for part in walk(nodes[0]) if isinstance(part, Letter)}
-    return isinstance(_split_sign(nodes[1])[1], Measure) or letters <= known.symbols.usual.keys()
+    is_length = number != 0 and known.symbols.find_alike(letters) is not None
+    has_unit = is_length or isinstance(_split_sign(nodes[1])[1], Measure)
+    return has_unit or letters <= known.symbols.usual.keys()
 
 
 def is_sum_of_letters(node: Node) -> bool:

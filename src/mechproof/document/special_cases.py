@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -20,18 +21,29 @@ _ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 
 
-def specialise(row: Row, known: Known) -> Row:
-    """Put the values of letters that a condition says, e=0, into what is compared there."""
-    if row.on is None or not isinstance(row.says, Equality):
-        return row
-    said = [r for r in row.on.where if isinstance(r, sp.Equality) and r.lhs.is_Symbol]
-    values = {r.lhs: r.rhs for r in said if r.lhs not in {*known.values, *r.rhs.atoms()}}
-    one, other = map(known.settle, (row.says.printed, row.says.rebuilt))
+def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
+    """Return the values of letters without a formula that the condition of a row says, e=0."""
+    said = [r for r in (row.on.where if row.on else ()) if isinstance(r, sp.Equality)]
+    free = [r for r in said if r.lhs.is_Symbol and r.lhs not in {*known.values, *r.rhs.atoms()}]
+    return {r.lhs: r.rhs for r in free}
+
+
+def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
+    """Put values into what a side is, also where one is said by another letter."""
+    side = known.settle(side)
     for _ in values:
-        one, other = one.xreplace(values), other.xreplace(values)
-    if not values or any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
+        side = side.xreplace(values)
+    return side
+
+
+def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Row:
+    """Put the values that a condition says into what is compared there."""
+    if row.on is None or not values or not isinstance(row.says, Equality):
         return row
-    where = tuple(r for r in row.on.where if r not in said or r.lhs not in values)
+    one, other = (put_in(side, values, known) for side in (row.says.printed, row.says.rebuilt))
+    if any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
+        return row
+    where = tuple(r for r in row.on.where if values.get(getattr(r, "lhs", None)) != r.rhs)
     on = replace(row.on, where=where) if where else None
     note = f"{row.note} Compared for {row.on.text}.".strip()
     return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
@@ -94,10 +106,32 @@ def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNum
     factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
     readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
     values = [one.xreplace(usual) / factor for reading in readings for one in reading]
-    if _FEW_DIGITS.match(sign.number) and sp.Rational(sign.number) not in values:
+    if (
+        value.free_symbols
+        and _FEW_DIGITS.match(sign.number)
+        and sp.Rational(sign.number) not in values
+    ):
         return special
     stated = [PrintedNumber(sign.number, one) for one in values]
     return next(filter(agrees, stated), stated[0])
+
+
+def constrain_sum(sign: Sign, own: sp.Basic | None, known: Known) -> Equality | None:
+    """State what a number says of a sum of letters whose sizes are not all declared.
+
+    It counts in the unit of the letter `own`; letters without units have that of the number.
+    """
+    symbols = known.symbols
+    letters: set[sp.Basic] = getattr(sign.value, "free_symbols", set())
+    terms = sp.Add.make_args(sign.value) if isinstance(sign.value, sp.Add) else ()
+    is_sum = bool(terms) and all(term.as_coeff_Mul()[1] in letters for term in terms)
+    unit = read_unit(sign.unit) if sign.unit else None
+    meant = unit.dimension if unit and own else symbols.find_dimension(own)
+    is_fit = {symbols.find_dimension(letter) for letter in letters} == {meant}
+    if not (is_sum and is_fit) or letters <= symbols.usual.keys():
+        return None
+    factor = Scales(symbols).convert(own, unit) if own else sp.S.One
+    return Equality(sign.value, sp.Rational(sign.number) * factor, "member")
 
 
 def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:

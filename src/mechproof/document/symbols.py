@@ -63,6 +63,11 @@ class Symbols:
         declared = (v.dimension for v in self.variables if v.symbol == symbol)
         return next(declared) if symbol in self.scales else None
 
+    def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:
+        """Return one of letters that all have the same declared unit, None for others."""
+        units = {(self.find_dimension(x), self.scales.get(x)) for x in letters}
+        return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
+
     def show_entries(self, given: Mapping[sp.Basic, Any]) -> tuple[Symbols, dict[sp.Basic, Any]]:
         """Return these letters with those of the entries of matrices that nothing gives."""
         new, values = [], {}

@@ -16,8 +16,11 @@ from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.sides import have_same_letters, list_related, list_sides
 from mechproof.document.special_cases import (
+    constrain_sum,
     leave_seams_out,
     list_rates,
+    list_values,
+    put_in,
     round_at_sizes,
     specialise,
     split_branches,
@@ -62,18 +65,13 @@ class TaskMaker:
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
         own = next((s.letter for s in signs if s.letter is not None), None)
-        own = own or self._find_alike(signs)
+        if own is None and signs:
+            # A number of several letters.
+            own = self.known.symbols.find_alike(getattr(signs[0].value, "free_symbols", ()))
         pairs = [*zip(read_row(row, reader), signs, strict=True)]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
         return [self._prepare(printed, *part, own) for part in parts]
-
-    def _find_alike(self, signs: Sequence[Sign]) -> sp.Basic | None:
-        """Return a letter whose unit all letters have of which a first sign says a number."""
-        letters: set[sp.Basic] = getattr(signs[0].value, "free_symbols", set()) if signs else set()
-        symbols = self.known.symbols
-        units = {(symbols.find_dimension(x), symbols.scales.get(x)) for x in letters}
-        return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
@@ -107,11 +105,18 @@ class TaskMaker:
             values = [side for side in sign.sides if not side.free_symbols]
             row = replace(row, says=Definition(sign.letter, values[0]))
         if isinstance(row.says, Definition) and is_met_once(row.says.symbol, self.known):
-            row = replace(row, note=f"No other equation uses {row.says.symbol}.")
-        row = specialise(row, self.known)
+            note = f"{row.note} No other equation uses {row.says.symbol}.".strip()
+            row = replace(row, note=note)
+        special = list_values(row, self.known)
+        row = specialise(row, special, self.known)
+        if sign.role is Role.NUMBER and special:
+            value = put_in(sign.value, special, self.known)
+            sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
         if sign.role is Role.DERIVATIVE:
             row = leave_seams_out(row)
-        if sign.role is Role.NUMBER:
+        if sign.role is Role.NUMBER and (sum_ := constrain_sum(sign, own, self.known)):
+            row, sign = replace(row, says=sum_), replace(sign, role=Role.CONSTRAINT)
+        elif sign.role is Role.NUMBER:
             number = round_at_sizes(sign, own, self.known)
             if isinstance(number, str):
                 return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
