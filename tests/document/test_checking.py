@@ -220,8 +220,30 @@ CASES = {
             r"s'=\begin{cases}2a\psi&\psi<k\\2ak&\text{otherwise}\end{cases}",
             r"s''=\begin{cases}2a&\psi<k\\0&\psi>k\end{cases}",
             r"s''=\begin{cases}2a&\psi<k\\2&\psi>k\end{cases}",
+            r"s'(k)=2ak",
+            r"s'(k)=ak",
+            r"s''(k)=0",
         ],
-        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED", "REFUTED", "not read"],
+    ),
+    "derivatives are compared where their pieces join": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k\le\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2ak&\text{otherwise}\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi\le k\\2ak&k<\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2a\psi&k\le\psi\le u\end{cases}",
+            r"s''=\begin{cases}2a&0\le\psi\le k\\0&\text{otherwise}\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"],
+    ),
+    "a law that jumps has no derivative there": (
+        [
+            r"s=\begin{cases}a\psi&\psi\le1\\a\psi+h&\psi>1\end{cases}",
+            r"s'=a",
+            r"s'(1)=a",
+            r"s'(2)=a",
+        ],
+        ["DEFINITION", "PROVED", "not read", "DEFINITION"],
     ),
     "two letters that are zero define nothing": (
         [r"\dot x=\dot\varphi=0", ROD, r"\dot x=-r\dot\varphi\sin\varphi"],

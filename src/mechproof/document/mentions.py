@@ -59,8 +59,7 @@ def is_listed(printed: Printed, names: Sequence[str]) -> bool:
 
 def is_met_once(symbol: sp.Basic, known: Known) -> bool:
     """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
-    moving = known.symbols.moving
-    steps = next((x for s, (_, own) in moving.items() if symbol in (x := (s, *own))), (symbol,))
+    _, steps = known.symbols.find_steps(symbol)
     names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
     plain = _COMMAND.sub(" ", known.unread)
     texts = ((name, known.unread if "\\" in name else plain) for name in names)

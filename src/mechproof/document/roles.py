@@ -114,8 +114,8 @@ class Known:
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
-        by, rates = self._find_rates(symbol)
-        for rate in rates:
+        by, steps = self.symbols.find_steps(symbol)
+        for rate in steps[steps.index(symbol) + 1 :]:
             if rate in self.values:
                 break
             try:
@@ -128,22 +128,13 @@ class Known:
 
     def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
         """Yield what else is printed of a letter, or of the one whose derivative it is."""
-        moving = self.symbols.moving
-        by, rates = next((m for m in moving.values() if symbol in m[1]), (symbol, ()))
-        letter = next((s for s, (_, own) in moving.items() if symbol in own), symbol)
+        by, steps = self.symbols.find_steps(symbol)
+        letter, order = steps[0], steps.index(symbol)
         for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
             with suppress(ValueError):
-                for _ in rates[: rates.index(symbol) + 1 if rates else 0]:
-                    value = differentiate(self.settle(value, {letter}), by, moving)
+                for _ in range(order):
+                    value = differentiate(self.settle(value, {letter}), by, self.symbols.moving)
                 yield name, value
-
-    def _find_rates(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
-        """Return by what a letter, or the derivative of one, is differentiated, and what it is."""
-        for letter, (by, rates) in self.symbols.moving.items():
-            steps = (letter, *rates)
-            if symbol in steps:
-                return by, steps[steps.index(symbol) + 1 :]
-        return symbol, ()
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -303,7 +294,7 @@ def _may_have_vectors(node: Node) -> bool:
 
 
 def _compare(symbol: sp.Basic, known: Known) -> Role:
-    is_rate = any(symbol in rates for _, rates in known.symbols.moving.values())
+    is_rate = symbol != known.symbols.find_steps(symbol)[1][0]
     return Role.DERIVATIVE if is_rate else Role.REPEATED
 
 

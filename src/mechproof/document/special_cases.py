@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
-from mechproof.document.roles import Known, Sign
+from mechproof.document.relations import narrow
+from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.scales import Scales, agrees
 from mechproof.document.symbols import ORDERS
 from mechproof.document.units import read_unit
+from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
 from mechproof.record import Conjunction, Equality, Part, PrintedNumber, Row, Statement
 
-_ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 
@@ -49,23 +51,38 @@ def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> R
     return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
 
 
-def leave_seams_out(row: Row) -> Row:
-    """Compare derivatives by pieces beside the ends of the pieces alone.
+def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
+    """Compare what is given by pieces where both sides are, a derivative between its seams.
 
-    A law by pieces may have no derivative there; prints give that of either piece.
+    A law by pieces has no derivative where these end, unless they join; prints give that of either.
     """
-    if not isinstance(row.says, Equality):
+    if not isinstance(row.says, Equality) or sign.letter is None:
         return row
     sides = (row.says.printed, row.says.rebuilt)
-    pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
-    ends = {r for piece in pieces for _, said in piece.args for r in said.atoms(*_ORDERS)}
-    apart = dict.fromkeys(sp.Ne(*end.canonical.args) for end in sorted(ends, key=str))
-    if not apart:
+    by, steps = known.symbols.find_steps(sign.letter)
+    laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
+    ends = list_ends(*sides) if sign.role is Role.DERIVATIVE else []
+    apart = dict.fromkeys(sp.Ne(*e.args) for e in ends if not _joins(e, by, [*sides, *laws]))
+    outer = dict.fromkeys(end for side in sides for end in list_outer_ends(side, by))
+    if not (apart or outer):
         return row
-    if row.on is None:
-        return replace(row, on=Part("the interiors of the pieces", {}, tuple(apart)))
-    text = f"{row.on.text}, within the pieces"
-    return replace(row, on=replace(row.on, text=text, where=(*row.on.where, *apart)))
+    text = "the interiors of the pieces" if apart else "the printed pieces"
+    part = row.on or Part("", {})
+    text = f"{part.text}, on {text}" if part.text else text
+    return replace(row, on=_narrow(Part(text, part.within, (*part.where, *apart)), outer, known))
+
+
+def _narrow(part: Part, ends: Iterable[Relational], known: Known) -> Part:
+    """Put ends between which a letter lies into its set, if they are numbers."""
+    free = [v for v in known.symbols.variables if v.symbol not in known.values]
+    variables, where = narrow(free, list(ends))
+    sets = {v.symbol: v.within for v in set(variables) - set(free)}
+    return replace(part, within={**part.within, **sets}, where=(*part.where, *where))
+
+
+def _joins(end: Relational, by: sp.Basic, values: Sequence[Any]) -> bool:
+    point = find_end(end, by)
+    return point is not None and all(has_value(value, by, point) for value in values)
 
 
 def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:

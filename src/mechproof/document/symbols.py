@@ -63,6 +63,14 @@ class Symbols:
         declared = (v.dimension for v in self.variables if v.symbol == symbol)
         return next(declared) if symbol in self.scales else None
 
+    def find_steps(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
+        """Return by what a letter is differentiated, and the letter with all its derivatives.
+
+        It may be one of these; one that depends on nothing stands alone.
+        """
+        all_steps = ((by, (letter, *rates)) for letter, (by, rates) in self.moving.items())
+        return next((one for one in all_steps if symbol in one[1]), (symbol, (symbol,)))
+
     def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:
         """Return one of letters that all have the same declared unit, None for others."""
         units = {(self.find_dimension(x), self.scales.get(x)) for x in letters}

@@ -17,7 +17,6 @@ from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.sides import have_same_letters, list_related, list_sides
 from mechproof.document.special_cases import (
     constrain_sum,
-    leave_seams_out,
     list_rates,
     list_values,
     put_in,
@@ -25,6 +24,7 @@ from mechproof.document.special_cases import (
     specialise,
     split_branches,
     state_modulo,
+    stay_within_pieces,
 )
 from mechproof.document.tasks import Task
 from mechproof.document.text import Files
@@ -112,8 +112,8 @@ class TaskMaker:
         if sign.role is Role.NUMBER and special:
             value = put_in(sign.value, special, self.known)
             sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
-        if sign.role is Role.DERIVATIVE:
-            row = leave_seams_out(row)
+        if sign.role in (Role.DERIVATIVE, Role.REPEATED):
+            row = stay_within_pieces(row, sign, self.known)
         if sign.role is Role.NUMBER and (sum_ := constrain_sum(sign, own, self.known)):
             row, sign = replace(row, says=sum_), replace(sign, role=Role.CONSTRAINT)
         elif sign.role is Role.NUMBER:

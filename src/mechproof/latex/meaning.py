@@ -21,6 +21,7 @@ from mechproof.latex.matrix_meaning import (
     give_table,
     give_transposed,
 )
+from mechproof.latex.pieces import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import (
     Add,
@@ -291,10 +292,11 @@ class Meaning:
         variable, point = self._letter(node.by), self.of(node.point)
         term = self._take_number(node.term, self.side(node.term))
         value = settle(term, self.values, {variable: point})
-        moving = {
-            r for s, (by, rates) in self.moving.items() if by == variable for r in (s, *rates)
-        }
-        unknown = moving & value.free_symbols or {value} & {term}
+        all_steps = [(s, *rates) for s, (by, rates) in self.moving.items() if by == variable]
+        moving = {step for steps in all_steps for step in steps}
+        for steps in all_steps:
+            self._check_seams(node, steps, point)
+        unknown = (moving & value.free_symbols or {value} & {term}) - self.values.keys()
         if unknown and (value.is_Symbol or not unknown <= {value}):
             raise self.source.refuse(
                 node.start,
@@ -302,6 +304,16 @@ class Meaning:
                 "What is given there is a letter of its own: declare it.",
             )
         return value
+
+    def _check_seams(self, node: At, steps: tuple[sp.Basic, ...], point: sp.Expr) -> None:
+        """Refuse the derivative of a letter where its pieces meet and do not join."""
+        met = self.of(node.term).free_symbols & {*steps[1:]}
+        last = max(map(steps.index, met), default=-1)
+        for step in steps[: last + 1]:
+            if step in self.values and not has_value(self.values[step], node.by.symbol, point):
+                raise self.source.refuse(
+                    node.start, f"{steps[last]} has no value there: the pieces do not join"
+                )
 
     def _bind(
         self, node: Integration, integrand: sp.Expr, variable: sp.Expr
