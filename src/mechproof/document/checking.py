@@ -78,7 +78,8 @@ class CheckedRow:
 class CheckedPaper:
     """The rows of a paper's source, the letters taken as real numbers, and files not found.
 
-    `paper` has the letters, without rows; `told` are tables and columns that are not compared.
+    `paper` has the letters, without rows; `told` are tables and columns that are not compared;
+    `names` are those of all equations, in their order.
     """
 
     file: str
@@ -87,6 +88,7 @@ class CheckedPaper:
     taken: tuple[str, ...] = ()
     missing: tuple[tuple[Place, str], ...] = ()
     told: tuple[tuple[Place, str], ...] = ()
+    names: tuple[str, ...] = ()
 
     def to_ledger(self, system: str = "") -> JudgedPaper:
         """Return the ledger of the paper: rows of one name are told apart by their places.
@@ -177,7 +179,8 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     paper = document.papers[True]
     missing, told = tuple(source.missing), tuple(document.told)
-    return CheckedPaper(path, shown, paper, document.taken, missing, told)
+    names = tuple(dict.fromkeys(printed.name for printed in document.printed))
+    return CheckedPaper(path, shown, paper, document.taken, missing, told, names)
 
 
 def _leave_open(

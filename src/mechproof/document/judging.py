@@ -30,9 +30,14 @@ Key = tuple[str, str | None, frozenset[str]]
 opened: dict[Key, list[Task]] = {}
 
 
+def name_equation(number: str) -> str:
+    """Return the name of the equation that a row is a sign of."""
+    return _SIGN.sub("", number)
+
+
 def leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
     """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
-    equations = {_SIGN.sub("", number) for number in elsewhere}
+    equations = {*map(name_equation, elsewhere)}
     for one in rows:
         row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
         if not judged & {row.number, row.printed_latex}:
