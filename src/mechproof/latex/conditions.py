@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.relations import join
-from mechproof.latex.tokens import DOTS, GAPS, WIDE, Token
+from mechproof.latex.signs import DOTS, GAPS, WIDE, Token
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
 from mechproof.latex.words import AND, IF
 

@@ -27,7 +27,8 @@ from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import DOTS, NARROW, WIDE, Token, read_signs
+from mechproof.latex.signs import DOTS, NARROW, WIDE, Token
+from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
     Add,
     Bracket,
