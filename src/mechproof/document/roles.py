@@ -38,7 +38,7 @@ from mechproof.latex.tree import (
     shows_matrix,
     walk,
 )
-from mechproof.latex.values import differentiate
+from mechproof.latex.values import differentiate, settle_all
 
 Values = dict[sp.Basic, Any]
 EQUAL = ("=", r"\equiv")
@@ -97,12 +97,7 @@ class Known:
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
-        for _ in range(len(self.values) + 1):
-            met = (self.values.keys() & expression.free_symbols) - {*stop}
-            if not met:
-                break
-            expression = expression.xreplace({symbol: self.values[symbol] for symbol in met})
-        return expression
+        return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a letter, or an entry of it, stands in a value."""

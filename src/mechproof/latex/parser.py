@@ -262,7 +262,7 @@ class Parser:
         above = factors[0]
         if len(factors) > 1:
             above = Product(tuple(factors), tuple(signs), start=start, end=slash.start)
-        return Quotient(above, below, upright=False, start=start, end=self.end)
+        return Quotient(above, below, start=start, end=self.end)
 
     def _check_neighbours(self, left: Node) -> None:
         """Refuse factors side by side that could be something else."""

@@ -76,7 +76,6 @@ class Quotient(Node):
 
     above: Node
     below: Node
-    upright: bool = True
 
 
 @dataclass(frozen=True)
