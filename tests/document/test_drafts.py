@@ -31,14 +31,14 @@ def draft(text: str, name: str = "paper.tex") -> str:
 )
 def test_letters_are_named_as_they_are_declared(display: str, lines: list[str]) -> None:
     found = draft(rf"\begin{{equation}}{display}\end{{equation}}").splitlines()
-    assert not [line for line in found if "not listed" in line]
+    assert not [line for line in found if "missing here" in line]
     assert [line for line in lines if f"%% {line}" not in found] == []
 
 
 def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
     found = draft(r"$$b=h+e$$ $$c=e^{-kt}$$")
     assert "%% e :" not in found
-    assert "not listed" in found
+    assert "missing here" in found
 
 
 @pytest.mark.parametrize(

@@ -29,8 +29,8 @@ from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
 from mechproof.record import Equality, Equation, Paper, Row
 
 _EITHER = (
-    "both sides have the same letters and differ: a misprint, or a constraint? Say which in the "
-    "block of letters: identity, or constraint"
+    "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
+    "which in the block of letters: identity, or constraint"
 )
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
@@ -196,7 +196,7 @@ def _leave_open(
             continue
         if task.sign.role in _COMPARED:
             other = task.sign.first or "the member before"
-            reason = f"it differs from {other}, in its letters too: a constraint, or a misprint?"
+            reason = f"it differs from {other} and has other letters: a constraint, or a misprint?"
             yield number, _make_row(task, reason)
         elif task.is_either:
             yield number, _make_row(task, _EITHER)

@@ -72,11 +72,11 @@ def _judge_alone(task: Task) -> Judgement | str:
     except (RecordError, ContradictionError) as error:
         return str(error)
     if found.verdict is Verdict.REFUTED and task.is_rounded and task.asserts:
-        return "the two sides differ, but a decimal is a rounded number"
+        return "the two sides differ, but a decimal may have been rounded"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
-            f"it differs from {task.sign.first}, and may be another solution or case; the block of "
-            "letters may say that it is an identity"
+            f"it differs from {task.sign.first}, but may be another solution or case; if it is "
+            f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
         )
     if (
         found.verdict is Verdict.REFUTED
@@ -84,18 +84,18 @@ def _judge_alone(task: Task) -> Judgement | str:
         and (letters := _list_to_be_positive(task))
     ):
         return (
-            "it holds where all letters are positive and differs elsewhere; the block of letters "
-            f"may say which are: {letters}>0"
+            "it holds only where these are positive; if they are, say so in the block of letters: "
+            f"where {letters}"
         )
     if found.verdict is Verdict.REFUTED and task.is_alone:
-        return f"another value than at the sizes: {found.reason}"
+        return f"not the value at the declared sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
         reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
         return replace(found, reason=reason)
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
-        return replace(found, reason=f"it is true nowhere: {found.reason}")
+        return replace(found, reason=f"it is never true: {found.reason}")
     return _take_as_given(task, found)
 
 
@@ -113,7 +113,9 @@ def _list_to_be_positive(task: Task) -> str:
         answer = decide(says, Domain.of(task.paper, task.row.on, positive))
     except (RecordError, ContradictionError):
         return ""
-    return ", ".join(map(str, letters)) if answer.verdict is Verdict.PROVED else ""
+    return (
+        ", ".join(f"{letter}>0" for letter in letters) if answer.verdict is Verdict.PROVED else ""
+    )
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -128,8 +130,8 @@ def _is_nowhere_true(task: Task) -> bool:
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:
-    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint between its letters"
-    reason = f"{what}, taken as given: it is not true for all values of its letters"
+    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint on its letters"
+    reason = f"{what}, taken as given: it does not hold for all their values"
     if found.verdict is not Verdict.REFUTED:
         if task.is_either:
             return found
@@ -154,7 +156,7 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
             if isinstance(found, Judgement) and found.verdict is wanted:
                 if wanted is Verdict.REFUTED and len(standing) > 1:
                     first = task.sign.first
-                    return f"it differs from members of {first}, which differ themselves"
+                    return f"it differs from members of {first} that differ from one another"
                 reason = found.reason.removesuffix(f"; compared with {one.sign.first}")
                 return replace(found, reason=f"{reason}; compared with {one.sign.first}")
     return answers[0][0]
@@ -168,4 +170,4 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> tuple[Verdict, str,
     if found := find_consequence(tasks[number], before):
         return found
     names = ", ".join(tasks[other].row.number for other in others)
-    return f"the two sides differ, unless {names} makes them equal, which is not decided"
+    return f"the two sides differ unless {names} makes them equal, which could not be decided"

@@ -31,7 +31,7 @@ def refuse_units(read: Print) -> None:
                 if isinstance(node, Measure):
                     raise read.source.refuse(
                         node.start,
-                        f"a unit, {node.unit}, beside no letter whose number it is",
+                        f"a unit, {node.unit}, but no letter whose unit it could be",
                         "Print the number alone, in the unit of the letters.",
                     )
 

@@ -138,7 +138,7 @@ def give_values(texts: Sequence[str], known: Known) -> None:
     for text, relation in ((t, r) for t in texts for r in read_relations(t, reader)):
         is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
         if not (isinstance(relation, sp.Equality) and is_letter):
-            raise ValueError(f"let: {text}: a value is said as letter=expression")
+            raise ValueError(f"let: {text}: a value is written letter=expression")
         symbol, value = relation.args
         if symbol in known.values or symbol in known.settle(value).free_symbols:
             raise ValueError(f"let: {text}: it has a value already, or is given by itself")

@@ -35,7 +35,7 @@ from mechproof.record import Paper
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
-UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
+UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -160,7 +160,7 @@ class Document:
         if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
             raise read.source.refuse(
                 double.start(),
-                "a double sign in what is said of a letter: both signs, or either?",
+                "a double sign in an equation for one letter: both signs, or either?",
                 r"Say branch \sigma=\pm1 in the block of letters.",
             )
         return signs

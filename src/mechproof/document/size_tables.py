@@ -36,9 +36,9 @@ from mechproof.record import Equation, Paper
 
 # Rows in which the heads may stand: above them those of groups of columns.
 _HEAD_ROWS = 3
-_COMMA = "1,234 in a table: a decimal comma, or thousands?"
-_NONE_AGREES = "few lines agree with the formula: other units, or other sizes, than are declared?"
-_NEAR = "it differs from the recomputed number, but not beyond the rounding of the sizes"
+_COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
+_NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
+_NEAR = "it differs from the recomputed number, but by no more than rounded sizes explain"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
 
@@ -116,11 +116,13 @@ class SizeTables:
                     self.known.met.update(head.symbol.free_symbols)
             yield from found
             for cell in grid.unread if grid and found else ():
-                reason = f"the column {cell.string.strip()} is not compared: its head is not read"
+                reason = (
+                    f"the column {cell.string.strip()} is not compared: its head cannot be read"
+                )
                 self.told.append((self.files.locate(cell.offset), reason))
             if not found:
-                what = "numbers of a letter that a formula gives" if grid else "two letters"
-                reason = f"this table shows no {what}: it is not compared"
+                what = "no numbers of a letter that a formula gives" if grid else "no two letters"
+                reason = f"this table is not compared: it shows {what}"
                 self.told.append((self.files.locate(table.offset), reason))
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
@@ -144,15 +146,17 @@ class SizeTables:
         """Say why a column is not compared, nothing if it is."""
         symbols = self.known.symbols
         if head.words:
-            return f"beside the letter stands {head.words!r}: is it computed, or measured?"
+            return (
+                f"{head.words!r} stands beside the letter: are its numbers computed, or measured?"
+            )
         if sum(other.symbol == head.symbol for other in grid.heads.values()) > 1:
-            return "two columns of one letter: which is computed?"
+            return "two columns for one letter: which is computed?"
         for other in grid.heads.values():
             declared = symbols.find_dimension(other.symbol)
             if other.unit is None or declared is None:
                 continue
             if other.unit.dimension != declared:
-                return f"the unit of {other.printed} is another one in the block of letters"
+                return f"the unit of {other.printed} differs from that in the block of letters"
             if declared.time and other.unit.dimension.angle != declared.angle:
                 return f"the unit of {other.printed}: turns, or radians?"
         return ""
@@ -165,7 +169,7 @@ class SizeTables:
             name, number = f"{grid.name}, line {count}, {head.printed}", found[column]
             if number is None:
                 if any(found.values()) and line[column].string.strip(NOTHING):
-                    yield self._leave(name, line[column], "this cell is not read: no number")
+                    yield self._leave(name, line[column], "no number can be read in this cell")
                 continue
             scales = Scales(self.known.symbols, grid.heads.values())
             sizes = {
@@ -187,7 +191,7 @@ class SizeTables:
         for formulas, results in groups.items():
             yield from self._compare(formulas, results, grid)
         for lacks, cell in missing.items():
-            reason = f"the formula needs {lacks}, no column of the table and no declared size"
+            reason = f"the formula needs {lacks}: neither in the table nor among the declared sizes"
             yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
 
     def _find_formulas(

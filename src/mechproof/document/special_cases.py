@@ -108,17 +108,17 @@ def split_branches(says: Statement, known: Known) -> Statement:
 
 def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
     """Return what a number says of a letter at the sizes, or why that is not judged."""
-    special = "a special value: nothing says at which sizes, or to how many digits"
+    special = "a single value: nothing says for which sizes, or to how many digits"
     if not sign.number:
         return special
     if sign.unit and own is None:
-        return "a unit, and no letter in whose unit the number could be compared"
+        return "a number with a unit, but no letter into whose unit it could be converted"
     usual = dict(known.symbols.usual)
     value = known.settle(sign.value)
     # A letter that has a size, too, may be meant by either.
     formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
     if missing := sorted(map(str, value.free_symbols - usual.keys())):
-        return f"a value for sizes that are not declared: {', '.join(missing)}"
+        return f"it depends on sizes that are not declared: {', '.join(missing)}"
     scales = Scales(known.symbols, shown=[own] if sign.unit and own else [])
     factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
     readings = [r for formula in formulas for r in scales.list_readings(formula, own)]

@@ -301,7 +301,7 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         unit = _UNITS.search(text)
         for relation in read_relations(text[: unit.start()] if unit else text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
-                raise ValueError(f"sizes: {text}: a size is said as letter=number")
+                raise ValueError(f"sizes: {text}: a size is written letter=number")
             _check_size_unit(text, unit[1] if unit else None, relation.lhs, block)
             usual[relation.lhs] = relation.rhs
     notation = symbols.notation

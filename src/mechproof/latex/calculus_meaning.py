@@ -121,7 +121,8 @@ def _check_seams(meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], point:
     for step in steps[: last + 1]:
         if step in meaning.values and not has_value(meaning.values[step], node.by.symbol, point):
             raise meaning.source.refuse(
-                node.start, f"{steps[last]} has no value there: the pieces do not join"
+                node.start,
+                f"{steps[last]} has no value at {node.by.text} = {point}: its pieces do not join",
             )
 
 
