@@ -16,7 +16,8 @@ LETTERS = r"""%% mechproof
 %% w(t) : another position [mm]
 %% \nu : frequency of rotation [rad/s]
 %% v : speed [mm/s]
-%% k ; p ; q : numbers
+%% k : number {0<=k<=2}
+%% p ; q : numbers
 %% where c>=0
 %% end
 $$h=a\cos\psi+\sqrt{b^2+(c\sin\psi)^2}$$
@@ -77,6 +78,29 @@ CASES = {
     r"\dot z=-a\nu\cos\nu t": ["REFUTED"],
     r"\sin2\nu t=2\sin\nu t\cos\nu t": ["PROVED"],
     r"p=v\cos\alpha t": ["not read"],
+    r"\max_\psi(a\cos\psi+c)=a+c": ["PROVED"],
+    r"\min\limits_{\psi}(a\cos\psi+c)=c-a": ["PROVED"],
+    r"c-a=\min_\psi(a\cos\psi+c)": ["PROVED"],
+    r"\max_\psi(a\cos\psi+c)=c-a": ["REFUTED"],
+    r"\min_\psi(a\cos\psi+c)=a+c": ["REFUTED"],
+    r"\max_t z=a": ["PROVED"],
+    r"\min_t z=a": ["REFUTED"],
+    r"\max_w(aw-w^2)=\frac{a^2}{4}": ["PROVED"],
+    r"\max_k(2k-k^2)=1": ["PROVED"],
+    r"\max_k(2k-k^2)=0": ["REFUTED"],
+    r"\max_c(a-c)=a": ["PROVED"],
+    r"\min_k(2k-k^2)=0": ["PROVED"],
+    # It holds for positive lengths only.
+    r"\max_\psi(d\cos\psi)=d": ["not judged"],
+    # A value that is not steady there, or none that is found.
+    r"\max_\psi(a\cos\psi+c)=a-c": ["not judged"],
+    r"\max_k(2k-k^2)=2": ["not judged"],
+    r"p=\max_k(2k-k^2)": ["not judged"],
+    r"\max_\psi h<a": ["not judged"],
+    r"\max_{0<\psi<1}h=a": ["not read"],
+    r"\max_\psi h=a\quad\text{for }\psi>1": ["not read"],
+    r"2\max_\psi h=a": ["not read"],
+    r"\max_\psi h+a=a": ["not read"],
     r"p=\cos\nu\alpha": ["not read"],
 }
 

@@ -17,7 +17,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Equality, Holds, Part, RecordError
+from mechproof.record import Conjunction, Equality, Holds, Part, RecordError
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -101,12 +101,15 @@ def _judge_alone(task: Task) -> Judgement | str:
 
 def _list_to_be_positive(task: Task) -> str:
     """Return the letters of which nothing is said, if an equation holds where they are positive."""
-    says = task.row.says
+    says = task.row.statement
     free = Domain.of(task.paper, task.row.on)
-    if not isinstance(says, Equality) or task.residual is None:
+    parts = says.parts if isinstance(says, Conjunction) else (says,)
+    sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
+    sides = sides if task.residual is None else [task.residual]
+    if not sides or isinstance(sides[0], sp.MatrixBase):
         return ""
-    letters = sorted(task.residual.free_symbols, key=str)
-    letters = [s for s in letters if free.within.get(s) == sp.S.Reals]
+    met = {letter for side in sides for letter in side.free_symbols}
+    letters = [s for s in sorted(met, key=str) if free.within.get(s) == sp.S.Reals]
     within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
     positive = Part("all letters are positive", within)
     try:

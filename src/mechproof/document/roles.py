@@ -30,6 +30,7 @@ from mechproof.latex.tree import (
     Chain,
     Degrees,
     Derivation,
+    Extremum,
     Letter,
     Measure,
     Node,
@@ -166,6 +167,10 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if chain.relations[left] not in EQUAL and not is_rounded:
         return Sign(Role.RELATION)
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
+    for node in nodes:
+        if isinstance(node, Extremum):
+            _refuse_range(read, chain, node, known)
+            return Sign(Role.VALUE)
     try:
         worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
         sides = one, other = turn((nodes[0], nodes[1]), worked_out)
@@ -212,6 +217,18 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if is_number:
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:
+    """Refuse what is said of the letter that moves, besides the set in which it lies."""
+    said = {part.symbol for part in walk(chain.condition) if isinstance(part, Letter)}
+    said |= {symbol for relation in known.symbols.where for symbol in relation.free_symbols}
+    if node.by.symbol in said:
+        raise read.source.refuse(
+            node.by.start,
+            f"a range of {node.by.text} that is not said where it is declared",
+            f"Say it in the block of letters behind {node.by.text}: {{0<{node.by.text}<1}}",
+        )
 
 
 def name_member(number: int, name: str) -> str:

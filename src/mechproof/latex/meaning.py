@@ -18,6 +18,7 @@ from mechproof.latex.calculus_meaning import (
     give_value,
 )
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
+from mechproof.latex.extrema import give_term
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.matrix_meaning import (
     ENTRIES,
@@ -42,6 +43,7 @@ from mechproof.latex.tree import (
     Derivation,
     Entries,
     Excerpt,
+    Extremum,
     Integration,
     Letter,
     Magnitude,
@@ -245,6 +247,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Derivation: give_derivative,
     Approach: give_limit,
     At: give_value,
+    Extremum: give_term,
     Table: give_table,
     Entries: give_entries,
     Excerpt: give_excerpt,

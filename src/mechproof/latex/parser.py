@@ -18,6 +18,7 @@ from mechproof.latex import (
     calls,
     conditions,
     derivatives,
+    extrema,
     letters,
     places,
     several_equations,
@@ -285,6 +286,8 @@ class Parser:
 
     def read_factor(self) -> Node:
         """Read an atom and the power it is raised to."""
+        if extrema.is_extremum(self):
+            return extrema.read_extremum(self)
         if calls.is_function(self):
             return calls.read_call(self)
         start, place = self.start, self.place

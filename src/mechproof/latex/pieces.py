@@ -22,7 +22,12 @@ def list_ends(*values: Any) -> list[Relational]:
 
 def find_end(end: Relational, by: sp.Basic) -> sp.Expr | None:
     """Return where a piece ends along a letter, None where the end is not linear in it."""
-    difference = sp.expand(end.lhs - end.rhs)
+    return find_zero(end.lhs - end.rhs, by)
+
+
+def find_zero(difference: sp.Expr, by: sp.Basic) -> sp.Expr | None:
+    """Return where what is linear in a letter is zero, None where it is not linear."""
+    difference = sp.expand(difference)
     slope = difference.coeff(by)
     rest = difference - slope * by
     return None if slope == 0 or rest.has(by) else -rest / slope

@@ -154,6 +154,15 @@ class Approach(Node):
 
 
 @dataclass(frozen=True)
+class Extremum(Node):
+    """The largest ("max") or the smallest ("min") value of an expression while a letter moves."""
+
+    term: Node
+    by: Letter
+    name: str
+
+
+@dataclass(frozen=True)
 class At(Node):
     """The value of an expression where a letter has a value."""
 
