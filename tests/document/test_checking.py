@@ -157,6 +157,14 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
     ),
+    "what a constraint may turn into the smallest value is not accused": (
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2"],
+        ["not judged", "DEFINITION"],
+    ),
+    "nothing excuses another extremum": (
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"kn=m^2"],
+        ["REFUTED", "DEFINITION"],
+    ),
     "special positions define nothing": (
         [r"k=m\cos\alpha+n\cos\beta", r"k=n\cos\alpha+m\cos\beta", r"m=n"],
         ["DEFINITION", "not judged", "DEFINITION"],

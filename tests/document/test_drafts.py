@@ -71,7 +71,7 @@ and, as \eqref{load} and \eqref{later} tell,
 
 def test_words_ask_what_follows() -> None:
     found = draft(SUBSTITUTED)
-    assert "%% # line 4 refers to these. Does it follow from them?" in found
+    assert "%% # line 4 refers to (2), (1). Does (3) follow from them?" in found
     assert "%% # follows (3): (2), (1)\n" in found
     assert found.count("follows") == 1
 

@@ -26,7 +26,7 @@ from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
-from mechproof.record import Equality, Equation, Paper, Row
+from mechproof.record import Conjunction, Equality, Equation, Paper, Row
 
 _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
@@ -270,7 +270,7 @@ def _follow(
     for n, task in enumerate(tasks):
         is_refuted = rows[n].outcome == Verdict.REFUTED.value
         is_settled = task.is_claimed or (is_refuted and not task.asserts)
-        if is_settled or not isinstance(task.row.says, Equality):
+        if is_settled or not isinstance(task.row.says, Equality | Conjunction):
             continue
         common = [g for g in given if g != n and list_letters(tasks[g]) & list_letters(task)]
         if not is_refuted:

@@ -89,8 +89,9 @@ def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[s
             met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
     for after, found in met.items():
         if len(found) > 1:
-            yield f"# line {min(found.values())} refers to these. Does it follow from them?"
-            yield f"# follows {displays[after].name}: {', '.join(found)}"
+            one, others = displays[after].name, ", ".join(found)
+            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from them?"
+            yield f"# follows {one}: {others}"
 
 
 def _list_entries(collected: Collected, shapes: Mapping[str, tuple[int, int]]) -> dict[str, _Entry]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.consequences import GIVEN, find_consequence
+from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
@@ -17,7 +17,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Conjunction, Equality, Holds, Part, RecordError
+from mechproof.record import Equality, Holds, Part, RecordError
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -71,7 +71,7 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
-    if found.verdict is Verdict.REFUTED and task.is_rounded and task.asserts:
+    if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return "the two sides differ, but a decimal may have been rounded"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
@@ -103,22 +103,18 @@ def _list_to_be_positive(task: Task) -> str:
     """Return the letters of which nothing is said, if an equation holds where they are positive."""
     says = task.row.statement
     free = Domain.of(task.paper, task.row.on)
-    parts = says.parts if isinstance(says, Conjunction) else (says,)
-    sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
-    sides = sides if task.residual is None else [task.residual]
-    if not sides or isinstance(sides[0], sp.MatrixBase):
+    met = sorted(list_letters(task), key=str)
+    letters = [s for s in met if free.within.get(s) == sp.S.Reals]
+    if not letters:
         return ""
-    met = {letter for side in sides for letter in side.free_symbols}
-    letters = [s for s in sorted(met, key=str) if free.within.get(s) == sp.S.Reals]
     within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
     positive = Part("all letters are positive", within)
     try:
         answer = decide(says, Domain.of(task.paper, task.row.on, positive))
     except (RecordError, ContradictionError):
         return ""
-    return (
-        ", ".join(f"{letter}>0" for letter in letters) if answer.verdict is Verdict.PROVED else ""
-    )
+    is_shown = answer.verdict is Verdict.PROVED
+    return ", ".join(f"{letter}>0" for letter in letters) if is_shown else ""
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -133,8 +129,8 @@ def _is_nowhere_true(task: Task) -> bool:
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:
-    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint on its letters"
-    reason = f"{what}, taken as given: it does not hold for all their values"
+    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint"
+    reason = f"{what}, taken as given: it does not hold for all values of its letters"
     if found.verdict is not Verdict.REFUTED:
         if task.is_either:
             return found
@@ -170,7 +166,8 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> tuple[Verdict, str,
     key, number, others = which
     tasks = open_tasks(key)
     before = [tasks[other] for other in others if other < number]
-    if found := find_consequence(tasks[number], before):
+    task = tasks[number]
+    if task.residual is not None and (found := find_consequence(task, before)):
         return found
     names = ", ".join(tasks[other].row.number for other in others)
     return f"the two sides differ unless {names} makes them equal, which could not be decided"
