@@ -176,7 +176,7 @@ TABLES = {
         tabular("$v/h$ & $v$ & $h$", "0.5 & 2 & 4", "0.6 & 2 & 4"),
         ["PROVED", "REFUTED", "not judged", "not judged"],
     ),
-    "a formula whose letters are not there": (tabular("$a/b$ & $k$", "2 & 2"), ["not judged"] * 2),
+    "a formula whose letters are not there": (tabular("$a/b$ & $k$", "2 & 2"), ["not judged"]),
     "a product that few lines agree with may be a name": (
         tabular("$a$ & $b$ & $ab$", "2 & 4 & 7", "2 & 5 & 9"),
         ["not judged"],
@@ -219,6 +219,13 @@ def test_a_column_that_is_not_read_is_told_beside_one_that_is_compared(head: str
     assert found.rows[-1].outcome == "PROVED"
     ((place, reason),) = found.told
     assert (place.line, f"the column {head} is not compared" in reason) == (18, True)
+
+
+def test_a_column_of_a_formula_whose_letters_are_not_there_is_told() -> None:
+    found = run(tabular("$a$ & $b$ & $k$ & $b/q$", "2 & 4 & 0.5 & 0.5"))
+    assert [row.outcome for row in found.rows[8:]] == ["PROVED"]
+    ((_, reason),) = found.told
+    assert reason.startswith("the column b/q is not compared: the formula needs gamma: neither in")
 
 
 def test_sizes_of_the_block_that_are_not_those_of_the_table_accuse_nobody() -> None:

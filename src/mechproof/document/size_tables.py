@@ -116,14 +116,12 @@ class SizeTables:
                     self.known.met.update(head.symbol.free_symbols)
             yield from found
             for cell in grid.unread if grid and found else ():
-                reason = (
-                    f"the column {cell.string.strip()} is not compared: its head cannot be read"
-                )
-                self.told.append((self.files.locate(cell.offset), reason))
+                reason = "is not compared: its head cannot be read"
+                self._tell(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
                 what = "no numbers of a letter that a formula gives" if grid else "no two letters"
                 reason = f"this table is not compared: it shows {what}"
-                self.told.append((self.files.locate(table.offset), reason))
+                self._tell(table.offset, reason)
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
         texts = [line[n].string for line in grid.lines for n in grid.heads]
@@ -192,6 +190,9 @@ class SizeTables:
             yield from self._compare(formulas, results, grid)
         for lacks, cell in missing.items():
             reason = f"the formula needs {lacks}: neither in the table nor among the declared sizes"
+            if not head.is_letter:
+                self._tell(cell.offset, f"the column {head.printed} is not compared: {reason}")
+                continue
             yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
 
     def _find_formulas(
@@ -260,6 +261,9 @@ class SizeTables:
         )
         sign = Sign(Role.NUMBER, None, first)
         return Task(row, self.files.locate(result.offset), sign, self.paper, asserts=True)
+
+    def _tell(self, offset: int, reason: str) -> None:
+        self.told.append((self.files.locate(offset), reason))
 
     def _leave(self, name: str, cell: TableCell, reason: str) -> Left:
         return Left(name, self.files.locate(cell.offset), cell.string, State.NOT_JUDGED, reason)
