@@ -89,6 +89,9 @@ CASES = {
     r"\max_k(2k-k^2)=1": ["PROVED"],
     r"\max_k(2k-k^2)=0": ["REFUTED"],
     r"\max_c(a-c)=a": ["PROVED"],
+    # It is steady beyond the end.
+    r"\max_k(6k-k^2)=8": ["PROVED"],
+    r"\max_k(6k-k^2)=9": ["not judged"],
     r"\min_k(2k-k^2)=0": ["PROVED"],
     # It holds for positive lengths only.
     r"\max_\psi(d\cos\psi)=d": ["not judged"],
