@@ -122,7 +122,7 @@ def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_pa
     rows = json.loads(file.read_text(encoding="utf-8"))["rows"]
     assert [row["verdict"] for row in rows] == verdicts
     assert all(f"read as   {row['read_as']}" in done.output for row in rows)
-    assert "What is not said is taken so" in done.output
+    assert "What is not stated is assumed" in done.output
 
 
 @pytest.mark.usefixtures("judged_here")

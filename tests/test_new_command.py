@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from command import run
 
+from mechproof import choose
 from mechproof.cache import VARIABLE
 
 
@@ -44,6 +45,15 @@ def test_a_derivation_of_its_own_is_proved_and_its_kernel_written(folder: Path) 
     output = run_in(folder, "regenerate")
     assert "wrote slider_crank.py" in output
     assert "REFUTED" not in (folder / "generated" / "LEDGER.md").read_text()
+    run_in(folder, "measure", "--quick")
+    measured = folder / "generated" / "measured" / "quick"
+    (quantity,) = (file.stem for file in measured.glob("*.json"))
+    run_in(folder, "chart", "--measured", str(measured), "--out", "charts")
+    assert list((folder / "charts").glob(f"{quantity}*.svg"))
+    run_in(folder, "report")
+    assert (folder / "report" / "quantities" / f"{quantity}.html").is_file()
+    choice = choose(quantity, error=1e-9, measured=measured)
+    assert choice.error <= 1e-9
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,8 @@ import ctypes
 import json
 import math
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -105,6 +107,31 @@ def test_branches_and_pieces_are_measured_charted_chosen_and_tailored(workshop: 
     assert tailor("cam.lift", error=1e-6, derivations=place, theta=(0.1, 2), h=20).bound <= 1e-6
     with pytest.raises(ValueError, match=r"jumps or is undefined about 2\.0943951"):
         tailor("cam.lift", error=1e-6, derivations=place, theta=(0.1, 3), h=20)
+    run_in(workshop, "report")
+    for name in ("four_bar.rocker", "cam.lift"):
+        page = (workshop / "report" / "quantities" / f"{name}.html").read_text(encoding="utf-8")
+        assert "A quick measurement" in page
+
+
+@pytest.mark.xdist_group("pieces")
+def test_compiled_kernels_are_kept_whoever_compiles_them_first(
+    workshop: Path, tmp_path: Path
+) -> None:
+    """What numba keeps of one process is read by the next, under the name it is imported by."""
+    for folder in ("derivations", "generated"):
+        ignored = shutil.ignore_patterns("__pycache__", "measured")
+        shutil.copytree(workshop / folder, tmp_path / folder, ignore=ignored)
+    call = ("-c", "from generated.compiled.cam import lift; print(lift(2.5, 20.0))")
+    measure = ("-m", "mechproof", "measure", "--quick", "cam.lift")
+    said = []
+    for command in (call, measure, call):
+        done = subprocess.run(
+            [sys.executable, *command], cwd=tmp_path, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        said.append(done.stdout)
+    assert said[0] == said[2] == "20.0\n"
+    assert list((tmp_path / "generated" / "compiled" / "__pycache__").glob("cam*.nbc"))
 
 
 def test_what_has_no_operation_is_a_row_of_verify(tmp_path: Path) -> None:

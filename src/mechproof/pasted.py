@@ -287,7 +287,7 @@ def _give_values(
     for text in pasted.values:
         for relation in read_relations(text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
-                raise ValueError(f"{text}: a value is said as letter=expression")
+                raise ValueError(f"{text}: a value is written letter=expression")
             if relation.lhs in given:
                 raise ValueError(f"{text}: {relation.lhs} has a value already")
             given[relation.lhs] = relation.rhs

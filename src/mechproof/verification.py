@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 from mechproof.codegen.forms import derivative_rows, form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
@@ -25,6 +26,7 @@ from mechproof.proof.verdict_cache import VerdictCache, row_keys
 from mechproof.reads import digest_files, note_reads
 from mechproof.record import Paper, Row
 
+R = TypeVar("R", Judgement, Row)
 # Seconds for a row; beyond, something hangs.
 LIMIT = 600.0
 
@@ -156,29 +158,48 @@ def _restore(
     report(f"loading {location}")
     with stop_after(limit, location):
         paper = load_paper(location)
-    rest = _read_rest(paper, limit, report).paper.rows if paper.print else ()
-    return JudgedPaper(**vars(kept), paper=replace(paper, rows=paper.rows + rest))
+    if paper.print:
+        paper = _add_rows(paper, _check_rest(paper, limit, report))
+    return JudgedPaper(**vars(kept), paper=paper)
 
 
 def _add_rest(ledger: JudgedPaper, limit: float, report: Callable[[str], None]) -> JudgedPaper:
-    """Add what the print of a paper has besides its rows; it needs no mechanics."""
-    rest = _read_rest(ledger.paper, limit, report)
+    """Add what the print of a paper has besides its rows, in its order; it needs no mechanics."""
+    checked = _check_rest(ledger.paper, limit, report)
+    rest = checked.to_ledger(ledger.system)
     return replace(
         ledger,
-        judgements=ledger.judgements + rest.judgements,
+        judgements=_insert(ledger.judgements, rest.judgements, checked.names),
         findings=ledger.findings + rest.findings,
         left=rest.left,
-        paper=replace(ledger.paper, rows=ledger.paper.rows + rest.paper.rows),
+        paper=_add_rows(ledger.paper, checked),
     )
 
 
-def _read_rest(paper: Paper, limit: float, report: Callable[[str], None]) -> JudgedPaper:
+def _check_rest(paper: Paper, limit: float, report: Callable[[str], None]) -> checking.CheckedPaper:
     assert paper.print
     try:
-        checked = checking.check_rest(paper.print, paper.rows, min(limit, judging.LIMIT), report)
+        return checking.check_rest(paper.print, paper.rows, min(limit, judging.LIMIT), report)
     except ValueError as error:
         raise DerivationError(str(error)) from error
-    return checked.to_ledger(paper.system)
+
+
+def _add_rows(paper: Paper, checked: checking.CheckedPaper) -> Paper:
+    rest = checked.to_ledger(paper.system).paper.rows
+    return replace(paper, rows=_insert(paper.rows, rest, checked.names))
+
+
+def _insert(rows: Sequence[R], others: Sequence[R], names: Sequence[str]) -> tuple[R, ...]:
+    """Put other rows behind those whose equations stand before theirs, or before the first."""
+    places = {name: place for place, name in enumerate(names)}
+    found = [(places.get(judging.name_equation(row.number)), row) for row in rows]
+    for other in others:
+        place = places.get(judging.name_equation(other.number), len(names))
+        known = [(n, own) for n, (own, _) in enumerate(found) if own is not None]
+        before = [n + 1 for n, own in known if own <= place]
+        first = known[0][0] if known else len(found)
+        found.insert(before[-1] if before else first, (place, other))
+    return tuple(row for _, row in found)
 
 
 def _check_source(

@@ -91,7 +91,7 @@ def test_a_draft_says_which_equations_show_no_letters(tmp_path: Path) -> None:
     file.write_text("$$a=b$$\n$$y=\\frac{p}{$$\n$$q(x)=\\unknown{r}$$\n")
     block = run("--draft", str(file)).output
     assert "%% a :" in block
-    assert "%% # display 2, line 2: its letters are not listed:" in block
+    assert "%% # display 2, line 2: its letters are missing here:" in block
     assert "%% # display 3, line 3" in block
     file.write_text(block + file.read_text())
     assert [row.outcome for row in mechproof.check(file).rows] == [

@@ -157,6 +157,14 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
     ),
+    "what a constraint may turn into the smallest value is not accused": (
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2"],
+        ["not judged", "DEFINITION"],
+    ),
+    "nothing excuses another extremum": (
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"kn=m^2"],
+        ["REFUTED", "DEFINITION"],
+    ),
     "special positions define nothing": (
         [r"k=m\cos\alpha+n\cos\beta", r"k=n\cos\alpha+m\cos\beta", r"m=n"],
         ["DEFINITION", "not judged", "DEFINITION"],
@@ -220,8 +228,30 @@ CASES = {
             r"s'=\begin{cases}2a\psi&\psi<k\\2ak&\text{otherwise}\end{cases}",
             r"s''=\begin{cases}2a&\psi<k\\0&\psi>k\end{cases}",
             r"s''=\begin{cases}2a&\psi<k\\2&\psi>k\end{cases}",
+            r"s'(k)=2ak",
+            r"s'(k)=ak",
+            r"s''(k)=0",
         ],
-        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED", "REFUTED", "not read"],
+    ),
+    "derivatives are compared where their pieces join": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k\le\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2ak&\text{otherwise}\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi\le k\\2ak&k<\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2a\psi&k\le\psi\le u\end{cases}",
+            r"s''=\begin{cases}2a&0\le\psi\le k\\0&\text{otherwise}\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"],
+    ),
+    "a law that jumps has no derivative there": (
+        [
+            r"s=\begin{cases}a\psi&\psi\le1\\a\psi+h&\psi>1\end{cases}",
+            r"s'=a",
+            r"s'(1)=a",
+            r"s'(2)=a",
+        ],
+        ["DEFINITION", "PROVED", "not read", "DEFINITION"],
     ),
     "two letters that are zero define nothing": (
         [r"\dot x=\dot\varphi=0", ROD, r"\dot x=-r\dot\varphi\sin\varphi"],
@@ -403,6 +433,26 @@ def test_rows_say_what_they_do_and_where_they_stand() -> None:
     rows = run(ROD, r"\dot x=-r\dot\varphi\sin\varphi").rows
     assert [row.role for row in rows] == [Role.DEFINITION, Role.DERIVATIVE]
     assert [row.place.line for row in rows] == [17, 18]
+
+
+# An equation, what stands behind it, and whether it tells that nothing else uses its letter.
+LONELY = {
+    (r"u=m\cos\alpha", ""): True,
+    (r"u=m\cos\alpha", "$$k=2u$$"): False,
+    (r"\dot x=r\dot\varphi", "$$x=r$$"): False,
+    # Nobody knows what stands there.
+    (r"u=m\cos\alpha", "$$k=2q_u$$"): False,
+    (r"u=m\cos\alpha", "$$k=\\mu$$"): True,
+    (r"u=m\cos\alpha", r"\begin{tabular}{ll}$m$ & $u$\\1 & 2\end{tabular}"): False,
+    (r"u=3", ""): True,
+}
+
+
+@pytest.mark.parametrize(("latex", "more"), LONELY)
+def test_a_letter_that_nothing_else_uses_is_told(latex: str, more: str) -> None:
+    row = check("paper.tex", paper(latex) + more).rows[0]
+    assert row.outcome == "DEFINITION"
+    assert row.reason.endswith(" uses u.") == LONELY[latex, more]
 
 
 def test_an_accusation_names_what_it_is_compared_with() -> None:

@@ -31,14 +31,14 @@ def draft(text: str, name: str = "paper.tex") -> str:
 )
 def test_letters_are_named_as_they_are_declared(display: str, lines: list[str]) -> None:
     found = draft(rf"\begin{{equation}}{display}\end{{equation}}").splitlines()
-    assert not [line for line in found if "not listed" in line]
+    assert not [line for line in found if "missing here" in line]
     assert [line for line in lines if f"%% {line}" not in found] == []
 
 
 def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
     found = draft(r"$$b=h+e$$ $$c=e^{-kt}$$")
     assert "%% e :" not in found
-    assert "not listed" in found
+    assert "missing here" in found
 
 
 @pytest.mark.parametrize(
@@ -71,7 +71,7 @@ and, as \eqref{load} and \eqref{later} tell,
 
 def test_words_ask_what_follows() -> None:
     found = draft(SUBSTITUTED)
-    assert "%% # line 4 refers to these. Does it follow from them?" in found
+    assert "%% # line 4 refers to (2), (1). Does (3) follow from them?" in found
     assert "%% # follows (3): (2), (1)\n" in found
     assert found.count("follows") == 1
 

@@ -160,6 +160,27 @@ TABLES = {
         tabular(r"$a$ & $\omega$ [min$^{-1}$] & $v$", "20 & 100 & 0.209", "20 & 100 & 0.3"),
         ["PROVED", "REFUTED"],
     ),
+    "a column of a formula": (
+        tabular("$a$ & $b$ & $a/b$", "2 & 4 & 0.5", "2 & 5 & 0.4", "3 & 4 & 0.57"),
+        ["PROVED", "PROVED", "REFUTED"],
+    ),
+    "a formula has the unit of its letters": (
+        tabular("$a$ & $b$ & $a+b$, cm", "2 & 4 & 0.6", "2 & 5 & 0.8"),
+        ["PROVED", "REFUTED"],
+    ),
+    "a unit behind a slash is no letter": (
+        tabular("$a/$mm & $b/$mm & $k$", "2 & 4 & 0.5"),
+        ["PROVED"],
+    ),
+    "a letter behind a slash is no unit": (
+        tabular("$v/h$ & $v$ & $h$", "0.5 & 2 & 4", "0.6 & 2 & 4"),
+        ["PROVED", "REFUTED", "not judged", "not judged"],
+    ),
+    "a formula whose letters are not there": (tabular("$a/b$ & $k$", "2 & 2"), ["not judged"]),
+    "a product that few lines agree with may be a name": (
+        tabular("$a$ & $b$ & $ab$", "2 & 4 & 7", "2 & 5 & 9"),
+        ["not judged"],
+    ),
     "meanings are no numbers": (tabular("$a$ & first side", "$k$ & ratio"), []),
 }
 
@@ -192,11 +213,19 @@ def test_another_table_is_told() -> None:
     assert (place.line, "no two letters" in reason) == (16, True)
 
 
-def test_a_column_of_another_formula_is_told_beside_one_that_is_compared() -> None:
-    found = run(tabular("No. & $a$ & $b$ & $k$ & $a/b$", "1 & 2 & 4 & 0.5 & 0.5"))
+@pytest.mark.parametrize("head", ["$a/w$", "$b/m$", "a/b"])
+def test_a_column_that_is_not_read_is_told_beside_one_that_is_compared(head: str) -> None:
+    found = run(tabular(f"No. & $a$ & $b$ & $k$ & {head}", "1 & 2 & 4 & 0.5 & 0.5"))
     assert found.rows[-1].outcome == "PROVED"
     ((place, reason),) = found.told
-    assert (place.line, "the column $a/b$ is not compared" in reason) == (18, True)
+    assert (place.line, f"the column {head} is not compared" in reason) == (18, True)
+
+
+def test_a_column_of_a_formula_whose_letters_are_not_there_is_told() -> None:
+    found = run(tabular("$a$ & $b$ & $k$ & $b/q$", "2 & 4 & 0.5 & 0.5"))
+    assert [row.outcome for row in found.rows[8:]] == ["PROVED"]
+    ((_, reason),) = found.told
+    assert reason.startswith("the column b/q is not compared: the formula needs gamma: neither in")
 
 
 def test_sizes_of_the_block_that_are_not_those_of_the_table_accuse_nobody() -> None:

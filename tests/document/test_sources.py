@@ -73,9 +73,9 @@ WRONG = [
     ("a", "neither a letter"),
     ("7 : number", "has no letter"),
     ("skip (3)", "say why"),
-    ("a_{b;c} : one", "brace too many"),
+    ("a_{b;c} : one", "unbalanced braces"),
     ("constraint", "is needed"),
-    ("factor", "nothing is said"),
+    ("factor", "nothing follows"),
     (r"branch \sigma=2", r"letter=\\pm1"),
 ]
 

@@ -16,7 +16,8 @@ LETTERS = r"""%% mechproof
 %% w(t) : another position [mm]
 %% \nu : frequency of rotation [rad/s]
 %% v : speed [mm/s]
-%% k ; p ; q : numbers
+%% k : number {0<=k<=2}
+%% p ; q : numbers
 %% where c>=0
 %% end
 $$h=a\cos\psi+\sqrt{b^2+(c\sin\psi)^2}$$
@@ -67,11 +68,42 @@ CASES = {
     r"w(\alpha)=a": ["not read"],
     r"h=a+b\quad\text{for }c=0,\ \psi=0": ["PROVED"],
     r"h=a-b,\quad\text{for }c=0,\ \psi=0": ["REFUTED"],
+    r"h=a+b\quad\text{for }c>0,\ \psi=0": ["PROVED"],
+    r"h=a-b\quad\text{for }c>0,\ \psi=0": ["REFUTED"],
+    r"z=0\quad\text{for }t=0": ["PROVED"],
+    r"z=1\quad\text{for }t=0": ["REFUTED"],
+    r"z=0\quad\text{for }\nu=1": ["not judged"],
     r"h=a+b\quad\text{for }c=0,\ \psi=a": ["not read"],
     r"\dot z=a\nu\cos\nu t": ["PROVED"],
     r"\dot z=-a\nu\cos\nu t": ["REFUTED"],
     r"\sin2\nu t=2\sin\nu t\cos\nu t": ["PROVED"],
     r"p=v\cos\alpha t": ["not read"],
+    r"\max_\psi(a\cos\psi+c)=a+c": ["PROVED"],
+    r"\min\limits_{\psi}(a\cos\psi+c)=c-a": ["PROVED"],
+    r"c-a=\min_\psi(a\cos\psi+c)": ["PROVED"],
+    r"\max_\psi(a\cos\psi+c)=c-a": ["REFUTED"],
+    r"\min_\psi(a\cos\psi+c)=a+c": ["REFUTED"],
+    r"\max_t z=a": ["PROVED"],
+    r"\min_t z=a": ["REFUTED"],
+    r"\max_w(aw-w^2)=\frac{a^2}{4}": ["PROVED"],
+    r"\max_k(2k-k^2)=1": ["PROVED"],
+    r"\max_k(2k-k^2)=0": ["REFUTED"],
+    r"\max_c(a-c)=a": ["PROVED"],
+    # It is steady beyond the end.
+    r"\max_k(6k-k^2)=8": ["PROVED"],
+    r"\max_k(6k-k^2)=9": ["not judged"],
+    r"\min_k(2k-k^2)=0": ["PROVED"],
+    # It holds for positive lengths only.
+    r"\max_\psi(d\cos\psi)=d": ["not judged"],
+    # A value that is not steady there, or none that is found.
+    r"\max_\psi(a\cos\psi+c)=a-c": ["not judged"],
+    r"\max_k(2k-k^2)=2": ["not judged"],
+    r"p=\max_k(2k-k^2)": ["not judged"],
+    r"\max_\psi h<a": ["not judged"],
+    r"\max_{0<\psi<1}h=a": ["not read"],
+    r"\max_\psi h=a\quad\text{for }\psi>1": ["not read"],
+    r"2\max_\psi h=a": ["not read"],
+    r"\max_\psi h+a=a": ["not read"],
     r"p=\cos\nu\alpha": ["not read"],
 }
 
@@ -107,7 +139,10 @@ NUMBERS = {
     r"r+2l=485": "REFUTED",
     r"r+l=282000\,\mu\mathrm{m}": "PROVED",
     r"r+l=282001\,\mu\mathrm{m}": "REFUTED",
-    r"l-x=20.2\,\mathrm{mm}": "not judged",
+    # Without sizes it is one itself.
+    r"l-x=20.2\,\mathrm{mm}": "DEFINITION",
+    r"l-x=20.2": "DEFINITION",
+    r"l-x=20.2\,\mathrm{N}": "not judged",
     r"l+\alpha=20.2\,\mathrm{mm}": "not judged",
     r"\alpha=\arctan\frac rl=21.61": "PROVED",
     r"\alpha=\arctan\frac rl=0.3771": "PROVED",
@@ -126,3 +161,10 @@ NUMBERS = {
 def test_numbers_are_compared_in_the_unit_that_is_printed(latex: str) -> None:
     *_, row = check("paper.tex", f"{SIZES}$${latex}$$").rows
     assert row.outcome == NUMBERS[latex]
+
+
+@pytest.mark.parametrize(("number", "outcome"), [("80.0", "PROVED"), ("70.2", "not judged")])
+def test_the_values_of_a_condition_are_meant_and_not_the_sizes(number: str, outcome: str) -> None:
+    block = SIZES.replace("l=202 mm", "\\alpha=0.5")
+    text = rf"$$x=r\cos\alpha$$ $$x={number}\text{{ for }}\alpha=0$$"
+    assert check("paper.tex", block + text).rows[-1].outcome == outcome

@@ -138,15 +138,29 @@ def test_what_the_module_has_no_row_for_is_judged_without_mechanics(tmp_path: Pa
     module = tmp_path / "crank.py"
     module.write_text(MODULE)
     (ledger,) = judge_derivations([module], use_cache=False)
-    assert {row.number: row.verdict for row in ledger.judgements} == {
-        "(2)": Verdict.PROVED,
-        "(1)": Verdict.PROVED,
-        "(3)": Verdict.DEFINITION,
-        "(5)": Verdict.REFUTED,
-    }
+    assert [(row.number, row.verdict) for row in ledger.judgements] == [
+        ("(1)", Verdict.PROVED),
+        ("(2)", Verdict.PROVED),
+        ("(3)", Verdict.DEFINITION),
+        ("(5)", Verdict.REFUTED),
+    ]
+    assert [row.number for row in ledger.paper.rows] == ["(1)", "(2)", "(3)", "(4)", "(5)"]
     assert [(row.number, row.state) for row in ledger.left] == [("(4)", State.NOT_READ)]
     assert [finding.number for finding in ledger.findings] == ["(5)"]
     assert {row.system for row in ledger.judgements} == {"crank"}
+
+
+def test_rows_of_the_module_alone_stay_where_they_are(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(CRANK)
+    row = 'PRINT.equation("(2)", derived={s: r * sin(phi)})'
+    fifth = row.replace("(2)", "(5)").replace("s: r * sin", "c: r * cos")
+    first, last = (f'Claim("{name}", "", says=Holds(r**2 >= 0))' for name in ("first", "last"))
+    module = tmp_path / "crank.py"
+    text = MODULE.replace("LENGTH,", "LENGTH, Claim, Holds,")
+    module.write_text(text.replace(row, f"{first}, {fifth}, {row}, {last}"))
+    (ledger,) = judge_derivations([module], use_cache=False)
+    numbers = [judged.number for judged in ledger.judgements]
+    assert numbers == ["first", "(1)", "(5)", "(2)", "(3)", "last"]
 
 
 def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:

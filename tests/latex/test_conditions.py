@@ -61,6 +61,13 @@ def test_several_conditions_hold_together(print_: str) -> None:
     assert conditions(print_) == {sp.Gt(x, 0), sp.Gt(y, 0)}
 
 
+@pytest.mark.parametrize("more", [r"y=0", r"y=\frac{\pi}{2}", r"y=-1"])
+@pytest.mark.parametrize("first", ["x=0", "x>0", "0<x<1"])
+def test_a_value_behind_a_condition_is_one(first: str, more: str) -> None:
+    said = conditions(rf"f=1\text{{ for }}{first},\ {more}")
+    assert said == conditions(rf"f=1\text{{ for }}{first}\text{{ and }}{more}")
+
+
 def test_a_condition_holds_for_all_equations_before_it() -> None:
     chains = READER.parse(r"f=1,\ y=2,\ x>0").chains
     assert [len(chain.relations) for chain in chains] == [1, 1]
@@ -83,6 +90,9 @@ REFUSED = [
     (r"\text{for }x>0,\ f=1", "a condition before"),
     (r"\forall x>0:f=1", "a condition before"),
     (r"f=1,\ x>0,\ y=2", "an equation behind a condition"),
+    (r"f=1\text{ for }x>0,\ y=2x", "an equation behind a condition"),
+    (r"f=1\text{ for }x>0,\ f=2", "an equation behind a condition"),
+    (r"f=1\text{ for }x>0,\ x=2", "an equation behind a condition"),
     (r"x^2\ge0,\ y^2\ge0", "a condition of the first, or a claim of its own"),
     (r"f=1,\ 0<x,y<1", "letters between two bounds"),
     (r"f=1,\ x\in(0,1,2)", "two ends"),

@@ -30,6 +30,17 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
             sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2 + sp.Rational(1, 99), True)),
             Verdict.REFUTED,
         ),
+        # Seams that a letter says.
+        (
+            sp.Piecewise((x, x <= y), (y, True)),
+            sp.Piecewise((x, x < y), (y, True)),
+            Verdict.PROVED,
+        ),
+        (
+            sp.Piecewise((x, x <= 2 * y), (y, True)),
+            sp.Piecewise((x, x < 2 * y), (y, True)),
+            Verdict.REFUTED,
+        ),
         # True in its piece only.
         (sp.Piecewise((x, x >= 0), (-x, True)), sp.sqrt(x**2), Verdict.PROVED),
         (sp.Piecewise((x - y, x >= y), (y - x, True)), sp.Abs(x - y), Verdict.PROVED),

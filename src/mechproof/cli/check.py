@@ -24,8 +24,8 @@ from mechproof.proof.verdict import State, Verdict
 
 Texts = list[str] | None
 DEFAULTS = (
-    "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "
-    "a natural number, d within an integral is its differential. Nothing else is guessed."
+    "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
+    "a natural number, d in an integral is its differential. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
@@ -34,7 +34,7 @@ REMARKS = {
     "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
     "restricted: --where.",
     Verdict.DEFINITION: "DEFINITION means: nothing was compared, the equation itself says what the "
-    "letter is. To have it judged, say what the letter is otherwise: --let 'letter=…'.",
+    "letter is. To have it judged, say what else the letter is: --let 'letter=…'.",
 }
 
 

@@ -27,10 +27,10 @@ def print_checked(paper: CheckedPaper, *, show_all: bool) -> None:
         say(f"{place}: {reason}")
     if paper.taken:
         say(
-            "There is no block of letters: each letter is taken as a real number, or as the matrix "
-            "that it is printed to be. --draft writes a block to be confirmed."
+            "There is no block of letters, so each letter is taken to be a real number, or the "
+            "matrix it is printed as. --draft writes a block for you to confirm."
         )
-        say(f"  taken so: {', '.join(paper.taken)}")
+        say(f"  letters taken: {', '.join(paper.taken)}")
     counted = Counter(row.outcome for row in paper.rows)
     say(", ".join(f"{outcome} {number}" for outcome, number in sorted(counted.items())))
 

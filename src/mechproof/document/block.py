@@ -121,7 +121,9 @@ def _read_letter(
     text, _, symbol = text.partition(" as ")
     names = [name.strip() for name in text.split("|")]
     if any(name.count("{") != name.count("}") for name in names):
-        raise ValueError(f"the name {text.strip()!r} has a brace too many; names have no ; or |")
+        raise ValueError(
+            f"the name {text.strip()!r} has unbalanced braces; a name contains no ; or |"
+        )
     if not all(any(sign.isalpha() for sign in name) for name in names):
         raise ValueError(f"the name {text.strip()!r} has no letter")
     running = None if shape else _RUNNING.search(names[0])
@@ -146,7 +148,7 @@ def _add(name: str) -> Callable[[Block, str], None]:
 
     def enter(block: Block, rest: str) -> None:
         if not rest:
-            raise ValueError("nothing is said behind the word")
+            raise ValueError("nothing follows the word")
         getattr(block, name).extend(part.strip() for part in _PARTS.split(rest))
 
     return enter
@@ -170,7 +172,7 @@ def _branch(block: Block, rest: str) -> None:
     for part in _PARTS.split(rest):
         found = _BRANCH.match(part.strip())
         if found is None:
-            raise ValueError(rf"a branch is said as letter=\pm1, not {part.strip()}")
+            raise ValueError(rf"a branch is written letter=\pm1, not {part.strip()}")
         block.branches.append(found[1])
 
 

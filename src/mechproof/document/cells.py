@@ -1,16 +1,16 @@
-"""Cells of tables: a head that is a letter with its unit, a cell that is a number."""
+"""Cells of tables: a head that is a letter or a formula with its unit, a cell that is a number."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
 from mechproof.document.units import Unit, UnitError, read_unit, spell_unit
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.tree import Letter
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
 _SINGLE = re.compile(r"\\(?:mathrm|text|rm)\s+(?=[A-Za-z])")
@@ -28,6 +28,8 @@ _NUMBER = re.compile(
     r"(?:(?:\\cdot|\\times|[x\u00d7·])10\^?\{?(?P<ten>[-+\u2212]?\d+)\}?|[eE](?P<power>[-+]?\d+))?"
     r"(?P<unit>[^\d].*)?\Z"
 )
+# A head that shows a formula.
+MATH = re.compile(r"\$|\\\(")
 # What an empty cell holds.
 NOTHING = "-$ {}\u2212\u2013\u2014"
 _COMMA = re.compile(r"(?<=\d)(?:\{,\}|,)(?=\d)")
@@ -36,12 +38,17 @@ _THOUSANDS = re.compile(r"[-+\u2212]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d+)?")
 
 @dataclass(frozen=True)
 class Head:
-    """What a column holds: a letter, its unit where one is printed, and words around it."""
+    """What a column holds: a letter or a formula, its unit if one is printed, words around it."""
 
     symbol: sp.Basic
     printed: str
     unit: Unit | None
     words: str = ""
+
+    @property
+    def is_letter(self) -> bool:
+        """Return whether it is a letter: its numbers are sizes, too."""
+        return isinstance(self.symbol, sp.Symbol)
 
 
 @dataclass(frozen=True)
@@ -91,20 +98,32 @@ def find_unit(text: str) -> Unit | None:
 
 
 def read_head(text: str, reader: Reader) -> Head | None:
-    """Return what a head says, None where it is no declared letter."""
+    """Return what a head says, None where it is no declared letter and no formula of such."""
     text = text.strip()
     if text.startswith("{") and text.endswith("}"):
         text = text[1:-1].strip()
     if letter := _find_letter(text, reader):
         return Head(letter, text.strip("$ "), None)
+    formula = find_formula(text, reader) if MATH.search(text) else None
     plain = _DEGREE.search(text)
     if plain and not text[plain.end() :].strip("$ "):
         before = text[: plain.start()].rstrip(" ,[($")
         if letter := _find_letter(before, reader):
             return Head(letter, before.strip("$ "), read_unit("°"))
-    if (unit := _UNIT.search(text)) and (letter := _find_letter(text[: unit.start()], reader)):
-        known = find_unit(next(filter(None, unit.groups()), ""))
-        return Head(letter, text[: unit.start()].strip("$ "), known) if known else None
+    unit = _UNIT.search(text)
+    known = find_unit(next(filter(None, unit.groups()), "")) if unit else None
+    before = text[: unit.start()] if unit else ""
+    letter = _find_letter(before, reader)
+    if known and letter and formula:
+        # A unit behind a slash, or a letter.
+        other = reader.notation.dimensions.get(letter, known.dimension)
+        return None if other == known.dimension else Head(formula, text.strip("$ "), None)
+    if formula:
+        return Head(formula, text.strip("$ "), None)
+    if unit and letter:
+        return Head(letter, before.strip("$ "), known) if known else None
+    if known and MATH.search(before) and (formula := find_formula(before, reader)):
+        return Head(formula, before.strip("$ "), known)
     return _read_among_words(text, reader)
 
 
@@ -121,15 +140,27 @@ def _read_among_words(text: str, reader: Reader) -> Head | None:
     return Head(letter, words["letter"].strip(), known, said)
 
 
-def _find_letter(text: str, reader: Reader) -> sp.Basic | None:
+def _find_letter(text: str, reader: Reader) -> sp.Symbol | None:
+    found = _read_alone(text, reader)
+    return found if isinstance(found, sp.Symbol) else None
+
+
+def find_formula(text: str, reader: Reader) -> sp.Expr | None:
+    """Return a formula of declared letters that stands alone, None where there is none."""
+    found = _read_alone(text, reader)
+    is_formula = isinstance(found, sp.Expr) and bool(found.free_symbols)
+    return found if is_formula and not isinstance(found, sp.Symbol) else None
+
+
+def _read_alone(text: str, reader: Reader) -> Any:
     try:
-        (chain, *others) = reader.parse(text.strip(" $~")).chains
+        read = reader.parse(text.strip(" $~"))
+        (chain, *others) = read.chains
+        (member, *more) = chain.members
+        alone = not (others or more or chain.condition)
+        return read.meaning().of(member) if alone else None
     except ReadingError:
         return None
-    (member, *more) = chain.members
-    is_alone = not (others or more or chain.condition)
-    is_number = isinstance(member, Letter) and isinstance(member.symbol, sp.Symbol)
-    return member.symbol if is_alone and is_number and isinstance(member, Letter) else None
 
 
 def is_unit_or_empty(text: str) -> bool:

@@ -26,11 +26,11 @@ from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
-from mechproof.record import Equality, Equation, Paper, Row
+from mechproof.record import Conjunction, Equality, Equation, Paper, Row
 
 _EITHER = (
-    "both sides have the same letters and differ: a misprint, or a constraint? Say which in the "
-    "block of letters: identity, or constraint"
+    "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
+    "which in the block of letters: identity, or constraint"
 )
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
@@ -78,7 +78,8 @@ class CheckedRow:
 class CheckedPaper:
     """The rows of a paper's source, the letters taken as real numbers, and files not found.
 
-    `paper` has the letters, without rows; `told` are tables and columns that are not compared.
+    `paper` has the letters, without rows; `told` are tables and columns that are not compared;
+    `names` are those of all equations, in their order.
     """
 
     file: str
@@ -87,6 +88,7 @@ class CheckedPaper:
     taken: tuple[str, ...] = ()
     missing: tuple[tuple[Place, str], ...] = ()
     told: tuple[tuple[Place, str], ...] = ()
+    names: tuple[str, ...] = ()
 
     def to_ledger(self, system: str = "") -> JudgedPaper:
         """Return the ledger of the paper: rows of one name are told apart by their places.
@@ -177,7 +179,8 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     paper = document.papers[True]
     missing, told = tuple(source.missing), tuple(document.told)
-    return CheckedPaper(path, shown, paper, document.taken, missing, told)
+    names = tuple(dict.fromkeys(printed.name for printed in document.printed))
+    return CheckedPaper(path, shown, paper, document.taken, missing, told, names)
 
 
 def _leave_open(
@@ -193,7 +196,7 @@ def _leave_open(
             continue
         if task.sign.role in _COMPARED:
             other = task.sign.first or "the member before"
-            reason = f"it differs from {other}, in its letters too: a constraint, or a misprint?"
+            reason = f"it differs from {other} and has other letters: a constraint, or a misprint?"
             yield number, _make_row(task, reason)
         elif task.is_either:
             yield number, _make_row(task, _EITHER)
@@ -267,7 +270,7 @@ def _follow(
     for n, task in enumerate(tasks):
         is_refuted = rows[n].outcome == Verdict.REFUTED.value
         is_settled = task.is_claimed or (is_refuted and not task.asserts)
-        if is_settled or not isinstance(task.row.says, Equality):
+        if is_settled or not isinstance(task.row.says, Equality | Conjunction):
             continue
         common = [g for g in given if g != n and list_letters(tasks[g]) & list_letters(task)]
         if not is_refuted:

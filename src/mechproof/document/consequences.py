@@ -11,6 +11,7 @@ from mechproof.document.tasks import Task
 from mechproof.document.witnesses import hold_together
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Verdict
+from mechproof.record import Conjunction, Equality
 
 MULTIPLE = "multiple of a constraint"
 COMBINATION = "combination of constraints"
@@ -39,8 +40,12 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
 
 
 def list_letters(task: Task) -> set[sp.Basic]:
-    """Return the letters of the residual of a row."""
-    return set() if task.residual is None else set(task.residual.free_symbols)
+    """Return the letters of the residual of a row, or of the equations that it consists of."""
+    says = task.row.says
+    parts = says.parts if isinstance(says, Conjunction) and task.residual is None else ()
+    sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
+    sides += [] if task.residual is None else [task.residual]
+    return {letter for side in sides for letter in side.free_symbols}
 
 
 def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:

@@ -16,7 +16,8 @@ from mechproof.document.lines import (
 )
 from mechproof.document.macros import Defined, Macro, expand, find_macros
 from mechproof.document.sources import DocumentError
-from mechproof.document.text import LocatedText, join
+from mechproof.document.text import Files, LocatedText, join
+from mechproof.proof.verdict import Place
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
@@ -73,6 +74,11 @@ class Printed:
     group: int = 0
     is_case: bool = False
     taken: int = 0
+
+    def locate(self, files: Files, place: int = 0) -> Place:
+        """Return where a character of its LaTeX stands, by default the first that is its own."""
+        offsets = self.latex.offsets
+        return files.locate(offsets[min(place or self.taken, len(offsets) - 1)])
 
 
 @dataclass

@@ -63,14 +63,14 @@ def draft_block(source: Source) -> str:
         for line in _write(name, entry, shapes.get(name), said.get(name))
     ]
     if collected.factors:
-        lines.append("# A bracket with more than letters stands behind these: it is multiplied.")
+        lines.append("# A bracket follows each of these: they are taken to multiply it.")
         lines += [f"factor {name}" for name in collected.factors]
     lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
     lines += _ask_what_follows(source, displays)
     for number, reason in collected.unread.items():
         place = source.files.locate(displays[number].latex.offsets[0])
-        lines.append(f"# {displays[number].name}, line {place.line}: its letters are not listed:")
+        lines.append(f"# {displays[number].name}, line {place.line}: its letters are missing here:")
         lines.append(f"#   {' '.join(reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
 
@@ -89,8 +89,9 @@ def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[s
             met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
     for after, found in met.items():
         if len(found) > 1:
-            yield f"# line {min(found.values())} refers to these. Does it follow from them?"
-            yield f"# follows {displays[after].name}: {', '.join(found)}"
+            one, others = displays[after].name, ", ".join(found)
+            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from them?"
+            yield f"# follows {one}: {others}"
 
 
 def _list_entries(collected: Collected, shapes: Mapping[str, tuple[int, int]]) -> dict[str, _Entry]:
@@ -123,7 +124,7 @@ def _write(
 ) -> Iterator[str]:
     first, *alike = entry.names
     if is_vector(first) and not size:
-        yield "# A vector or a matrix? Say its size behind the name: 3x1"
+        yield "# A vector or a matrix? Give its size after the name: 3x1"
     if first in _ASKED:
         yield f"# {_ASKED[first]}:"
     if found:

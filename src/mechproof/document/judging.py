@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.consequences import GIVEN, find_consequence
+from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
@@ -30,9 +30,14 @@ Key = tuple[str, str | None, frozenset[str]]
 opened: dict[Key, list[Task]] = {}
 
 
+def name_equation(number: str) -> str:
+    """Return the name of the equation that a row is a sign of."""
+    return _SIGN.sub("", number)
+
+
 def leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
     """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
-    equations = {_SIGN.sub("", number) for number in elsewhere}
+    equations = {*map(name_equation, elsewhere)}
     for one in rows:
         row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
         if not judged & {row.number, row.printed_latex}:
@@ -66,12 +71,12 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
-    if found.verdict is Verdict.REFUTED and task.is_rounded:
-        return "the two sides differ, but a decimal is a rounded number"
+    if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
+        return "the two sides differ, but a decimal may have been rounded"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
-            f"it differs from {task.sign.first}, and may be another solution or case; the block of "
-            "letters may say that it is an identity"
+            f"it differs from {task.sign.first}, but may be another solution or case; if it is "
+            f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
         )
     if (
         found.verdict is Verdict.REFUTED
@@ -79,36 +84,37 @@ def _judge_alone(task: Task) -> Judgement | str:
         and (letters := _list_to_be_positive(task))
     ):
         return (
-            "it holds where all letters are positive and differs elsewhere; the block of letters "
-            f"may say which are: {letters}>0"
+            "it holds only where these are positive; if they are, say so in the block of letters: "
+            f"where {letters}"
         )
     if found.verdict is Verdict.REFUTED and task.is_alone:
-        return f"another value than at the sizes: {found.reason}"
+        return f"not the value at the declared sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
         reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
         return replace(found, reason=reason)
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
-    if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
-        return replace(found, reason=f"it is true nowhere: {found.reason}")
+    if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
+        return replace(found, reason=f"it is never true: {found.reason}")
     return _take_as_given(task, found)
 
 
 def _list_to_be_positive(task: Task) -> str:
     """Return the letters of which nothing is said, if an equation holds where they are positive."""
-    says = task.row.says
+    says = task.row.statement
     free = Domain.of(task.paper, task.row.on)
-    if not isinstance(says, Equality) or task.residual is None:
+    met = sorted(list_letters(task), key=str)
+    letters = [s for s in met if free.within.get(s) == sp.S.Reals]
+    if not letters:
         return ""
-    letters = sorted(task.residual.free_symbols, key=str)
-    letters = [s for s in letters if free.within.get(s) == sp.S.Reals]
     within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
     positive = Part("all letters are positive", within)
     try:
         answer = decide(says, Domain.of(task.paper, task.row.on, positive))
     except (RecordError, ContradictionError):
         return ""
-    return ", ".join(map(str, letters)) if answer.verdict is Verdict.PROVED else ""
+    is_shown = answer.verdict is Verdict.PROVED
+    return ", ".join(f"{letter}>0" for letter in letters) if is_shown else ""
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -123,8 +129,8 @@ def _is_nowhere_true(task: Task) -> bool:
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:
-    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint between its letters"
-    reason = f"{what}, taken as given: it is not true for all values of its letters"
+    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint"
+    reason = f"{what}, taken as given: it does not hold for all values of its letters"
     if found.verdict is not Verdict.REFUTED:
         if task.is_either:
             return found
@@ -149,7 +155,7 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
             if isinstance(found, Judgement) and found.verdict is wanted:
                 if wanted is Verdict.REFUTED and len(standing) > 1:
                     first = task.sign.first
-                    return f"it differs from members of {first}, which differ themselves"
+                    return f"it differs from members of {first} that differ from one another"
                 reason = found.reason.removesuffix(f"; compared with {one.sign.first}")
                 return replace(found, reason=f"{reason}; compared with {one.sign.first}")
     return answers[0][0]
@@ -160,7 +166,8 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> tuple[Verdict, str,
     key, number, others = which
     tasks = open_tasks(key)
     before = [tasks[other] for other in others if other < number]
-    if found := find_consequence(tasks[number], before):
+    task = tasks[number]
+    if task.residual is not None and (found := find_consequence(task, before)):
         return found
     names = ", ".join(tasks[other].row.number for other in others)
-    return f"the two sides differ, unless {names} makes them equal, which is not decided"
+    return f"the two sides differ unless {names} makes them equal, which could not be decided"

@@ -19,7 +19,7 @@ REMEDIES = Remedies(
     name="Declare it in the block of letters: {0} : its meaning",
     bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
     "letter.",
-    function=r"Say in the block of letters: function \{0} is, and which function it is.",
+    function=r"Say in the block of letters which function it is: function \{0} is …",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say in the block of letters: from 0, or where else it starts.",
     family="Leave {0} out of the block of letters.",

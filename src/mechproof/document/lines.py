@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 from mechproof.document.text import LocatedText, join
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import same_sign
+from mechproof.latex.signs import same_sign
 
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
+import sympy as sp
+
 from mechproof.document.block import Block
 from mechproof.document.displays import Printed
-from mechproof.document.roles import EQUAL, is_sum_of_letters
+from mechproof.document.letters import name_symbol
+from mechproof.document.roles import EQUAL, Known, is_sum_of_letters
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Letter, Measure, walk
 
 T = TypeVar("T")
+_COMMAND = re.compile(r"\\[A-Za-z]+")
 
 
 def refuse_units(read: Print) -> None:
@@ -26,7 +31,7 @@ def refuse_units(read: Print) -> None:
                 if isinstance(node, Measure):
                     raise read.source.refuse(
                         node.start,
-                        f"a unit, {node.unit}, beside no letter whose number it is",
+                        f"a unit, {node.unit}, but no letter whose unit it could be",
                         "Print the number alone, in the unit of the letters.",
                     )
 
@@ -50,3 +55,14 @@ def look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
 def is_listed(printed: Printed, names: Sequence[str]) -> bool:
     """Return whether an equation is among those that are named."""
     return any(key in names for key in (printed.name, *printed.labels))
+
+
+def is_met_once(symbol: sp.Basic, known: Known) -> bool:
+    """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
+    _, steps = known.symbols.find_steps(symbol)
+    names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
+    plain = _COMMAND.sub(" ", known.unread)
+    texts = ((name, known.unread if "\\" in name else plain) for name in names)
+    if any(name_symbol(name) in name_symbol(text) for name, text in texts):
+        return False
+    return sum(known.met[step] for step in steps) == 1

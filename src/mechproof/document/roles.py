@@ -7,6 +7,7 @@ bare number is a size.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -29,6 +30,7 @@ from mechproof.latex.tree import (
     Chain,
     Degrees,
     Derivation,
+    Extremum,
     Letter,
     Measure,
     Node,
@@ -37,7 +39,7 @@ from mechproof.latex.tree import (
     shows_matrix,
     walk,
 )
-from mechproof.latex.values import differentiate
+from mechproof.latex.values import differentiate, settle_all
 
 Values = dict[sp.Basic, Any]
 EQUAL = ("=", r"\equiv")
@@ -78,6 +80,7 @@ class Sign:
 class Known:
     """What is known of letters: their values, which equation printed them first, which were met.
 
+    `met` counts in how many equations and tables; `unread` is all that is not read.
     `others` are the further members of the chains that printed them first, and which these are;
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
@@ -86,7 +89,8 @@ class Known:
     symbols: Symbols
     values: Values = field(default_factory=dict)
     printed: dict[sp.Basic, str] = field(default_factory=dict)
-    met: set[sp.Basic] = field(default_factory=set)
+    met: Counter[sp.Basic] = field(default_factory=Counter)
+    unread: str = ""
     others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
@@ -94,12 +98,7 @@ class Known:
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
-        for _ in range(len(self.values) + 1):
-            met = (self.values.keys() & expression.free_symbols) - {*stop}
-            if not met:
-                break
-            expression = expression.xreplace({symbol: self.values[symbol] for symbol in met})
-        return expression
+        return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a letter, or an entry of it, stands in a value."""
@@ -111,8 +110,8 @@ class Known:
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
-        by, rates = self._find_rates(symbol)
-        for rate in rates:
+        by, steps = self.symbols.find_steps(symbol)
+        for rate in steps[steps.index(symbol) + 1 :]:
             if rate in self.values:
                 break
             try:
@@ -125,22 +124,13 @@ class Known:
 
     def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
         """Yield what else is printed of a letter, or of the one whose derivative it is."""
-        moving = self.symbols.moving
-        by, rates = next((m for m in moving.values() if symbol in m[1]), (symbol, ()))
-        letter = next((s for s, (_, own) in moving.items() if symbol in own), symbol)
+        by, steps = self.symbols.find_steps(symbol)
+        letter, order = steps[0], steps.index(symbol)
         for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
             with suppress(ValueError):
-                for _ in rates[: rates.index(symbol) + 1 if rates else 0]:
-                    value = differentiate(self.settle(value, {letter}), by, moving)
+                for _ in range(order):
+                    value = differentiate(self.settle(value, {letter}), by, self.symbols.moving)
                 yield name, value
-
-    def _find_rates(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
-        """Return by what a letter, or the derivative of one, is differentiated, and what it is."""
-        for letter, (by, rates) in self.symbols.moving.items():
-            steps = (letter, *rates)
-            if symbol in steps:
-                return by, steps[steps.index(symbol) + 1 :]
-        return symbol, ()
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -149,7 +139,7 @@ def give_values(texts: Sequence[str], known: Known) -> None:
     for text, relation in ((t, r) for t in texts for r in read_relations(t, reader)):
         is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
         if not (isinstance(relation, sp.Equality) and is_letter):
-            raise ValueError(f"let: {text}: a value is said as letter=expression")
+            raise ValueError(f"let: {text}: a value is written letter=expression")
         symbol, value = relation.args
         if symbol in known.values or symbol in known.settle(value).free_symbols:
             raise ValueError(f"let: {text}: it has a value already, or is given by itself")
@@ -166,7 +156,8 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
         _note_others(name, found, known)
         signs += found
-    known.met |= {part.symbol for part in walk(read.chains) if isinstance(part, Letter)}
+    for chain in read.chains:
+        known.met.update({part.symbol for part in walk(chain) if isinstance(part, Letter)})
     return signs
 
 
@@ -176,6 +167,10 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if chain.relations[left] not in EQUAL and not is_rounded:
         return Sign(Role.RELATION)
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
+    for node in nodes:
+        if isinstance(node, Extremum):
+            _refuse_range(read, chain, node, known)
+            return Sign(Role.VALUE)
     try:
         worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
         sides = one, other = turn((nodes[0], nodes[1]), worked_out)
@@ -214,7 +209,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
-    if not left and _is_sum_of_sizes(nodes, known):
+    if not left and _is_sum_of_sizes(nodes, other, known):
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     if not left:
         return Sign(Role.CONSTRAINT, sides=sides)
@@ -222,6 +217,18 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if is_number:
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:
+    """Refuse what is said of the letter that moves, besides the set in which it lies."""
+    said = {part.symbol for part in walk(chain.condition) if isinstance(part, Letter)}
+    said |= {symbol for relation in known.symbols.where for symbol in relation.free_symbols}
+    if node.by.symbol in said:
+        raise read.source.refuse(
+            node.by.start,
+            f"a range of {node.by.text} that is not said where it is declared",
+            f"Say it in the block of letters behind {node.by.text}: {{0<{node.by.text}<1}}",
+        )
 
 
 def name_member(number: int, name: str) -> str:
@@ -263,12 +270,14 @@ def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, 
     return "", None, ""
 
 
-def _is_sum_of_sizes(nodes: Sequence[Node], known: Known) -> bool:
-    """Return whether a number is said of a sum of letters: one with a unit, or at their sizes."""
+def _is_sum_of_sizes(nodes: Sequence[Node], number: Any, known: Known) -> bool:
+    """Return whether a number is said of a sum of letters: with a unit, in theirs, or at sizes."""
     if not (is_sum_of_letters(nodes[0]) and _is_number(nodes[1])):
         return False
     letters = {part.symbol for part in walk(nodes[0]) if isinstance(part, Letter)}
-    return isinstance(_split_sign(nodes[1])[1], Measure) or letters <= known.symbols.usual.keys()
+    is_length = number != 0 and known.symbols.find_alike(letters) is not None
+    has_unit = is_length or isinstance(_split_sign(nodes[1])[1], Measure)
+    return has_unit or letters <= known.symbols.usual.keys()
 
 
 def is_sum_of_letters(node: Node) -> bool:
@@ -297,7 +306,7 @@ def _may_have_vectors(node: Node) -> bool:
 
 
 def _compare(symbol: sp.Basic, known: Known) -> Role:
-    is_rate = any(symbol in rates for _, rates in known.symbols.moving.values())
+    is_rate = symbol != known.symbols.find_steps(symbol)[1][0]
     return Role.DERIVATIVE if is_rate else Role.REPEATED
 
 

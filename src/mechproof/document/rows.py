@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
-
-import sympy as sp
+from typing import TypeVar
 
 from mechproof.document.block import Declared, read_block
-from mechproof.document.complex_parts import find_unit, is_complex, split_parts
+from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     collect_letters,
@@ -20,46 +19,23 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
-from mechproof.document.roles import (
-    Known,
-    Role,
-    Sign,
-    find_roles,
-    give_values,
-)
+from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
-from mechproof.document.sides import have_same_letters, list_related, list_sides
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sources import Source
-from mechproof.document.special_cases import (
-    leave_seams_out,
-    list_rates,
-    round_at_sizes,
-    specialise,
-    split_branches,
-    state_modulo,
-)
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
+from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.expansion import read_row
 from mechproof.processes import limit_time
 from mechproof.proof.verdict import Left, Place, State
-from mechproof.record import (
-    Definition,
-    Equality,
-    Equation,
-    Paper,
-    PrintedNumber,
-    Row,
-)
+from mechproof.record import Paper
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
-UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
+UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -143,12 +119,17 @@ class Document:
         tables = SizeTables(self.known, self.files, self.papers[False])
         compared = list(tables.read(self.tables))
         self.told = tables.told
-        equations = [
-            row
-            for printed, found in zip(self.printed, read, strict=True)
-            for row in ([found] if isinstance(found, Left) else self._state(printed, found, again))
-        ]
-        return [*equations, *compared]
+        unread = [one.printed_latex for one in read if isinstance(one, Left)]
+        self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
+        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files)
+        rows: list[Task | Left] = []
+        for printed, signs in zip(self.printed, read, strict=True):
+            if isinstance(signs, Left):
+                rows.append(signs)
+                continue
+            made = self._guard(printed, partial(maker.make, printed, signs, again))
+            rows += [made] if isinstance(made, Left) else made
+        return [*rows, *compared]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:
@@ -179,48 +160,10 @@ class Document:
         if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
             raise read.source.refuse(
                 double.start(),
-                "a double sign in what is said of a letter: both signs, or either?",
+                "a double sign in an equation for one letter: both signs, or either?",
                 r"Say branch \sigma=\pm1 in the block of letters.",
             )
         return signs
-
-    def _state(
-        self, printed: Printed, signs: Sequence[Sign], reader: Reader
-    ) -> Sequence[Task | Left]:
-        derived = {
-            s.letter: self.known.values[s.letter]
-            for s in signs
-            if s.role is Role.DERIVATIVE and s.letter is not None
-        }
-        said = [s for s in signs if s.role is not Role.VALUE]
-        bare = {s.letter for s in said} | {side for s in said for side in s.sides}
-        known = {*derived, *self.known.values}
-        defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in known)
-        defines += tuple(
-            s.letter
-            for s in signs
-            if s.role is Role.DEFINITION and isinstance(s.letter, sp.MatrixSymbol)
-        )
-        row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
-
-        own = next((s.letter for s in signs if s.letter is not None), None)
-        own = own or self._find_alike(signs)
-
-        def prepare() -> list[Task | Left]:
-            rows = read_row(row, reader)
-            pairs = [*zip(rows, signs, strict=True)]
-            judged = count_signs(printed.latex.string[: printed.taken])
-            parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
-            return [self._prepare(printed, *part, own) for part in parts]
-
-        found = self._guard(printed, prepare)
-        return [found] if isinstance(found, Left) else found
-
-    def _find_alike(self, signs: Sequence[Sign]) -> sp.Basic | None:
-        """Return a letter whose unit all letters have of which a first sign says a number."""
-        letters: set[sp.Basic] = getattr(signs[0].value, "free_symbols", set()) if signs else set()
-        units = {(self.symbols.find_dimension(x), self.symbols.scales.get(x)) for x in letters}
-        return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""
@@ -239,117 +182,12 @@ class Document:
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
-    def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
-        """Make a task of a row, and one for each other member that it is compared with."""
-        task = self._make(printed, row, sign, own)
-        if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
-            return task
-        others = []
-        if task.is_solution and not isinstance(sign.sides[0], sp.MatrixBase):
-            one, other = sign.sides
-            value = other if one == sign.letter else one
-            self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
-        for name, value in self.known.list_others(sign.letter):
-            if name == printed.name:
-                continue
-            sides = [value if side == sign.letter else side for side in sign.sides]
-            other = replace(row, says=Equality(sides[0], sides[1], "member"))
-            others.append(self._make(printed, other, replace(sign, first=name), own))
-        return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
-
-    def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
-        """Make a task of a row; `own` is the letter that its chain is about."""
-        place = self._locate(printed)
-        says = row.says
-        if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
-            members = (says.symbol, says.printed) if None in sign.sides else sign.sides
-            row = replace(row, says=Equality(*members, "member"))
-        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
-        if isinstance(says, Equality) and is_introduced:
-            row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
-        if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
-            values = [side for side in sign.sides if not side.free_symbols]
-            row = replace(row, says=Definition(sign.letter, values[0]))
-        row = specialise(row, self.known)
-        if sign.role is Role.DERIVATIVE:
-            row = leave_seams_out(row)
-        if sign.role is Role.NUMBER:
-            number = round_at_sizes(sign, own, self.known)
-            if isinstance(number, str):
-                return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
-            row = replace(row, says=number)
-        row = replace(row, says=split_branches(row.statement, self.known))
-        turn = look_up(printed, self.block.modulo)
-        if turn and isinstance(row.says, Equality):
-            row = replace(
-                row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
-            )
-        sides = list_sides(row, sign, self.known)
-        letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        letters |= list_related(row.says)
-        is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        has_units = not (letters & self.symbols.bare or sign.number or is_special)
-        paper = self.papers[has_units]
-        residual = None
-        if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
-            residual = sides[0] - sides[1]
-        block = self.block
-        is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
-        asserts = is_claimed or self._asserts(printed, sign, sides)
-        rates = () if residual is None else tuple(list_rates(residual, self.known))
-        is_either = self._is_either(printed, sign, sides)
-        follows = self._list_named(look_up(printed, self.block.follows) or ())
-        group = next((one.group for one in self.printed if one.name == sign.first), None)
-        is_case = printed.is_case or group == printed.group
-        is_solution = sign.role is Role.REPEATED and is_case and not is_claimed
-        return Task(
-            row,
-            place,
-            sign,
-            paper,
-            asserts,
-            is_claimed,
-            residual,
-            rates,
-            is_either,
-            is_solution,
-            follows=follows,
-        )
-
-    def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
-        """Return the names of equations that are named by their labels."""
-        names = {label: one.name for one in self.printed for label in one.labels}
-        return tuple(names.get(key, key) for key in keys)
-
-    def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
-        """Return whether the sides are claimed to be equal wherever their letters lie.
-
-        Sides of different letters say something of the letters.
-        """
-        if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
-            return True
-        if is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
-            return False
-        if sign.role is Role.RELATION or len(sides) < 2:
-            return sign.role is not Role.RELATION
-        return have_same_letters(sides)
-
-    def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
-        """Return whether a constraint of two compound sides may be a wrong identity."""
-        is_said = is_listed(printed, self.block.constraints)
-        is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
-        return is_compound and not is_said and have_same_letters(sides)
-
-    def _locate(self, printed: Printed, place: int = 0) -> Place:
-        offsets = printed.latex.offsets
-        return self.files.locate(offsets[min(place or printed.taken, len(offsets) - 1)])
-
     def _leave(self, printed: Printed, state: State, reason: str, remedy: str = "") -> Left:
         latex = printed.latex.string
-        return Left(printed.name, self._locate(printed), latex, state, reason, remedy)
+        return Left(printed.name, printed.locate(self.files), latex, state, reason, remedy)
 
     def _refuse(self, printed: Printed, error: ReadingError) -> Left:
-        place = self._locate(printed, error.place)
+        place = printed.locate(self.files, error.place)
         latex, reason = printed.latex.string, error.args[0]
         return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
 

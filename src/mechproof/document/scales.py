@@ -86,6 +86,7 @@ class Scales:
     ) -> None:
         """Take the heads of a table, and letters beside whose numbers a unit is printed."""
         self.symbols = symbols
+        heads = [h for h in heads if h.is_letter]
         units = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
         self.known = {s: unit.scale for s, unit in units.items()} | {**symbols.scales}
         self.shown = {*shown, *(h.symbol for h in heads if h.unit)}

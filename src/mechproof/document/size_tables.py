@@ -7,16 +7,17 @@ that is another one only if the sizes of its line are no rounded ones is not acc
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from mechproof.document.cells import (
+    MATH,
     NOTHING,
     Head,
     Numeral,
+    find_formula,
     find_unit,
     finds_decimal_commas,
     is_unit_or_empty,
@@ -28,17 +29,16 @@ from mechproof.document.scales import Result, RoundedSize, Scales
 from mechproof.document.tabulars import TableCell, Tabular
 from mechproof.document.tasks import Task
 from mechproof.document.text import Files
+from mechproof.document.units import Unit
 from mechproof.latex import Reader
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Equation, Paper
 
-# A head that shows a formula.
-_MATH = re.compile(r"\$|\\\(")
 # Rows in which the heads may stand: above them those of groups of columns.
 _HEAD_ROWS = 3
-_COMMA = "1,234 in a table: a decimal comma, or thousands?"
-_NONE_AGREES = "few lines agree with the formula: other units, or other sizes, than are declared?"
-_NEAR = "it differs from the recomputed number, but not beyond the rounding of the sizes"
+_COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
+_NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
+_NEAR = "it differs from the recomputed number, but by no more than rounded sizes explain"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
 
@@ -46,7 +46,7 @@ Numbers = Sequence[Mapping[int, Numeral | None]]
 class Grid:
     """The heads of a table by their columns, and the lines below; a table may lie on its side.
 
-    `unread` are heads with a formula that is no letter.
+    `unread` are heads with a formula that cannot be read, or that may be words.
     """
 
     name: str
@@ -59,12 +59,12 @@ def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
     """Return a table with two letters in its head, or in its first column; None for another."""
     for first, row in enumerate(table.rows[:_HEAD_ROWS]):
         if len(heads := _read_heads(row, reader)) > 1:
-            return _take_units(_make_grid(name, heads, row, table.rows[first + 1 :]))
+            return _take_units(_make_grid(name, heads, row, table.rows[first + 1 :], reader))
     columns = [*zip(*table.rows, strict=True)]
     heads = _read_heads(columns[0], reader)
     if len(heads) < 2:
         return None
-    return _take_units(_make_grid(name, heads, columns[0], columns[1:]))
+    return _take_units(_make_grid(name, heads, columns[0], columns[1:], reader))
 
 
 def _make_grid(
@@ -72,8 +72,10 @@ def _make_grid(
     heads: Mapping[int, Head],
     row: Sequence[TableCell],
     lines: Sequence[Sequence[TableCell]],
+    reader: Reader,
 ) -> Grid:
-    unread = [cell for n, cell in enumerate(row) if n not in heads and _MATH.search(cell.string)]
+    others = [cell for n, cell in enumerate(row) if n not in heads]
+    unread = [c for c in others if MATH.search(c.string) or find_formula(c.string, reader)]
     return Grid(name, heads, lines, unread)
 
 
@@ -109,14 +111,17 @@ class SizeTables:
         for number, table in enumerate(tables, start=1):
             grid = find_grid(f"table {number}", table, reader)
             found = list(self._read_grid(grid)) if grid else []
+            if grid:
+                for head in grid.heads.values():
+                    self.known.met.update(head.symbol.free_symbols)
             yield from found
             for cell in grid.unread if grid and found else ():
-                reason = f"the column {cell.string.strip()} is not compared: its head is no letter"
-                self.told.append((self.files.locate(cell.offset), reason))
+                reason = "is not compared: its head cannot be read"
+                self._tell(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
-                what = "numbers of a letter that a formula gives" if grid else "two letters"
-                reason = f"this table shows no {what}: it is not compared"
-                self.told.append((self.files.locate(table.offset), reason))
+                what = "no numbers of a letter that a formula gives" if grid else "no two letters"
+                reason = f"this table is not compared: it shows {what}"
+                self._tell(table.offset, reason)
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
         texts = [line[n].string for line in grid.lines for n in grid.heads]
@@ -126,7 +131,7 @@ class SizeTables:
             for line in grid.lines
         ]
         for column, head in grid.heads.items():
-            is_result = head.symbol in self.known.values
+            is_result = head.symbol in self.known.values or not head.is_letter
             if not is_result or not any(line[column] for line in numbers):
                 continue
             if reason := self._refuse(head, grid) or (_COMMA if comma is None else ""):
@@ -139,15 +144,17 @@ class SizeTables:
         """Say why a column is not compared, nothing if it is."""
         symbols = self.known.symbols
         if head.words:
-            return f"beside the letter stands {head.words!r}: is it computed, or measured?"
+            return (
+                f"{head.words!r} stands beside the letter: are its numbers computed, or measured?"
+            )
         if sum(other.symbol == head.symbol for other in grid.heads.values()) > 1:
-            return "two columns of one letter: which is computed?"
+            return "two columns for one letter: which is computed?"
         for other in grid.heads.values():
             declared = symbols.find_dimension(other.symbol)
             if other.unit is None or declared is None:
                 continue
             if other.unit.dimension != declared:
-                return f"the unit of {other.printed} is another one in the block of letters"
+                return f"the unit of {other.printed} differs from that in the block of letters"
             if declared.time and other.unit.dimension.angle != declared.angle:
                 return f"the unit of {other.printed}: turns, or radians?"
         return ""
@@ -160,19 +167,20 @@ class SizeTables:
             name, number = f"{grid.name}, line {count}, {head.printed}", found[column]
             if number is None:
                 if any(found.values()) and line[column].string.strip(NOTHING):
-                    yield self._leave(name, line[column], "this cell is not read: no number")
+                    yield self._leave(name, line[column], "no number can be read in this cell")
                 continue
             scales = Scales(self.known.symbols, grid.heads.values())
             sizes = {
                 h.symbol: scales.size(h, one)
                 for n, h in grid.heads.items()
-                if n != column and (one := found[n])
+                if n != column and h.is_letter and (one := found[n])
             }
             formulas, lacks = self._find_formulas(head.symbol, sizes)
             if lacks:
                 missing.setdefault(lacks, line[column])
                 continue
-            factor = number.factor * scales.convert(head.symbol, number.unit or head.unit)
+            unit = number.unit or head.unit
+            factor = number.factor * scales.convert(self._find_own(head, unit), unit)
             usual = {s: RoundedSize(v) for s, v in self.known.symbols.usual.items()}
             letters = set().union(*(formula.free_symbols for formula in formulas))
             used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
@@ -181,7 +189,10 @@ class SizeTables:
         for formulas, results in groups.items():
             yield from self._compare(formulas, results, grid)
         for lacks, cell in missing.items():
-            reason = f"the formula needs {lacks}, no column of the table and no declared size"
+            reason = f"the formula needs {lacks}: neither in the table nor among the declared sizes"
+            if not head.is_letter:
+                self._tell(cell.offset, f"the column {head.printed} is not compared: {reason}")
+                continue
             yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
 
     def _find_formulas(
@@ -193,7 +204,7 @@ class SizeTables:
         """
         usual = self.known.symbols.usual
         have = {*sizes, *usual, *self.known.symbols.branches} - {symbol}
-        value = self.known.values[symbol]
+        value = self.known.values.get(symbol, symbol)
         whole = self.known.settle(value)
         part = self.known.settle(value, stop=sizes.keys() - {symbol})
         found = tuple(
@@ -208,20 +219,22 @@ class SizeTables:
         self, formulas: Sequence[sp.Expr], results: Sequence[Result], grid: Grid
     ) -> Iterator[Task | Left]:
         """Yield the rows of results, by the reading of the formula that most of them agree with."""
-        scales, own = Scales(self.known.symbols, grid.heads.values()), results[0].head.symbol
+        head = results[0].head
+        scales = Scales(self.known.symbols, grid.heads.values())
+        own = self._find_own(head, results[0].number.unit or head.unit)
         first, *others = (scales.list_readings(formula, own) for formula in formulas)
         also = [branch for readings in others for reading in readings for branch in reading]
         readings = [(*reading, *also) for reading in first]
         chosen = [[result.choose(reading) for result in results] for reading in readings]
         best = max(range(len(readings)), key=lambda n: len([*filter(None, chosen[n])]))
         letters = set().union(*(formula.free_symbols for formula in formulas))
-        are_told = letters <= {head.symbol for head in grid.heads.values()}
+        are_told = letters <= {one.symbol for one in grid.heads.values()}
         pairs = zip(results, chosen[best], strict=True)
         # Zeros agree in any unit.
         telling = [found for result, found in pairs if result.number.value != 0] or chosen[best]
         agreeing = len([*filter(None, telling)])
         if 2 * agreeing < len(telling) and not (are_told and scales.are_known({*letters, own})):
-            name = f"{grid.name}, {results[0].head.printed}"
+            name = f"{grid.name}, {head.printed}"
             yield self._leave(name, TableCell(results[0].text, results[0].offset), _NONE_AGREES)
             return
         every = [branch for reading in readings for branch in reading]
@@ -231,13 +244,26 @@ class SizeTables:
             else:
                 yield self._make_task(result, found or readings[best][0])
 
+    def _find_own(self, head: Head, unit: Unit | None) -> sp.Basic | None:
+        """Return the letter in whose unit a column counts; of a formula one of those that share it.
+
+        A formula without one is a number, or counts in the unit of SI.
+        """
+        symbols = self.known.symbols
+        own = head.symbol if head.is_letter else symbols.find_alike(head.symbol.free_symbols)
+        is_fit = unit is not None and unit.dimension == symbols.find_dimension(own)
+        return own if head.is_letter or is_fit else None
+
     def _make_task(self, result: Result, formula: sp.Expr) -> Task:
-        first = self.known.printed[result.head.symbol]
+        first = self.known.printed.get(result.head.symbol, "")
         row = Equation(
             result.name, result.text, says=result.state(formula), read_as=result.describe()
         )
         sign = Sign(Role.NUMBER, None, first)
         return Task(row, self.files.locate(result.offset), sign, self.paper, asserts=True)
+
+    def _tell(self, offset: int, reason: str) -> None:
+        self.told.append((self.files.locate(offset), reason))
 
     def _leave(self, name: str, cell: TableCell, reason: str) -> Left:
         return Left(name, self.files.locate(cell.offset), cell.string, State.NOT_JUDGED, reason)

@@ -3,57 +3,86 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
-from mechproof.document.roles import Known, Sign
+from mechproof.document.relations import narrow
+from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.scales import Scales, agrees
 from mechproof.document.symbols import ORDERS
 from mechproof.document.units import read_unit
+from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
 from mechproof.record import Conjunction, Equality, Part, PrintedNumber, Row, Statement
 
-_ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 
 
-def specialise(row: Row, known: Known) -> Row:
-    """Put the values of letters that a condition says, e=0, into what is compared there."""
-    if row.on is None or not isinstance(row.says, Equality):
-        return row
-    said = [r for r in row.on.where if isinstance(r, sp.Equality) and r.lhs.is_Symbol]
-    values = {r.lhs: r.rhs for r in said if r.lhs not in {*known.values, *r.rhs.atoms()}}
-    one, other = map(known.settle, (row.says.printed, row.says.rebuilt))
+def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
+    """Return the values of letters without a formula that the condition of a row says, e=0."""
+    said = [r for r in (row.on.where if row.on else ()) if isinstance(r, sp.Equality)]
+    free = [r for r in said if r.lhs.is_Symbol and r.lhs not in {*known.values, *r.rhs.atoms()}]
+    return {r.lhs: r.rhs for r in free}
+
+
+def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
+    """Put values into what a side is, also where one is said by another letter."""
+    side = known.settle(side)
     for _ in values:
-        one, other = one.xreplace(values), other.xreplace(values)
-    if not values or any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
+        side = side.xreplace(values)
+    return side
+
+
+def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Row:
+    """Put the values that a condition says into what is compared there."""
+    if row.on is None or not values or not isinstance(row.says, Equality):
         return row
-    where = tuple(r for r in row.on.where if r not in said or r.lhs not in values)
+    one, other = (put_in(side, values, known) for side in (row.says.printed, row.says.rebuilt))
+    if any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
+        return row
+    where = tuple(r for r in row.on.where if values.get(getattr(r, "lhs", None)) != r.rhs)
     on = replace(row.on, where=where) if where else None
     note = f"{row.note} Compared for {row.on.text}.".strip()
     return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
 
 
-def leave_seams_out(row: Row) -> Row:
-    """Compare derivatives by pieces beside the ends of the pieces alone.
+def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
+    """Compare what is given by pieces where both sides are, a derivative between its seams.
 
-    A law by pieces may have no derivative there; prints give that of either piece.
+    A law by pieces has no derivative where these end, unless they join; prints give that of either.
     """
-    if not isinstance(row.says, Equality):
+    if not isinstance(row.says, Equality) or sign.letter is None:
         return row
     sides = (row.says.printed, row.says.rebuilt)
-    pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
-    ends = {r for piece in pieces for _, said in piece.args for r in said.atoms(*_ORDERS)}
-    apart = dict.fromkeys(sp.Ne(*end.canonical.args) for end in sorted(ends, key=str))
-    if not apart:
+    by, steps = known.symbols.find_steps(sign.letter)
+    laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
+    ends = list_ends(*sides) if sign.role is Role.DERIVATIVE else []
+    apart = dict.fromkeys(sp.Ne(*e.args) for e in ends if not _joins(e, by, [*sides, *laws]))
+    outer = dict.fromkeys(end for side in sides for end in list_outer_ends(side, by))
+    if not (apart or outer):
         return row
-    if row.on is None:
-        return replace(row, on=Part("the interiors of the pieces", {}, tuple(apart)))
-    text = f"{row.on.text}, within the pieces"
-    return replace(row, on=replace(row.on, text=text, where=(*row.on.where, *apart)))
+    text = "the interiors of the pieces" if apart else "the printed pieces"
+    part = row.on or Part("", {})
+    text = f"{part.text}, on {text}" if part.text else text
+    return replace(row, on=_narrow(Part(text, part.within, (*part.where, *apart)), outer, known))
+
+
+def _narrow(part: Part, ends: Iterable[Relational], known: Known) -> Part:
+    """Put ends between which a letter lies into its set, if they are numbers."""
+    free = [v for v in known.symbols.variables if v.symbol not in known.values]
+    variables, where = narrow(free, list(ends))
+    sets = {v.symbol: v.within for v in set(variables) - set(free)}
+    return replace(part, within={**part.within, **sets}, where=(*part.where, *where))
+
+
+def _joins(end: Relational, by: sp.Basic, values: Sequence[Any]) -> bool:
+    point = find_end(end, by)
+    return point is not None and all(has_value(value, by, point) for value in values)
 
 
 def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
@@ -79,25 +108,47 @@ def split_branches(says: Statement, known: Known) -> Statement:
 
 def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
     """Return what a number says of a letter at the sizes, or why that is not judged."""
-    special = "a special value: nothing says at which sizes, or to how many digits"
+    special = "a single value: nothing says for which sizes, or to how many digits"
     if not sign.number:
         return special
     if sign.unit and own is None:
-        return "a unit, and no letter in whose unit the number could be compared"
+        return "a number with a unit, but no letter into whose unit it could be converted"
     usual = dict(known.symbols.usual)
     value = known.settle(sign.value)
     # A letter that has a size, too, may be meant by either.
     formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
     if missing := sorted(map(str, value.free_symbols - usual.keys())):
-        return f"a value for sizes that are not declared: {', '.join(missing)}"
+        return f"it depends on sizes that are not declared: {', '.join(missing)}"
     scales = Scales(known.symbols, shown=[own] if sign.unit and own else [])
     factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
     readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
     values = [one.xreplace(usual) / factor for reading in readings for one in reading]
-    if _FEW_DIGITS.match(sign.number) and sp.Rational(sign.number) not in values:
+    if (
+        value.free_symbols
+        and _FEW_DIGITS.match(sign.number)
+        and sp.Rational(sign.number) not in values
+    ):
         return special
     stated = [PrintedNumber(sign.number, one) for one in values]
     return next(filter(agrees, stated), stated[0])
+
+
+def constrain_sum(sign: Sign, own: sp.Basic | None, known: Known) -> Equality | None:
+    """State what a number says of a sum of letters whose sizes are not all declared.
+
+    It counts in the unit of the letter `own`; letters without units have that of the number.
+    """
+    symbols = known.symbols
+    letters: set[sp.Basic] = getattr(sign.value, "free_symbols", set())
+    terms = sp.Add.make_args(sign.value) if isinstance(sign.value, sp.Add) else ()
+    is_sum = bool(terms) and all(term.as_coeff_Mul()[1] in letters for term in terms)
+    unit = read_unit(sign.unit) if sign.unit else None
+    meant = unit.dimension if unit and own else symbols.find_dimension(own)
+    is_fit = {symbols.find_dimension(letter) for letter in letters} == {meant}
+    if not (is_sum and is_fit) or letters <= symbols.usual.keys():
+        return None
+    factor = Scales(symbols).convert(own, unit) if own else sp.S.One
+    return Equality(sign.value, sp.Rational(sign.number) * factor, "member")
 
 
 def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:

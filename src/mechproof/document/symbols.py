@@ -63,6 +63,19 @@ class Symbols:
         declared = (v.dimension for v in self.variables if v.symbol == symbol)
         return next(declared) if symbol in self.scales else None
 
+    def find_steps(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
+        """Return by what a letter is differentiated, and the letter with all its derivatives.
+
+        It may be one of these; one that depends on nothing stands alone.
+        """
+        all_steps = ((by, (letter, *rates)) for letter, (by, rates) in self.moving.items())
+        return next((one for one in all_steps if symbol in one[1]), (symbol, (symbol,)))
+
+    def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:
+        """Return one of letters that all have the same declared unit, None for others."""
+        units = {(self.find_dimension(x), self.scales.get(x)) for x in letters}
+        return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
+
     def show_entries(self, given: Mapping[sp.Basic, Any]) -> tuple[Symbols, dict[sp.Basic, Any]]:
         """Return these letters with those of the entries of matrices that nothing gives."""
         new, values = [], {}
@@ -288,7 +301,7 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         unit = _UNITS.search(text)
         for relation in read_relations(text[: unit.start()] if unit else text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
-                raise ValueError(f"sizes: {text}: a size is said as letter=number")
+                raise ValueError(f"sizes: {text}: a size is written letter=number")
             _check_size_unit(text, unit[1] if unit else None, relation.lhs, block)
             usual[relation.lhs] = relation.rhs
     notation = symbols.notation

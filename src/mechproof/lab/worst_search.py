@@ -1,7 +1,7 @@
 """The search: from the worst of all point sets uphill to worse inputs.
 
 Balls tell which are worse, of hundreds of points; then long doubles of millions, and balls judge
-what these have found. It belongs into the regression table. S3FP (Chiang et al. 2014) narrows
+what these have found. It belongs in the regression table. S3FP (Chiang et al. 2014) narrows
 ranges of inputs at random instead of moving points.
 """
 

@@ -10,7 +10,7 @@ from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import read_measure
 from mechproof.latex.numerals import read_number
 from mechproof.latex.products import make_cross_matrix
-from mechproof.latex.tokens import DOTS
+from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import (
     Bracket,
     Call,

@@ -8,7 +8,7 @@ import sympy as sp
 
 from mechproof.latex import atoms, calculus, conditions
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.tokens import DOTS
+from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import (
     Bracket,
     Call,

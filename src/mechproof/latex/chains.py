@@ -18,7 +18,7 @@ from mechproof.latex.relations import (
     skip_set,
 )
 from mechproof.latex.several_equations import Line
-from mechproof.latex.tokens import NARROW, WIDE
+from mechproof.latex.signs import NARROW, WIDE
 from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Product
 from mechproof.latex.words import AND, ELSE, IF
 

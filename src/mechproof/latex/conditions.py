@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.relations import join
-from mechproof.latex.tokens import DOTS, GAPS, WIDE, Token
+from mechproof.latex.signs import DOTS, GAPS, WIDE, Token
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
 from mechproof.latex.words import AND, IF
 
@@ -118,11 +118,11 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
     conditions: list[Chain] = []
     for part in _share_relations(parser, parts):
         own = statements[-1].condition if statements else None
-        if own and _continues(own, part.chain):
+        if own and _is_value(part.chain, own, *statements):
             statements[-1] = _narrow(statements[-1], [part.chain])
         elif part.said or _narrows(parser, statements, conditions, part.chain):
             conditions.append(part.chain)
-        elif conditions or (own and _says_values(own) and not part.chain.condition):
+        elif conditions or (own and not part.chain.condition):
             raise parser.refuse(
                 "an equation behind a condition: is it meant under the condition, too?",
                 "Print one equation at a time, its condition behind it.",
@@ -140,22 +140,21 @@ def _narrows(
     parser: Parser, statements: Sequence[Chain], conditions: Sequence[Chain], chain: Chain
 ) -> bool:
     """Return whether a relation that nothing calls a condition is one."""
-    if conditions and _continues(conditions[-1], chain):
+    says_values = bool(conditions) and {*conditions[-1].relations} <= {"=", AND}
+    if says_values and _is_value(chain, *conditions, *statements):
         return True
     return bool(statements) and _is_condition(parser, statements, chain)
 
 
-def _continues(condition: Chain, chain: Chain) -> bool:
-    r"""Return whether a value of a letter stands behind one: \text{ for }x=0,\ y=0."""
-    said = [m for m in condition.members if isinstance(m, Letter)]
-    letter, *others = chain.members
-    is_value = isinstance(letter, Letter) and not any(map(_has_letter, others))
+def _is_value(chain: Chain, *others: Chain) -> bool:
+    r"""Return whether a letter has a value behind a condition: \text{ for }x=0,\ y=0.
+
+    It is none of those that stand alone in the statement or in the condition.
+    """
+    letter, *values = chain.members
+    is_value = isinstance(letter, Letter) and not any(map(_has_letter, values))
     is_plain = {*chain.relations} == {"="} and chain.condition is None
-    return is_value and is_plain and _says_values(condition) and letter not in said
-
-
-def _says_values(condition: Chain) -> bool:
-    return {*condition.relations} <= {"=", AND}
+    return is_value and is_plain and not any(letter in other.members for other in others)
 
 
 def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from mechproof.latex.tokens import same_sign
+from mechproof.latex.signs import same_sign
 
 SIGN = re.compile(
     r"\\(?:text|mbox|textrm|mathrm|operatorname\*?)\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"

@@ -10,7 +10,15 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
+from mechproof.latex.calculus_meaning import (
+    give_derivative,
+    give_integral,
+    give_limit,
+    give_repeated,
+    give_value,
+)
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
+from mechproof.latex.extrema import give_term
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.matrix_meaning import (
     ENTRIES,
@@ -35,6 +43,7 @@ from mechproof.latex.tree import (
     Derivation,
     Entries,
     Excerpt,
+    Extremum,
     Integration,
     Letter,
     Magnitude,
@@ -49,11 +58,10 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
 )
-from mechproof.latex.values import depends, differentiate, is_root, make_running, name_turns, settle
+from mechproof.latex.values import is_root, name_turns
 from mechproof.latex.words import AND
 from mechproof.record import (
     FunctionWithoutArgument,
-    IntegralWithoutDifferential,
     Notation,
     ValueWhere,
     list_partial,
@@ -61,8 +69,6 @@ from mechproof.record import (
 
 LARGEST_EXPONENT = 1000
 _UNFIT = "numbers, matrices or their shapes do not fit together here"
-# Functions with kinks or steps, of which SymPy gives a derivative everywhere.
-_UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 LARGEST_POWER_BITS = 100_000
 RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
     "=": sp.Eq,
@@ -143,15 +149,16 @@ class Meaning:
         )
 
     def _number(self, node: Node) -> Any:
-        return self._take_number(node, self.of(node))
+        return self.take_number(node, self.of(node))
 
-    def _take_number(self, node: Node, found: Any) -> Any:
+    def take_number(self, node: Node, found: Any) -> Any:
         """Return what has to be a number; of matrices sums, integrals and so on are not read."""
         if is_matrix(found):
             raise self.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
         return found
 
-    def _letter(self, node: Letter) -> Any:
+    def letter(self, node: Letter) -> Any:
+        """Return the symbol of a letter, the member of a family, or the entries of a matrix."""
         if isinstance(node.symbol, sp.IndexedBase):
             return node.symbol[tuple(self.of(index) for index in node.indices)]
         value = self.values.get(node.symbol)
@@ -218,119 +225,6 @@ class Meaning:
             pieces.append((self.side(node.otherwise), sp.And(*undefined)))
         return sp.Piecewise(*pieces, evaluate=False)
 
-    def _repeated(self, node: Repeated) -> sp.Basic:
-        index = node.index.symbol
-        term = self._take_number(node.term, self.side(node.term))
-        for other in node.apart:
-            term = term * (1 - sp.KroneckerDelta(self.of(other), index))
-        kind = sp.Sum if node.name == "sum" else sp.Product
-        return kind(term, (index, self.of(node.low), self.of(node.high)))
-
-    def _integration(self, node: Integration) -> sp.Basic:
-        integrand = self._take_number(node.integrand, self.side(node.integrand))
-        if node.differential is None:
-            return IntegralWithoutDifferential(integrand)
-        variable = self.of(node.differential)
-        running, inside = self._bind(node, integrand, variable)
-        if node.low and node.high:
-            return sp.Integral(inside, (running, self.of(node.low), self.of(node.high)))
-        if self.lower_limit is None:
-            raise self.source.refuse(
-                node.start,
-                "an integral without limits: where does it start?",
-                self.remedies.lower_limit,
-            )
-        return sp.Integral(inside, (running, self.lower_limit, variable))
-
-    def _derivation(self, node: Derivation) -> sp.Expr:
-        variable = self._letter(node.by)
-        is_given = variable in self.values and not node.is_partial
-        if not isinstance(variable, sp.Symbol) or is_given:
-            raise self.source.refuse(
-                node.by.start, f"a derivative by {variable}, which is given by others or no letter"
-            )
-        printed = self._take_number(node.of, self.side(node.of))
-        moving = {} if node.is_partial else self.moving
-        depends_on = {variable, *(s for s, (by, _) in moving.items() if by == variable)}
-        depends_on |= {rate for s in depends_on & moving.keys() for rate in moving[s][1]}
-        needed = settle(printed, self.values, {s: s for s in depends_on - self.values.keys()})
-        value = needed.replace(ValueWhere, lambda inner, _: inner)
-        is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
-        if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
-            raise self.source.refuse(
-                node.of.start,
-                f"{variable} does not stand in what is differentiated: does it depend on it?",
-                self.remedies.name.format(self.source.latex[node.start : node.end]),
-            )
-        if any(depends_on & part.free_symbols for part in value.atoms(*_UNSMOOTH)):
-            raise self.source.refuse(
-                node.of.start,
-                "a derivative of a function with kinks or steps is not read",
-                "Say on which side of them it is meant, and print it without them.",
-            )
-        try:
-            for _ in range(node.order):
-                value = differentiate(value, variable, moving)
-        except ValueError as error:
-            raise self.source.refuse(node.start, str(error)) from error
-        return ValueWhere(value, needed)
-
-    def _approach(self, node: Approach) -> sp.Expr:
-        variable, point = self._letter(node.by), self.of(node.point)
-        is_given = variable in self.values
-        if is_given or any(depends(s, {variable}, self.values) for s in point.free_symbols):
-            raise self.source.refuse(
-                node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
-            )
-        term = self._take_number(node.term, self.side(node.term))
-        running = make_running(variable.name, term)
-        inside = settle(term, self.values, {variable: running})
-        return sp.Limit(inside, running, point, node.side)
-
-    def _at(self, node: At) -> sp.Expr:
-        variable, point = self._letter(node.by), self.of(node.point)
-        term = self._take_number(node.term, self.side(node.term))
-        value = settle(term, self.values, {variable: point})
-        moving = {
-            r for s, (by, rates) in self.moving.items() if by == variable for r in (s, *rates)
-        }
-        unknown = moving & value.free_symbols or {value} & {term}
-        if unknown and (value.is_Symbol or not unknown <= {value}):
-            raise self.source.refuse(
-                node.start,
-                f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",
-                "What is given there is a letter of its own: declare it.",
-            )
-        return value
-
-    def _bind(
-        self, node: Integration, integrand: sp.Expr, variable: sp.Expr
-    ) -> tuple[sp.Dummy, sp.Expr]:
-        """Return a variable of integration and the integrand in it, nothing else moving."""
-        place = node.differential.start if node.differential else node.start
-        if variable.is_Symbol:
-            running = make_running(variable.name, integrand)
-            inside = settle(integrand, self.values, {variable: running})
-            moving = self.values.get(variable, sp.S.Zero).free_symbols
-        else:
-            running = make_running("u", integrand)
-            inside = integrand.xreplace({variable: running})
-            moving = variable.free_symbols
-        caught = [
-            str(s)
-            for s in sorted(inside.free_symbols, key=str)
-            if s != running and (s in self.values or s in variable.free_symbols)
-            if depends(s, moving, self.values)
-        ]
-        if caught:
-            raise self.source.refuse(
-                place,
-                f"{', '.join(caught)} in the integrand may move with {variable}",
-                "Declare the value of one by the other, or the printed product as a name of "
-                "a variable.",
-            )
-        return running, inside
-
 
 def _any_matrix(parts: list[Any]) -> bool:
     return any(map(is_matrix, parts))
@@ -340,7 +234,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Number: lambda meaning, node: sp.Rational(node.text),
     Measure: lambda meaning, node: sp.Rational(node.number.text),
     Constant: lambda meaning, node: node.value,
-    Letter: Meaning._letter,
+    Letter: Meaning.letter,
     Bracket: lambda meaning, node: meaning.of(node.inside),
     Add: Meaning._add,
     Product: give_product,
@@ -348,11 +242,12 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Power: Meaning._power,
     Radical: Meaning._root,
     Call: Meaning._call,
-    Repeated: Meaning._repeated,
-    Integration: Meaning._integration,
-    Derivation: Meaning._derivation,
-    Approach: Meaning._approach,
-    At: Meaning._at,
+    Repeated: give_repeated,
+    Integration: give_integral,
+    Derivation: give_derivative,
+    Approach: give_limit,
+    At: give_value,
+    Extremum: give_term,
     Table: give_table,
     Entries: give_entries,
     Excerpt: give_excerpt,

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import GAPS, QUANTITIES
+from mechproof.latex.signs import GAPS
+from mechproof.latex.tokens import QUANTITIES
 from mechproof.latex.tree import Measure, Number
 from mechproof.latex.words import AND, ELSE, IF
 

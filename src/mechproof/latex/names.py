@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.latex.errors import ReadingError
-from mechproof.latex.tokens import Token, tokenize
+from mechproof.latex.signs import Token
+from mechproof.latex.tokens import tokenize
 from mechproof.record import Notation, Variable
 
 INDEX = "#"

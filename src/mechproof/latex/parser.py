@@ -18,6 +18,7 @@ from mechproof.latex import (
     calls,
     conditions,
     derivatives,
+    extrema,
     letters,
     places,
     several_equations,
@@ -27,7 +28,8 @@ from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import DOTS, NARROW, WIDE, Token, read_signs
+from mechproof.latex.signs import DOTS, NARROW, WIDE, Token
+from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -261,7 +263,7 @@ class Parser:
         above = factors[0]
         if len(factors) > 1:
             above = Product(tuple(factors), tuple(signs), start=start, end=slash.start)
-        return Quotient(above, below, upright=False, start=start, end=self.end)
+        return Quotient(above, below, start=start, end=self.end)
 
     def _check_neighbours(self, left: Node) -> None:
         """Refuse factors side by side that could be something else."""
@@ -284,6 +286,8 @@ class Parser:
 
     def read_factor(self) -> Node:
         """Read an atom and the power it is raised to."""
+        if extrema.is_extremum(self):
+            return extrema.read_extremum(self)
         if calls.is_function(self):
             return calls.read_call(self)
         start, place = self.start, self.place

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import GAPS, Token
+from mechproof.latex.signs import GAPS, Token
 
 ARROWS = (r"\to", r"\Rightarrow", r"\implies", r"\Longrightarrow")
 _ROWS = ("matrix", "aligned", "gathered", "split")

@@ -7,10 +7,11 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.latex.extrema import state_extremum
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.reader import Reader
 from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
-from mechproof.latex.tree import Letter, Node, walk
+from mechproof.latex.tree import Extremum, Letter, Node, walk
 from mechproof.latex.values import depends, settle, settle_all
 from mechproof.record import (
     Definition,
@@ -46,6 +47,8 @@ def _turn_rows(members: Members) -> Members:
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """Return what a sign of a row asserts; `ValueError` where that is not declared."""
     members = _turn_rows(members)
+    if any(isinstance(node, Extremum) for node in members.nodes):
+        return _state_extremum(row, sign, members, reader)
     if sign == r"\approx":
         return _round(row, members, reader)
     if sign not in ("=", r"\equiv"):
@@ -75,6 +78,25 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if changed == (False, True):
         return Equality(left, right)
     return Equality(right, left)
+
+
+def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
+    sides = (
+        _derive(row, members.left, members.left_derived, reader),
+        _derive(row, members.right, members.right_derived, reader),
+    )
+    if isinstance(members.nodes[1], Extremum):
+        sides = sides[::-1]
+    node = next(node for node in members.nodes if isinstance(node, Extremum))
+    if sign != "=" or all(isinstance(node, Extremum) for node in members.nodes):
+        raise ValueError(f"row {row.number!r}: one \\{node.name} is read, beside an equals sign")
+    within = next((v.within for v in reader.variables if v.symbol == node.by.symbol), sp.S.Reals)
+    stated = state_extremum(node, sides, reader.values, within)
+    if stated is None:
+        raise ValueError(
+            f"row {row.number!r}: no stationary point or end is found where it is {sides[1]}"
+        )
+    return stated
 
 
 def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:

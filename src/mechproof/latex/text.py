@@ -21,6 +21,7 @@ from mechproof.latex.tree import (
     Derivation,
     Entries,
     Excerpt,
+    Extremum,
     Integration,
     Letter,
     Magnitude,
@@ -44,6 +45,7 @@ _SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~",
 _CLOSED = (
     *(Number, Constant, Letter, Call, Radical, Repeated, Integration, Magnitude, Entries, Table),
     Approach,
+    Extremum,
 )
 
 
@@ -178,6 +180,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Integration: _integration,
     Derivation: _derivation,
     Approach: _approach,
+    Extremum: lambda node: f"{node.name}[{write(node.by)}]({write(_strip(node.term))})",
     At: lambda node: f"({write(node.term)} at {write(node.by)} = {write(node.point)})",
     Table: _table,
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",

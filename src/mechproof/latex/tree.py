@@ -76,7 +76,6 @@ class Quotient(Node):
 
     above: Node
     below: Node
-    upright: bool = True
 
 
 @dataclass(frozen=True)
@@ -152,6 +151,15 @@ class Approach(Node):
     by: Letter
     point: Node
     side: str
+
+
+@dataclass(frozen=True)
+class Extremum(Node):
+    """The largest ("max") or the smallest ("min") value of an expression while a letter moves."""
+
+    term: Node
+    by: Letter
+    name: str
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.names import INDEX, find_brace
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.tokens import Token
+from mechproof.latex.signs import Token
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
 

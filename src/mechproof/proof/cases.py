@@ -32,10 +32,23 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
         return None
     cases = {True: narrow(domain, condition), False: narrow(domain, condition.negated)}
     return _join(
-        prove(*(_assume(side, condition, holds=holds) for side in sides), part)
+        prove(*_pin([_assume(side, condition, holds=holds) for side in sides], part))
         for holds, part in cases.items()
         if part is not None
     )
+
+
+def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain]:
+    """Put in the value of a symbol that lies at once on both sides of it, where pieces meet."""
+    slack = find_slack(domain.where[-1]) if domain.where else None
+    if slack and any(find_slack(other) == (-slack.value, False) for other in domain.where):
+        for symbol in sorted(slack.value.free_symbols, key=str):
+            slope = slack.value.coeff(symbol)
+            rest = sp.expand(slack.value - slope * symbol)
+            if slope.is_number and slope != 0 and not rest.has(symbol):
+                value = {symbol: -rest / slope}
+                return (*(substitute(side, value) for side in sides), _fix(domain, value))
+    return (*sides, domain)
 
 
 def write_pieces(expression: sp.Expr) -> sp.Expr:

@@ -91,7 +91,8 @@ PAPER = Paper(
             SOURCE,
             unit="mm",
             singular=SEAMS,
-            accuracy=Accuracy(32, Scale("the lift", h)),
+            # The terms are up to 10, 15 and 6 times the lift, each with up to four roundings.
+            accuracy=Accuracy(64, Scale("the lift", h)),
         ),
         Quantity(
             "velocity",

@@ -1,0 +1,184 @@
+"""The signs of an equation -> tasks: what is compared, in which paper, and who claims it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.block import Block
+from mechproof.document.complex_parts import split_parts
+from mechproof.document.displays import Printed
+from mechproof.document.lines import count_signs
+from mechproof.document.mentions import is_listed, is_met_once, look_up
+from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.sides import have_same_letters, list_related, list_sides
+from mechproof.document.special_cases import (
+    constrain_sum,
+    list_rates,
+    list_values,
+    put_in,
+    round_at_sizes,
+    specialise,
+    split_branches,
+    state_modulo,
+    stay_within_pieces,
+)
+from mechproof.document.tasks import Task
+from mechproof.document.text import Files
+from mechproof.latex import Reader
+from mechproof.latex.expansion import read_row
+from mechproof.proof.verdict import Left, State
+from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row
+
+
+@dataclass(frozen=True)
+class TaskMaker:
+    """Makes tasks of the equations of a paper, when all that they define is known.
+
+    `papers` are the paper with the units of its letters, and without.
+    """
+
+    printed: Sequence[Printed]
+    block: Block
+    known: Known
+    papers: Mapping[bool, Paper]
+    files: Files
+
+    def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
+        """Make the tasks of an equation; `reader` knows the values of all letters."""
+        derived = {
+            s.letter: self.known.values[s.letter]
+            for s in signs
+            if s.role is Role.DERIVATIVE and s.letter is not None
+        }
+        said = [s for s in signs if s.role is not Role.VALUE]
+        bare = {s.letter for s in said} | {side for s in said for side in s.sides}
+        known = {*derived, *self.known.values}
+        defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in known)
+        defines += tuple(
+            s.letter
+            for s in signs
+            if s.role is Role.DEFINITION and isinstance(s.letter, sp.MatrixSymbol)
+        )
+        row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
+        own = next((s.letter for s in signs if s.letter is not None), None)
+        if own is None and signs:
+            # A number of several letters.
+            own = self.known.symbols.find_alike(getattr(signs[0].value, "free_symbols", ()))
+        pairs = [*zip(read_row(row, reader), signs, strict=True)]
+        judged = count_signs(printed.latex.string[: printed.taken])
+        parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
+        return [self._prepare(printed, *part, own) for part in parts]
+
+    def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
+        """Make a task of a row, and one for each other member that it is compared with."""
+        task = self._make(printed, row, sign, own)
+        if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
+            return task
+        others = []
+        if task.is_solution and not isinstance(sign.sides[0], sp.MatrixBase):
+            one, other = sign.sides
+            value = other if one == sign.letter else one
+            self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
+        for name, value in self.known.list_others(sign.letter):
+            if name == printed.name:
+                continue
+            sides = [value if side == sign.letter else side for side in sign.sides]
+            other = replace(row, says=Equality(sides[0], sides[1], "member"))
+            others.append(self._make(printed, other, replace(sign, first=name), own))
+        return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
+
+    def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
+        """Make a task of a row; `own` is the letter that its chain is about."""
+        place = printed.locate(self.files)
+        says = row.says
+        if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
+            members = (says.symbol, says.printed) if None in sign.sides else sign.sides
+            row = replace(row, says=Equality(*members, "member"))
+        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
+        if isinstance(says, Equality) and is_introduced:
+            row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
+        if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
+            values = [side for side in sign.sides if not side.free_symbols]
+            row = replace(row, says=Definition(sign.letter, values[0]))
+        if isinstance(row.says, Definition) and is_met_once(row.says.symbol, self.known):
+            note = f"{row.note} No other equation uses {row.says.symbol}.".strip()
+            row = replace(row, note=note)
+        special = list_values(row, self.known)
+        row = specialise(row, special, self.known)
+        if sign.role is Role.NUMBER and special:
+            value = put_in(sign.value, special, self.known)
+            sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
+        if sign.role in (Role.DERIVATIVE, Role.REPEATED):
+            row = stay_within_pieces(row, sign, self.known)
+        if sign.role is Role.NUMBER and (sum_ := constrain_sum(sign, own, self.known)):
+            row, sign = replace(row, says=sum_), replace(sign, role=Role.CONSTRAINT)
+        elif sign.role is Role.NUMBER:
+            number = round_at_sizes(sign, own, self.known)
+            if isinstance(number, str):
+                return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
+            row = replace(row, says=number)
+        row = replace(row, says=split_branches(row.statement, self.known))
+        turn = look_up(printed, self.block.modulo)
+        if turn and isinstance(row.says, Equality):
+            row = replace(
+                row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
+            )
+        sides = list_sides(row, sign, self.known)
+        letters = {sign.letter}.union(*(side.free_symbols for side in sides))
+        letters |= list_related(row.says)
+        is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
+        has_units = not (letters & self.known.symbols.bare or sign.number or is_special)
+        paper = self.papers[has_units]
+        residual = None
+        if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
+            residual = sides[0] - sides[1]
+        block = self.block
+        is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
+        asserts = is_claimed or self._asserts(printed, sign, sides)
+        rates = () if residual is None else tuple(list_rates(residual, self.known))
+        is_either = self._is_either(printed, sign, sides)
+        follows = self._list_named(look_up(printed, self.block.follows) or ())
+        group = next((one.group for one in self.printed if one.name == sign.first), None)
+        is_case = printed.is_case or group == printed.group
+        is_solution = sign.role is Role.REPEATED and is_case and not is_claimed
+        return Task(
+            row,
+            place,
+            sign,
+            paper,
+            asserts,
+            is_claimed,
+            residual,
+            rates,
+            is_either,
+            is_solution,
+            follows=follows,
+        )
+
+    def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
+        """Return the names of equations that are named by their labels."""
+        names = {label: one.name for one in self.printed for label in one.labels}
+        return tuple(names.get(key, key) for key in keys)
+
+    def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
+        """Return whether the sides are claimed to be equal wherever their letters lie.
+
+        Sides of different letters say something of the letters.
+        """
+        if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
+            return True
+        if is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
+            return False
+        if sign.role is Role.RELATION or len(sides) < 2:
+            return sign.role is not Role.RELATION
+        return have_same_letters(sides)
+
+    def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
+        """Return whether a constraint of two compound sides may be a wrong identity."""
+        is_said = is_listed(printed, self.block.constraints)
+        is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
+        return is_compound and not is_said and have_same_letters(sides)

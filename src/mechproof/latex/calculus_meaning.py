@@ -1,0 +1,155 @@
+"""What is printed of sums, integrals, derivatives, limits and values at a place -> SymPy."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex.pieces import has_value
+from mechproof.latex.tree import Approach, At, Derivation, Integration, Repeated
+from mechproof.latex.values import depends, differentiate, make_running, settle
+from mechproof.record import IntegralWithoutDifferential, ValueWhere
+
+if TYPE_CHECKING:
+    from mechproof.latex.meaning import Meaning
+
+# Functions with kinks or steps, of which SymPy gives a derivative everywhere.
+_UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
+
+
+def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
+    """Return a sum or a product over an index."""
+    index = node.index.symbol
+    term = meaning.take_number(node.term, meaning.side(node.term))
+    for other in node.apart:
+        term = term * (1 - sp.KroneckerDelta(meaning.of(other), index))
+    kind = sp.Sum if node.name == "sum" else sp.Product
+    return kind(term, (index, meaning.of(node.low), meaning.of(node.high)))
+
+
+def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
+    """Return an integral, from the declared lower limit where none is printed."""
+    integrand = meaning.take_number(node.integrand, meaning.side(node.integrand))
+    if node.differential is None:
+        return IntegralWithoutDifferential(integrand)
+    variable = meaning.of(node.differential)
+    running, inside = _bind(meaning, node, integrand, variable)
+    if node.low and node.high:
+        return sp.Integral(inside, (running, meaning.of(node.low), meaning.of(node.high)))
+    if meaning.lower_limit is None:
+        raise meaning.source.refuse(
+            node.start,
+            "an integral without limits: where does it start?",
+            meaning.remedies.lower_limit,
+        )
+    return sp.Integral(inside, (running, meaning.lower_limit, variable))
+
+
+def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
+    """Return a derivative, worked out, where what is differentiated has a value."""
+    variable = meaning.letter(node.by)
+    is_given = variable in meaning.values and not node.is_partial
+    if not isinstance(variable, sp.Symbol) or is_given:
+        raise meaning.source.refuse(
+            node.by.start, f"a derivative by {variable}, which is given by others or no letter"
+        )
+    printed = meaning.take_number(node.of, meaning.side(node.of))
+    moving = {} if node.is_partial else meaning.moving
+    depends_on = {variable, *(s for s, (by, _) in moving.items() if by == variable)}
+    depends_on |= {rate for s in depends_on & moving.keys() for rate in moving[s][1]}
+    needed = settle(printed, meaning.values, {s: s for s in depends_on - meaning.values.keys()})
+    value = needed.replace(ValueWhere, lambda inner, _: inner)
+    is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
+    if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
+        raise meaning.source.refuse(
+            node.of.start,
+            f"{variable} does not stand in what is differentiated: does it depend on it?",
+            meaning.remedies.name.format(meaning.source.latex[node.start : node.end]),
+        )
+    if any(depends_on & part.free_symbols for part in value.atoms(*_UNSMOOTH)):
+        raise meaning.source.refuse(
+            node.of.start,
+            "a derivative of a function with kinks or steps is not read",
+            "Say on which side of them it is meant, and print it without them.",
+        )
+    try:
+        for _ in range(node.order):
+            value = differentiate(value, variable, moving)
+    except ValueError as error:
+        raise meaning.source.refuse(node.start, str(error)) from error
+    return ValueWhere(value, needed)
+
+
+def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
+    """Return a limit, its variable bound."""
+    variable, point = meaning.letter(node.by), meaning.of(node.point)
+    is_given = variable in meaning.values
+    if is_given or any(depends(s, {variable}, meaning.values) for s in point.free_symbols):
+        raise meaning.source.refuse(
+            node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
+        )
+    term = meaning.take_number(node.term, meaning.side(node.term))
+    running = make_running(variable.name, term)
+    inside = settle(term, meaning.values, {variable: running})
+    return sp.Limit(inside, running, point, node.side)
+
+
+def give_value(meaning: Meaning, node: At) -> sp.Expr:
+    """Return the value of a term where a letter has a value."""
+    variable, point = meaning.letter(node.by), meaning.of(node.point)
+    term = meaning.take_number(node.term, meaning.side(node.term))
+    value = settle(term, meaning.values, {variable: point})
+    all_steps = [(s, *rates) for s, (by, rates) in meaning.moving.items() if by == variable]
+    moving = {step for steps in all_steps for step in steps}
+    for steps in all_steps:
+        _check_seams(meaning, node, steps, point)
+    unknown = (moving & value.free_symbols or {value} & {term}) - meaning.values.keys()
+    if unknown and (value.is_Symbol or not unknown <= {value}):
+        raise meaning.source.refuse(
+            node.start,
+            f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",
+            "What is given there is a letter of its own: declare it.",
+        )
+    return value
+
+
+def _check_seams(meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], point: sp.Expr) -> None:
+    """Refuse the derivative of a letter where its pieces meet and do not join."""
+    met = meaning.of(node.term).free_symbols & {*steps[1:]}
+    last = max(map(steps.index, met), default=-1)
+    for step in steps[: last + 1]:
+        if step in meaning.values and not has_value(meaning.values[step], node.by.symbol, point):
+            raise meaning.source.refuse(
+                node.start,
+                f"{steps[last]} has no value at {node.by.text} = {point}: its pieces do not join",
+            )
+
+
+def _bind(
+    meaning: Meaning, node: Integration, integrand: sp.Expr, variable: sp.Expr
+) -> tuple[sp.Dummy, sp.Expr]:
+    """Return a variable of integration and the integrand in it, nothing else moving."""
+    place = node.differential.start if node.differential else node.start
+    if variable.is_Symbol:
+        running = make_running(variable.name, integrand)
+        inside = settle(integrand, meaning.values, {variable: running})
+        moving = meaning.values.get(variable, sp.S.Zero).free_symbols
+    else:
+        running = make_running("u", integrand)
+        inside = integrand.xreplace({variable: running})
+        moving = variable.free_symbols
+    caught = [
+        str(s)
+        for s in sorted(inside.free_symbols, key=str)
+        if s != running and (s in meaning.values or s in variable.free_symbols)
+        if depends(s, moving, meaning.values)
+    ]
+    if caught:
+        raise meaning.source.refuse(
+            place,
+            f"{', '.join(caught)} in the integrand may move with {variable}",
+            "Declare the value of one by the other, or the printed product as a name of "
+            "a variable.",
+        )
+    return running, inside

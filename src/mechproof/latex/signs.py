@@ -1,0 +1,109 @@
+"""LaTeX -> its signs one by one: blanks and sizes dropped, spellings of one sign made the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from mechproof.latex.characters import spell
+from mechproof.latex.words import AND
+
+_SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
+_BLANK = (
+    *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
+    *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
+    *(r"\Bigg", r"\mathstrut"),
+)
+# Blanks that part as often as they do nothing.
+WIDE, NARROW = r"\quad", "\\ "
+GAPS = {
+    **dict.fromkeys((r"\quad", r"\qquad"), WIDE),
+    **dict.fromkeys(
+        ("\\ ", "\\\n", "\\", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW
+    ),
+}
+_OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
+_CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
+# A bar whose size says whether it opens or closes; a plain one does not say it.
+_BARS = {
+    **{(size, "."): r"\left." for size in _OPENING},
+    **{(size, bar): r"\lvert" for size in _OPENING for bar in ("|", r"\vert")},
+    **{(size, bar): r"\rvert" for size in _CLOSING for bar in ("|", r"\vert")},
+}
+_SAME = {
+    **dict.fromkeys((r"\dfrac", r"\tfrac", r"\cfrac"), r"\frac"),
+    **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
+    **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
+    **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
+    "*": r"\cdot",
+    **dict.fromkeys((r"\vert",), "|"),
+    **dict.fromkeys((r"\Vert", r"\lVert", r"\rVert"), r"\|"),
+    **{r"\rightarrow": r"\to", r"\land": AND},
+    **dict.fromkeys((r"\lbrack",), "["),
+    **dict.fromkeys((r"\rbrack",), "]"),
+    r"\neq": r"\ne",
+    **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
+    r"\lt": "<",
+    r"\gt": ">",
+    r"\{": "[",
+    r"\}": "]",
+}
+# A dot and a cross: of numbers they say the same.
+DOTS = (r"\cdot", r"\times")
+
+
+@dataclass(frozen=True)
+class Token:
+    """A sign and where it stands in the source."""
+
+    text: str
+    start: int
+    end: int
+
+
+def same_sign(sign: str) -> str:
+    r"""Return the sign that one is read as: \le for \leq and for its character."""
+    (first, *others) = spell(sign) if len(sign) == 1 else (sign,)
+    return sign if others else _SAME.get(first, first)
+
+
+def _find_signs(latex: str) -> Iterator[Token]:
+    for match in _SIGN.finditer(latex):
+        for text in spell(match[0]) if len(match[0]) == 1 else (match[0],):
+            yield Token(text, match.start(), match.end())
+
+
+def split_signs(latex: str) -> list[Token]:
+    """Return the signs of a print in their order, with the gaps that may part."""
+    signs: list[Token] = []
+    size, place = "", 0
+    for sign in _find_signs(latex):
+        if sign.text.isspace() or sign.text in _BLANK:
+            continue
+        if sign.text in (*_OPENING, *_CLOSING):
+            size, place = sign.text, sign.start
+            continue
+        if size in _OPENING and sign.text == "." and _closes_nothing(signs):
+            # A bracket goes on in another line: \left(a\right.\left.b\right).
+            while signs.pop().text in GAPS.values():
+                pass
+            size = ""
+            continue
+        if size in _CLOSING and sign.text == ".":
+            sign = replace(sign, text=r"\right.")
+        text = _BARS.get((size, sign.text), GAPS.get(sign.text, sign.text))
+        if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text in ("<", ">"):
+            text = {"<": r"\le", ">": r"\ge"}[signs[-1].text]
+            sign = replace(sign, start=signs.pop().start)
+        if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text == ":":
+            sign = replace(sign, start=signs.pop().start)
+        start = place if text == r"\lvert" and size else sign.start
+        signs.append(Token(text, start, sign.end))
+        size = ""
+    return signs
+
+
+def _closes_nothing(signs: list[Token]) -> bool:
+    texts = [sign.text for sign in signs if sign.text not in GAPS.values()]
+    return texts[-1:] == [r"\right."]
