@@ -87,7 +87,7 @@ FINDINGS = (
         check=Check(
             "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E (1 "
             "- E²)/(1 + E²)² = {0}; between 44.5° and 45.5° the ratio 1 - (1 - E²)/(1 + E² - 2 E "
-            "cos 2φ_1) changes by {1}, which is {2} per radian.",
+            "cos 2 φ_1) changes by {1}, which is {2} per radian.",
             (
                 sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE),
                 SECANT,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from textwrap import wrap
 
 import sympy as sp
 from markupsafe import Markup
@@ -34,6 +35,8 @@ from mechproof.report.rows import RowView, describe_row, name_symbols
 
 # Letters of a multiple of pi that is written as such.
 SHORT = 8
+# Letters of a line of code on a wide page.
+LINE = 64
 
 
 @dataclass(frozen=True)
@@ -204,7 +207,7 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
     """Yield what is said beside domain, accuracy and source, which stand for themselves."""
     for note in list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
-        if lead not in ("Domain", TESTED, "JudgedDerivation"):
+        if lead not in ("Domain", TESTED, "Source"):
             named = colon and len(lead.split()) == 1
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
@@ -323,7 +326,7 @@ def _list_calls(
     if not (quantity.forms and source.home):
         return
     system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
-    call = f"{quantity.name}({arguments})"
+    call = _break_lines(f"{quantity.name}({arguments})")
     for language, package, remark in (
         ("NumPy", source.home, "Arrays of any shape that broadcast; takes out=."),
         (
@@ -339,6 +342,14 @@ def _list_calls(
     if found := re.findall(pattern, header, re.MULTILINE):
         remark = f"Written by mechproof emit c {system} --out c; link with -lm."
         yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
+
+
+def _break_lines(call: str) -> str:
+    """Break a call that is longer than a line, behind commas."""
+    lines = wrap(
+        call, LINE, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
+    )
+    return "\n".join(lines)
 
 
 def _wrap(prototype: str) -> str:

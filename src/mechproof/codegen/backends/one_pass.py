@@ -124,7 +124,7 @@ class _Values:
         """Return the value of an operation, called as wanted where it is new."""
         if kind == "copy":
             return operands[0]
-        # EmittedForm, for 0 and -0 are equal.
+        # Written, for 0 and -0 are equal.
         key = repr((kind, operands))
         if key not in self._made:
             name = f"{TEMPORARY}{len(self._made)}" if is_unnamed(wanted) else self.name(wanted)
