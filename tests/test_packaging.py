@@ -19,7 +19,7 @@ FOLDERS = {
 }
 DATA = (
     *("*.tex", "*.txt", "templates/*", "measured/*.json", "certificates/*.json", "py.typed"),
-    *("*.schema.json", "font/*", "*.v"),
+    *("*.schema.json", "font/*", "*.v", "coq.json"),
 )
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
 

@@ -20,6 +20,7 @@ from pathlib import Path
 
 from mechproof.certification import certify_derivations
 from mechproof.codegen.regenerate import LIST, render_package
+from mechproof.coq.coverage import read_checks
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.extras import require_modules
 from mechproof.lab import measure as measuring
@@ -103,7 +104,7 @@ def regenerate(
         placed = dict(zip(locations, papers, strict=True))
         certificates = certify_derivations(placed, generated, use_cache=use_cache)
     with _refuse(ValueError, NotImplementedError, where=f"{locations[0].parent}: "):
-        files = _render(ledgers, certificates)
+        files = _render(ledgers, certificates, read_checks(generated))
     with _refuse(ValueError):
         files |= _render_tables(generated, certificates)
     with _refuse(ValidationError), progress("running the emitted kernels") as report:
@@ -114,7 +115,9 @@ def regenerate(
 
 
 def _render(
-    ledgers: Sequence[JudgedPaper], certificates: Sequence[Certificate | None]
+    ledgers: Sequence[JudgedPaper],
+    certificates: Sequence[Certificate | None],
+    checks: Mapping[str, str],
 ) -> dict[str, str]:
     pairs = zip((ledger.paper for ledger in ledgers), certificates, strict=True)
     papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
@@ -124,7 +127,7 @@ def _render(
         **render_package(papers, is_own=is_own),
         **write_certificates(c for c in certificates if c),
         "ledger.json": to_json(ledgers),
-        "LEDGER.md": to_markdown(ledgers),
+        "LEDGER.md": to_markdown(ledgers, checks),
     }
 
 

@@ -1,12 +1,15 @@
-"""The record of what Coq accepts: of the ledger as it is, of the prelude as it is."""
+"""The record of what Coq accepts: of the ledger as it is, of the libraries as they are."""
 
 from __future__ import annotations
 
 import json
+from html import escape
 from pathlib import Path
 
-from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_known
-from mechproof.coq.folder import CERTIFIABLE, RowScript, digest_prelude
+from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks
+from mechproof.coq.folder import CERTIFIABLE, RowScript
+from mechproof.coq.libraries import digest_libraries
+from mechproof.proof.ledger import MARKDOWN
 
 GENERATED = Path(__file__).parents[2] / "generated"
 RECORDED = json.loads((GENERATED / RECORD).read_text(encoding="utf-8"))
@@ -18,8 +21,8 @@ def test_every_row_that_is_proved_or_refuted_is_recorded_once() -> None:
     assert [row["id"] for row in RECORDED["rows"]] == certifiable
 
 
-def test_the_record_is_of_this_prelude() -> None:
-    assert RECORDED["prelude"] == digest_prelude()
+def test_the_record_is_of_these_libraries() -> None:
+    assert RECORDED["libraries"] == digest_libraries()
 
 
 def test_a_row_has_a_file_that_is_accepted_or_a_reason() -> None:
@@ -37,10 +40,13 @@ def test_the_page_says_what_is_recorded() -> None:
         assert told in page
 
 
-def test_of_a_record_for_another_prelude_nothing_is_known(tmp_path: Path) -> None:
-    assert len(read_known(GENERATED)) > 200
-    (tmp_path / RECORD).write_text(json.dumps({**RECORDED, "prelude": "other"}), encoding="utf-8")
-    assert read_known(tmp_path) == {}
+def test_the_ledger_says_of_every_row_what_is_recorded() -> None:
+    lines = (GENERATED / "LEDGER.md").read_text(encoding="utf-8").splitlines()
+    checks = read_checks(GENERATED)
+    assert list(checks) == [row["id"] for row in RECORDED["rows"]]
+    for name, told in checks.items():
+        (line,) = (line for line in lines if line.startswith(f'| <a id="{escape(name)}"></a>'))
+        assert line.endswith(f"| {told.translate(MARKDOWN)} |")
 
 
 def test_a_script_that_is_refused_or_differs_is_lost() -> None:

@@ -74,6 +74,11 @@ def test_the_start_page_has_findings_totals_chart_and_legend(files: dict[str, st
     assert page.count("<svg") == 1
 
 
+def test_rows_say_which_script_coq_accepts(files: dict[str, str]) -> None:
+    page = files["papers/elliptic_planetary.html"]
+    assert "<dt>by Coq</dt><dd>checked: elliptic_planetary_eq_1_third_equals_sign.v</dd>" in page
+
+
 def test_cards_and_filters_count_what_is_printed_and_ours_apart(files: dict[str, str]) -> None:
     start = files["index.html"]
     page = files["papers/elliptic_planetary.html"]

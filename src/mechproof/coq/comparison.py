@@ -13,7 +13,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.coq.reading import Joined, Read, ReadStatement, read_script
-from mechproof.coq.scripts import name_symbols
+from mechproof.coq.terms import name_symbols
 from mechproof.coq.theorems import Theorem
 from mechproof.proof.domain import Point
 

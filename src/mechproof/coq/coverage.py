@@ -6,11 +6,13 @@ import json
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from types import MappingProxyType
 
 from mechproof.coq.checker import ASSUMED, ASSUMED_MODULES, LIMIT, check_files, find_version
-from mechproof.coq.folder import RowScript, digest_prelude, write_folder
+from mechproof.coq.folder import RowScript, write_folder
+from mechproof.coq.libraries import digest_libraries
 
 PAGE = "COQ.md"
 RECORD = "coq.json"
@@ -101,16 +103,25 @@ def keep_record(folder: Path, coverage: Coverage) -> None:
     (folder / PAGE).write_text(write_page(coverage), encoding="utf-8")
 
 
-def read_known(folder: Path) -> dict[str, str]:
-    """Return the digests of the files that a record has as accepted, by the ids of their rows.
+def read_known(folder: Traversable) -> dict[str, str]:
+    """Return the digests of the files that a record has as accepted, by the ids of their rows."""
+    return {row["id"]: row["sha256"] for row in _read_rows(folder) if not row["withheld"]}
 
-    A record for another version of what all files require has none.
-    """
-    file = folder / RECORD
+
+def read_checks(folder: Traversable) -> dict[str, str]:
+    """Say of the rows of a record which file Coq accepts, or why there is none, by their ids."""
+    return {row["id"]: _tell(row["withheld"], row["file"]) for row in _read_rows(folder)}
+
+
+def _tell(withheld: str, file: str) -> str:
+    return f"not checked: {withheld}" if withheld else f"checked: {file}"
+
+
+def _read_rows(folder: Traversable) -> Sequence[Mapping[str, str]]:
+    file = folder.joinpath(RECORD)
     record = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
-    if record.get("prelude") != digest_prelude():
-        return {}
-    return {row["id"]: row["sha256"] for row in record["rows"] if not row["withheld"]}
+    rows: Sequence[Mapping[str, str]] = record.get("rows", ())
+    return rows
 
 
 def write_record(coverage: Coverage) -> str:
@@ -120,7 +131,7 @@ def write_record(coverage: Coverage) -> str:
         for c in coverage.certificates
     ]
     lines = ",\n".join(json.dumps(row, ensure_ascii=False) for row in rows)
-    head = f'"coq": "{coverage.version}",\n"prelude": "{digest_prelude()}"'
+    head = f'"coq": "{coverage.version}",\n"libraries": "{digest_libraries()}"'
     return f'{{{head},\n"rows": [\n{lines}\n]}}\n'
 
 

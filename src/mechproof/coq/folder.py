@@ -8,12 +8,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
-from importlib.resources import files
+from itertools import pairwise
 from pathlib import Path
 
 from mechproof.coq.comparison import compare_script
-from mechproof.coq.scripts import write_script
+from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
+from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.coq.theorems import build_theorems
 from mechproof.made import ForeignFileError, Made
@@ -22,20 +22,22 @@ from mechproof.proof.ledger import JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Row
 
-PRELUDE = "Mechproof.v"
 LIST = "mechproof-coq.sha256"
 # What of a ledger says that something is proved, of all values or at a point.
 CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED)
-_MAKEFILE = """# Has Coq check every file: make -j2
-SCRIPTS := $(filter-out Mechproof.v, $(wildcard *.v))
+ASSUMPTIONS = "Assumptions.v"
+_MAKEFILE = f"""# Has Coq check every file, and print what all of them assume: make -j2
+LIBRARIES := {" ".join(f"{name}.v" for name in LIBRARIES)}
+SCRIPTS := $(filter-out $(LIBRARIES) {ASSUMPTIONS}, $(wildcard *.v))
 
 all: $(SCRIPTS:.v=.vo)
+\tcoqc -q -w none {ASSUMPTIONS}
 
 %.vo: %.v
-\tcoqc -q $<
+\tcoqc -q -w none $<
 
-$(SCRIPTS:.v=.vo): Mechproof.vo
-
+$(SCRIPTS:.v=.vo): $(LIBRARIES:.v=.vo)
+{"".join(f"{b}.vo: {a}.vo{chr(10)}" for a, b in pairwise(LIBRARIES))}
 clean:
 \trm -f *.vo *.vok *.vos *.glob .*.aux
 
@@ -57,18 +59,8 @@ class RowScript:
 
     @property
     def digest(self) -> str:
-        """Return the SHA-256 of the text, or nothing where there is none."""
-        return sha256(self.text.encode()).hexdigest() if self.text else ""
-
-
-def read_prelude() -> str:
-    """Return the file that all others require."""
-    return files(__package__).joinpath(PRELUDE).read_text(encoding="utf-8")
-
-
-def digest_prelude() -> str:
-    """Return the SHA-256 of the file that all others require."""
-    return sha256(read_prelude().encode()).hexdigest()
+        """Return the SHA-256 of the text and what it requires, or nothing where there is none."""
+        return digest_required(self.text) if self.text else ""
 
 
 def write_certificates(
@@ -97,11 +89,10 @@ def _certify(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
 
 def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:
     """Return the text of every file of the folder by its name."""
-    found = {PRELUDE: read_prelude(), "Makefile": _MAKEFILE}
-    for certificate in certificates:
-        if certificate.text:
-            found[certificate.file] = certificate.text
-    return found
+    scripts = {c.file: c.text for c in certificates if c.text}
+    assumptions = write_assumptions([name.removesuffix(".v") for name in scripts])
+    libraries = {f"{name}.v": read_library(name) for name in LIBRARIES}
+    return {**libraries, **scripts, ASSUMPTIONS: assumptions, "Makefile": _MAKEFILE}
 
 
 def write_folder(folder: Path, certificates: Sequence[RowScript]) -> None:

@@ -6,177 +6,116 @@ quotients by the signs of the factors of their difference, which SymPy finds and
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from functools import reduce
-from math import gcd
+from collections.abc import Iterator, Sequence
+from itertools import product
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.coq.terms import Names, UnwritableError, write_term
+from mechproof.coq.derivatives import find_variable, prove_by_derivative
+from mechproof.coq.facts import Facts, introduce, turn_right
+from mechproof.coq.monotone import is_rising, prove_by_rise
+from mechproof.coq.signs import BITS, ORDERED, find_factors, prove_order, write_product
+from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
+from mechproof.proof.domain import Point
 from mechproof.record.parts import find_parts
 
-_BITS = 128
-# Work limit: a difference of so many operations is not factored.
-_LONGEST = 400
-_ORDERED: Mapping[type[sp.Basic], bool] = {sp.Lt: True, sp.Le: True, sp.Gt: False, sp.Ge: False}
+
+def prove_at_point(relations: Sequence[sp.Basic]) -> str:
+    """Write the tactic for relations between numbers."""
+    return "evaluate." if find_parts(sp.Tuple(*relations), sp.Integral, sp.atan2) else "at_point."
 
 
 def prove(theorem: Theorem, names: Names) -> list[str]:
     """Write the tactics that prove a theorem of all values, a line each."""
     if not theorem.symbols:
-        return ["at_point."]
-    prepared = _Prepared(theorem, names)
+        return [prove_at_point((theorem.conclusion, *theorem.hypotheses))]
+    if find_parts(theorem.conclusion, sp.Integral) or _has_other_angles(theorem):
+        return prove_by_derivative(theorem, names)
+    if is_rising(theorem):
+        return prove_by_rise(theorem, names)
+    whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
+    facts = Facts(whole, theorem.witness, names)
+    # Vectors on both sides may be equal as they are.
+    has_arctangents = bool(find_parts(theorem.conclusion, sp.atan))
+    vectors = list(turn_right(theorem, names)) if has_arctangents else []
+    lines = [introduce(theorem, names), *vectors, *facts.lines]
     if isinstance(theorem.conclusion, sp.Eq):
-        return [*prepared.lines, *_prove_equality(theorem, prepared)]
-    if theorem.conclusion.func in _ORDERED:
-        return [*prepared.lines, *_prove_order(theorem, prepared)]
-    return [*prepared.lines, "close."]
+        lines += _prepare_equality(theorem, facts)
+        scaled = list(_scale_vectors(theorem, facts))
+        return [*lines, *scaled, _compare_angles(facts) if vectors or scaled else _compare(facts)]
+    if theorem.conclusion.func in (*ORDERED, sp.Ne):
+        about = (facts.bases, facts.modulo, theorem.witness, names)
+        return [*lines, *prove_order(theorem.conclusion, *about)]
+    return [*lines, "close."]
 
 
-class _Prepared:
-    """The first tactics of a proof: tangents written out, angles opened, squares known."""
+def _has_other_angles(theorem: Theorem) -> bool:
+    """Return whether the sides have arctangents of which the other side has none of that size."""
+    if not isinstance(theorem.conclusion, sp.Eq) or find_variable(theorem) is None:
+        return False
+    left, right = (list(_list_angles(side)) for side in theorem.conclusion.args)
 
-    def __init__(self, theorem: Theorem, names: Names) -> None:
-        self.names = names
-        self.witness = theorem.witness
-        whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
-        facts = [f"H{number}" for number in range(1, len(theorem.hypotheses) + 1)]
-        self.lines = [" ".join(["intros", *(names[s] for s in theorem.symbols), *facts]) + "."]
-        if find_parts(whole, sp.tan):
-            self.lines.append("unfold tan in *.")
-        for size in sorted(find_parts(whole, sp.Abs), key=sp.default_sort_key):
-            inner = write_term(size.args[0], names)
-            self.lines.append(
-                f"try (first [ rewrite (Rabs_right {inner}) in * by (apply Rle_ge; sign) "
-                f"| rewrite (Rabs_left1 {inner}) in * by sign ])."
-            )
-        self.rules: list[str] = []
-        self.angles = _find_bases({n.args[0] for n in find_parts(whole, sp.sin, sp.cos, sp.tan)})
-        self._open()
-        self._note_squares(whole)
+    def lack(angles: list[sp.Expr], others: list[sp.Expr]) -> bool:
+        return any(
+            all(_differ(angle, other, theorem.witness) for other in others) for angle in angles
+        )
 
-    @property
-    def modulo(self) -> str:
-        """Return the equations that hold between sines, cosines and roots, as `ring` takes them."""
-        return f" [{' '.join(self.rules)}]" if self.rules else ""
-
-    def _open(self) -> None:
-        opened = False
-        for angle, terms in self.angles.items():
-            if terms == [(1, angle)]:
-                continue
-            text = write_term(angle, self.names)
-            written = " + ".join(
-                _repeat(count, write_term(base, self.names)) for count, base in terms
-            )
-            for function in ("sin", "cos"):
-                self.lines.append(
-                    f"try replace ({function} {text}) with ({function} ({written})) in * "
-                    "by (f_equal; field; conditions ltac:(ring))."
-                )
-            opened = True
-        if opened or any(base.is_number for base in self.bases):
-            self.lines.append("open_angles.")
-
-    @property
-    def bases(self) -> list[sp.Basic]:
-        """Return the angles of which all others are sums."""
-        return list(dict.fromkeys(base for terms in self.angles.values() for _, base in terms))
-
-    def _note_squares(self, whole: sp.Basic) -> None:
-        for number, base in enumerate(self.bases, start=1):
-            angle = write_term(base, self.names)
-            self.lines.append(f"pose proof (square_of_sine {angle}) as S{number}.")
-            self.rules.append(f"S{number}")
-        roots = {p.base for p in find_parts(whole, sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
-        for number, base in enumerate(sorted(roots, key=sp.default_sort_key), start=1):
-            text = write_term(base, self.names)
-            square = f"sqrt {text} * sqrt {text} = {text}"
-            self.lines.append(f"assert (Q{number} : {square}) by (apply sqrt_sqrt; close).")
-            self.rules.append(f"Q{number}")
-        self._join_roots(sorted(roots, key=sp.default_sort_key))
-
-    def _join_roots(self, roots: Sequence[sp.Expr]) -> None:
-        """Write a root that is a rational multiple of another, or rational, by it."""
-        for number, root in enumerate(roots):
-            for other in (sp.Integer(1), *roots[:number]):
-                scale = _find_scale(root, other)
-                if scale is None:
-                    continue
-                if balls.truth(sp.Lt(scale, 0, evaluate=False), self.witness, _BITS):
-                    scale = -scale
-                texts = [write_term(part, self.names) for part in (root, scale, other)]
-                known = f"sqrt {texts[2]}" if other != 1 else "sqrt 1"
-                self.lines.append(
-                    f"try assert (M{number} : sqrt {texts[0]} = {texts[1]} * {known}) by "
-                    f"(apply root_of_product; [ scale_sign | close | "
-                    f"field{self.modulo}; conditions ltac:(ring{self.modulo}) ])."
-                )
-                self.lines.append(f"try rewrite M{number} in *.")
-                if other == 1:
-                    self.lines.append("try rewrite sqrt_1 in *.")
-                break
+    return lack(left, right) or lack(right, left)
 
 
-def _find_scale(root: sp.Expr, other: sp.Expr) -> sp.Expr | None:
-    """Return the m for which `root` is m^2 times `other`, if the factors show one."""
-    factors = _factor(root / other)
-    if factors is None:
-        return None
-    powers = Counter(factors.above)
-    powers.subtract(factors.below)
-    number = sp.sqrt(factors.number)
-    if not number.is_Rational or any(power % 2 for power in powers.values()):
-        return None
-    return sp.Mul(number, *(f ** (power // 2) for f, power in powers.items()))
+def _list_angles(side: sp.Basic) -> Iterator[sp.Expr]:
+    for angle in find_parts(side, sp.atan, sp.atan2):
+        yield angle.args[0] if isinstance(angle, sp.atan) else angle.args[0] / angle.args[1]
 
 
-def _find_bases(angles: set[sp.Basic]) -> dict[sp.Basic, list[tuple[int, sp.Basic]]]:
-    """Write every angle as whole multiples of as few others as their terms allow."""
-    split = {a: _list_terms(a) for a in sorted(angles, key=sp.default_sort_key)}
-    counts: dict[sp.Basic, list[sp.Rational]] = {}
-    for number, base in (term for terms in split.values() for term in terms):
-        counts.setdefault(base, []).append(number)
-    right = {sp.pi: [sp.S.Half]}
-    units = {base: _find_unit([*numbers, *right.get(base, [])]) for base, numbers in counts.items()}
-    return {
-        angle: [(int(number / units[base]), units[base] * base) for number, base in terms]
-        for angle, terms in split.items()
-    }
+def _differ(one: sp.Expr, other: sp.Expr, point: Point) -> bool:
+    return balls.truth(sp.Ne(one, other, evaluate=False), point, BITS) is True
 
 
-def _list_terms(angle: sp.Basic) -> list[tuple[sp.Rational, sp.Basic]]:
-    terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(angle))]
-    if len(terms) == 1 and not terms[0][1].is_Symbol and terms[0][0] == 1:
-        return [(sp.Integer(1), angle)]
-    return [
-        (n, base) if n.is_Rational and base != 1 else (sp.Integer(1), n * base) for n, base in terms
-    ]
-
-
-def _find_unit(numbers: Sequence[sp.Rational]) -> sp.Rational:
-    """Return the largest number of which all are whole multiples."""
-    below = reduce(lambda a, b: a * b // gcd(a, b), (int(n.q) for n in numbers))
-    above = reduce(gcd, (abs(int(n * below)) for n in numbers))
-    return sp.Rational(above, below)
-
-
-def _repeat(count: int, text: str) -> str:
-    total = " + ".join([text] * abs(count))
-    return f"(- ({total}))" if count < 0 else f"({total})"
-
-
-def _prove_equality(theorem: Theorem, prepared: _Prepared) -> Iterator[str]:
-    yield from _split_denominators(theorem, prepared)
-    by = prepared.modulo
+def _prepare_equality(theorem: Theorem, facts: Facts) -> Iterator[str]:
+    yield from _split_denominators(theorem, facts)
     for angle in _list_doubled(theorem.conclusion):
-        text = write_term(angle, prepared.names)
+        text = write_term(angle, facts.names)
         yield f"try rewrite (double_arctangent {text}) by lra."
+
+
+def _compare(facts: Facts) -> str:
+    by = facts.modulo
     closing = f"first [ ring{by} | field{by}; conditions ltac:(ring{by}) ]"
-    yield f"by_parts ltac:({closing})."
+    return f"by_parts ltac:({closing})."
+
+
+def _compare_angles(facts: Facts) -> str:
+    """Write the tactic for sides with arctangents of quotients, whose arguments lie deeper."""
+    return f"by_depth ltac:({facts.closing})."
+
+
+def _scale_vectors(theorem: Theorem, facts: Facts) -> Iterator[str]:
+    """Write the angle of a vector as that of one on the other side of which it is a multiple."""
+    left, right = (find_parts(side, sp.atan2) for side in theorem.conclusion.args)
+    pairs = product(*(sorted(vectors, key=sp.default_sort_key) for vectors in (left, right)))
+    for number, (vector, other) in enumerate(pairs, start=1):
+        scale = _find_scale(vector, other, theorem.witness)
+        if vector == other or scale is None:
+            continue
+        texts = " ".join(write_term(part, facts.names) for part in other.args)
+        size = write_product(scale, theorem.witness, facts.names)
+        yield f"assert (K{number} : 0 < {size}) by product_sign."
+        yield (
+            f"replace {write_term(vector, facts.names)} with (atan2 {texts}) by "
+            f"(rewrite <- (atan2_scaled {size} {texts} K{number}); "
+            f"apply f_equal2; {facts.closing})."
+        )
+
+
+def _find_scale(vector: sp.atan2, other: sp.atan2, witness: Point) -> sp.Expr | None:
+    """Return by what positive quotient two vectors differ; None where they have other angles."""
+    ratios = [sp.factor(one / two) for one, two in zip(vector.args, other.args, strict=True)]
+    is_one = sp.simplify(ratios[0] - ratios[1]) == 0
+    is_positive = balls.truth(sp.Gt(ratios[0], 0, evaluate=False), witness, BITS)
+    return ratios[0] if is_one and is_positive else None
 
 
 def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
@@ -185,108 +124,21 @@ def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
     return [p.args[1].args[0] for p in found if isinstance(p.args[1], sp.atan)]
 
 
-def _split_denominators(theorem: Theorem, prepared: _Prepared) -> Iterator[str]:
+def _split_denominators(theorem: Theorem, facts: Facts) -> Iterator[str]:
     """Show of the factors of each denominator that has some that they differ from zero, too."""
-    by = prepared.modulo
+    by = facts.modulo
     number = 0
     for place, fact in enumerate(theorem.hypotheses, start=1):
         if not isinstance(fact, sp.Ne) or fact.args[1] != 0:
             continue
-        factors = _factor(fact.args[0])
+        factors = find_factors(fact.args[0])
         if factors is None or factors.is_one:
             continue
         for factor, rest in factors.split():
             number += 1
-            text, other = (write_term(part, prepared.names) for part in (factor, rest))
+            text, other = (write_term(part, facts.names) for part in (factor, rest))
             yield (
                 f"try assert (N{number} : {text} <> 0) by "
                 f"(intro F; apply H{place}; transitivity ({text} * {other}); "
                 f"[ field{by}; conditions ltac:(ring{by}) | rewrite F; apply Rmult_0_l ])."
             )
-
-
-class _Factors:
-    """A quotient of products: a number, and the factors above and below with their powers."""
-
-    def __init__(
-        self, number: sp.Expr, above: dict[sp.Expr, int], below: dict[sp.Expr, int]
-    ) -> None:
-        self.number, self.above, self.below = number, above, below
-
-    @property
-    def is_one(self) -> bool:
-        """Return whether the expression is one factor itself."""
-        return len(self.above) == 1 and not self.below
-
-    def split(self) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-        """Yield each factor above and then all of them, each with what is left of the quotient."""
-        below = sp.Mul(*(f**-k for f, k in self.below.items()), evaluate=False)
-        for factor, power in self.above.items():
-            others = [f**k for f, k in self.above.items() if f != factor]
-            rest = [self.number, factor ** (power - 1), *others, below]
-            yield factor, sp.Mul(*rest, evaluate=False)
-        if len(self.above) > 1:
-            whole = sp.Mul(self.number, *(f**k for f, k in self.above.items()), evaluate=False)
-            yield whole, below
-
-
-def _factor(expression: sp.Expr) -> _Factors | None:
-    """Factor what is rational in sines, cosines and letters; None of what is not, or too long."""
-    if sp.count_ops(expression) > _LONGEST:
-        return None
-    plain = expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
-    atoms = sorted(find_parts(plain, sp.sin, sp.cos), key=sp.default_sort_key)
-    letters = {atom: sp.Dummy(real=True) for atom in atoms}
-    letters[sp.pi] = sp.Dummy(real=True)
-    back = {letter: atom for atom, letter in letters.items()}
-    lettered = plain.xreplace(letters)
-    above, below = sp.fraction(sp.together(lettered))
-    try:
-        found = [sp.factor_list(part) for part in (above, below)]
-    except sp.PolynomialError:
-        return None
-    parts = [{f.xreplace(back): int(k) for f, k in listed} for _, listed in found]
-    return _Factors(found[0][0] / found[1][0], *parts)
-
-
-def _prove_order(theorem: Theorem, prepared: _Prepared) -> Iterator[str]:
-    conclusion = theorem.conclusion
-    left, right = conclusion.args if _ORDERED[conclusion.func] else reversed(conclusion.args)
-    factors = _factor(right - left)
-    if factors is None or not find_parts(sp.Tuple(*factors.above, *factors.below), sp.Symbol):
-        yield "close."
-        return
-    for base in prepared.bases:
-        angle = write_term(base, prepared.names)
-        yield f"pose proof (COS_bound {angle}). pose proof (SIN_bound {angle})."
-    if conclusion.func is sp.Ge:
-        yield "apply Rle_ge."
-    yield f"first [ solve [ close ] | {_combine(theorem, factors, prepared)} ]."
-
-
-def _combine(theorem: Theorem, factors: _Factors, prepared: _Prepared) -> str:
-    """Write the difference as a product of what is shown to be positive."""
-    is_strict = theorem.conclusion.func in (sp.Lt, sp.Gt)
-    steps: list[str] = []
-    above: list[str] = []
-    below: list[str] = []
-    number = factors.number
-    for listed, texts, strict in ((factors.above, above, is_strict), (factors.below, below, True)):
-        for factor, power in listed.items():
-            negative = balls.truth(sp.Lt(factor, 0, evaluate=False), theorem.witness, _BITS)
-            text = write_term(-factor if negative else factor, prepared.names)
-            number = -number if negative and power % 2 else number
-            texts += [text] * power
-            sign = "<" if strict else "<="
-            steps.append(f"assert (0 {sign} {text}) by sign")
-    quotient = f"({write_term(abs(number), prepared.names)} * ({' * '.join(above or ['1'])}))"
-    quotient = f"({quotient} / ({' * '.join(below or ['1'])}))"
-    lemma = "less_by" if is_strict else "at_most_by"
-    by = prepared.modulo
-    steps.append(
-        f"apply ({lemma} _ _ {quotient}); [ field{by}; conditions ltac:(ring{by}) | product_sign ]"
-    )
-    return "; ".join(f"({step})" if step.startswith("assert") else step for step in steps)
-
-
-__all__ = ["UnwritableError", "prove"]

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
-_TOKENS = re.compile(r"\s*(/\\|\\/|->|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
+_TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
 _STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : (.*)\.\nProof\.", re.MULTILINE)
 _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin,
@@ -182,11 +182,28 @@ class _Parser:
 
     def application(self) -> sp.Expr:
         """Read a function with its arguments, or an atom."""
+        if self.next == "RInt":
+            return self.integral()
         if self.next not in _FUNCTIONS or self.next in self.letters:
             return self.atom()
         name = self.take()
         arguments = [self.atom() for _ in range(2 if name in _TWO_ARGUMENTS else 1)]
         return _FUNCTIONS[name](*arguments, evaluate=False)
+
+    def integral(self) -> sp.Expr:
+        """Read an integral: a function of a letter of its own, and both limits."""
+        self.take("RInt")
+        self.take("(")
+        self.take("fun")
+        name = self.take()
+        for expected in (":", "R", "=>"):
+            self.take(expected)
+        outside = self.letters
+        self.letters = {**outside, name: sp.Symbol(name)}
+        body = self.sum()
+        self.letters = outside
+        self.take(")")
+        return sp.Integral(body, (sp.Symbol(name), self.atom(), self.atom()))
 
     def atom(self) -> sp.Expr:
         """Read a letter, a number, or a term in parentheses."""

@@ -3,31 +3,38 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-import sympy as sp
-
-from mechproof.coq.proofs import prove
-from mechproof.coq.terms import Names, write_relation, write_term
+from mechproof.coq.libraries import find_library
+from mechproof.coq.proofs import prove, prove_at_point
+from mechproof.coq.terms import UnwritableError, name_symbols, write_relation, write_term
 from mechproof.coq.theorems import Theorem
 
-HEADER = "Require Import Mechproof.\nOpen Scope R_scope.\n"
-# Names that a letter of a paper must not take.
-_TAKEN = re.compile(
-    "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|sinh|cosh|tanh|forall|exists|fun|"
-    "in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|cofix|IF|E|F|"
-    "[HSQNM][0-9]+"
-)
+# Work limit: Coq reads longer scripts for minutes; the longest that it accepts has half of it.
+_LONGEST = 60_000
 
 
 def write_script(title: str, theorems: Sequence[Theorem]) -> str:
-    """Write the file of one row: `title` is a comment, each theorem has its number."""
-    parts = [f"(* {title} *)", HEADER]
-    for number, theorem in enumerate(theorems, start=1):
-        parts.append(write_theorem(theorem, f"part_{number}"))
+    """Write the file of one row: `title` is a comment, each theorem has its number.
+
+    Its `all_parts` is what must not assume more than is published. Raises `UnwritableError`.
+    """
+    parts = [write_theorem(theorem, f"part_{n}") for n, theorem in enumerate(theorems, start=1)]
+    library = find_library("\n".join(parts))
+    parts = [f"(* {title} *)", f"Require Import {library}.\nOpen Scope R_scope.\n", *parts]
     names = re.findall(r"^(?:Theorem|Lemma) (\w+)", "\n".join(parts), re.MULTILINE)
-    parts.append(f"Definition all_parts := ({', '.join(names)}).\nPrint Assumptions all_parts.\n")
-    return "\n".join(parts)
+    parts.append(f"Definition all_parts := ({', '.join(names)}).\n")
+    text = "\n".join(parts)
+    if len(text) > _LONGEST:
+        raise UnwritableError(f"its script is longer than {_LONGEST} characters")
+    return text
+
+
+def write_assumptions(modules: Sequence[str]) -> str:
+    """Write the file that has Coq print what all parts of some scripts assume."""
+    requires = "".join(f"Require {module}.\n" for module in modules)
+    parts = ", ".join(f"{module}.all_parts" for module in modules)
+    return f"{requires}\nDefinition all_rows := ({parts}).\nPrint Assumptions all_rows.\n"
 
 
 def write_theorem(theorem: Theorem, name: str) -> str:
@@ -41,24 +48,14 @@ def write_theorem(theorem: Theorem, name: str) -> str:
     reach = "".join(f"exists {value}. " for value in values)
     if not theorem.of_all:
         facts = " /\\ ".join([*hypotheses, conclusion])
-        return f"Theorem {name} : {exists}{facts}.\nProof. {reach}at_point. Qed.\n"
+        shown = prove_at_point((*theorem.hypotheses, theorem.conclusion))
+        return f"Theorem {name} : {exists}{facts}.\nProof. {reach}{shown} Qed.\n"
     inhabited = ""
     if hypotheses:
         facts = " /\\ ".join(hypotheses)
-        inhabited = f"Lemma {name}_inhabited : {exists}{facts}.\nProof. {reach}at_point. Qed.\n\n"
+        shown = prove_at_point(theorem.hypotheses)
+        inhabited = f"Lemma {name}_inhabited : {exists}{facts}.\nProof. {reach}{shown} Qed.\n\n"
     variables = f"forall {binders} : R, " if binders else ""
     implied = "".join(f"{h} -> " for h in hypotheses)
     proof = "\n".join(f"  {line}" for line in prove(theorem, names))
     return f"{inhabited}Theorem {name} : {variables}{implied}{conclusion}.\nProof.\n{proof}\nQed.\n"
-
-
-def name_symbols(symbols: Iterable[sp.Basic]) -> Names:
-    """Give every symbol an identifier, none twice."""
-    names: dict[sp.Basic, str] = {}
-    for symbol in symbols:
-        plain = re.sub(r"\W+", "_", str(symbol), flags=re.ASCII).strip("_") or "x"
-        plain = f"{plain}_" if _TAKEN.fullmatch(plain) or plain[0].isdigit() else plain
-        while plain in names.values():
-            plain += "_"
-        names[symbol] = plain
-    return names

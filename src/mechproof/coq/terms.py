@@ -6,14 +6,21 @@ is known. So every term comes with the conditions under which it means what is p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from types import MappingProxyType
 
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.record.substitution import write_steps
-
 Names = Mapping[sp.Basic, str]
+_NO_NAMES: Names = MappingProxyType({})
+# Names that a letter of a paper must not take.
+_TAKEN = re.compile(
+    "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|RInt|sinh|cosh|tanh|forall|"
+    "exists|fun|in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|"
+    "cofix|IF|E|F|[HKSQNMDIVWZ][0-9]+"
+)
 
 
 class UnwritableError(ValueError):
@@ -73,17 +80,51 @@ def write_relation(relation: sp.Basic, names: Names) -> str:
     return f"({left} {_RELATIONS[relation.func]} {right})"
 
 
+def name_symbols(symbols: Iterable[sp.Basic], known: Names = _NO_NAMES) -> Names:
+    """Give every symbol an identifier, none twice and none of those that are known."""
+    names = dict(known)
+    for symbol in symbols:
+        plain = re.sub(r"\W+", "_", str(symbol), flags=re.ASCII).strip("_") or "x"
+        plain = f"{plain}_" if _TAKEN.fullmatch(plain) or plain[0].isdigit() else plain
+        while plain in names.values():
+            plain += "_"
+        names[symbol] = plain
+    return names
+
+
 def list_needs(expression: sp.Basic) -> list[sp.Basic]:
-    """List what parts of an expression need to have values, without what numbers show."""
-    found = (need for node in sp.postorder_traversal(expression) for need in _need(node))
+    """List what parts of an expression need to have values, without what numbers show.
+
+    What an integrand needs is not among them: `list_integrals` has the integrals.
+    """
+    found = (need for node in _list_outside(expression) for need in _need(node))
     return list(dict.fromkeys(need for need in found if need is not sp.true))
+
+
+def list_integrals(expression: sp.Basic) -> list[sp.Integral]:
+    """List the integrals of an expression, each once."""
+    found = (node for node in _list_outside(expression) if isinstance(node, sp.Integral))
+    return list(dict.fromkeys(found))
+
+
+def _list_outside(expression: sp.Basic) -> Iterator[sp.Basic]:
+    """Yield the parts of an expression from below, of integrals the limits alone."""
+    parts = expression.args
+    if isinstance(expression, sp.Integral):
+        parts = tuple(limit for limits in expression.limits for limit in limits[1:])
+    for part in parts:
+        yield from _list_outside(part)
+    yield expression
 
 
 def _need(node: sp.Basic) -> Iterator[sp.Basic]:
     if isinstance(node, sp.Pow):
-        if node.exp.is_number and node.exp.is_negative:
+        if not node.exp.is_Rational or node.exp.q > 2:
+            yield _relate(sp.Gt, node.base)
+            return
+        if node.exp.is_negative:
             yield _relate(sp.Ne, node.base)
-        if node.exp.is_Rational and node.exp.q != 1:
+        if node.exp.q == 2:
             yield _relate(sp.Ge, node.base)
     elif isinstance(node, sp.tan):
         yield _relate(sp.Ne, sp.cos(node.args[0]))
@@ -129,17 +170,26 @@ def _is_below(part: sp.Basic) -> bool:
 
 
 def _write_power(power: sp.Pow, names: Names) -> str:
+    """Write a power: of whole numbers and halves by themselves, any other of what is positive."""
     base, exponent = power.base, power.exp
-    if not exponent.is_Rational:
-        raise UnwritableError(f"the exponent {exponent} is no number")
+    if not exponent.is_Rational or exponent.q > 2:
+        return f"(exp ({write_term(exponent, names)} * (ln {write_term(base, names)})))"
     if exponent < 0:
         return f"(/ {write_term(_plain(sp.Pow(base, -exponent, evaluate=False)), names)})"
     if exponent.q == 2:
         root = f"(sqrt {write_term(base, names)})"
         return root if exponent.p == 1 else f"({root} ^ {exponent.p})"
-    if exponent.q != 1:
-        raise UnwritableError(f"the exponent {exponent} is no half")
     return f"({write_term(base, names)} ^ {exponent.p})"
+
+
+def _write_integral(integral: sp.Integral, names: Names) -> str:
+    if len(integral.limits) > 1 or len(integral.limits[0]) < 3:
+        raise UnwritableError("an integral over several letters, or without limits, has no term")
+    (letter, lower, upper) = integral.limits[0]
+    inner = name_symbols([letter], {s: name for s, name in names.items() if s != letter})
+    body = write_term(integral.function, inner)
+    limits = " ".join(write_term(limit, names) for limit in (lower, upper))
+    return f"(RInt (fun {inner[letter]} : R => {body}) {limits})"
 
 
 _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
@@ -147,8 +197,17 @@ _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
     sp.Add: _write_sum,
     sp.Mul: _write_product,
     sp.Pow: _write_power,
+    sp.Integral: _write_integral,
     type(sp.pi): lambda number, names: "PI",
     type(sp.E): lambda number, names: "(exp 1)",
 }
 
-__all__ = ["Names", "UnwritableError", "list_needs", "write_relation", "write_steps", "write_term"]
+__all__ = [
+    "Names",
+    "UnwritableError",
+    "list_integrals",
+    "list_needs",
+    "name_symbols",
+    "write_relation",
+    "write_term",
+]

@@ -9,7 +9,7 @@ from itertools import chain, islice, product
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.coq.terms import UnwritableError, list_needs, write_relation
+from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.preparation import prepare
 from mechproof.proof.verdict import Verdict
@@ -23,7 +23,7 @@ from mechproof.record import (
     Row,
     Statement,
 )
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40
@@ -50,16 +50,24 @@ class Theorem:
 
 
 def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
-    """Return the theorems of a row that is PROVED or REFUTED. Raises `UnwritableError`."""
+    """Return the theorems of a row that is PROVED or REFUTED. Raises `UnwritableError`.
+
+    That integrands have values between their limits is a theorem of its own before those of which
+    they are a part.
+    """
     if verdict is Verdict.REFUTED:
-        return [_refute(list(_list_relations(row.statement, domain)), domain)]
+        relations = list(_list_relations(row.statement, domain))
+        return [*_state_inner_needs(relations, domain), _refute(relations, domain)]
     theorems: list[Theorem] = []
     for part in _list_parts(row.statement):
         if isinstance(part, Distinct):
-            theorems.append(_refute(list(_equate(part.left, part.right, domain)), domain))
+            relations = list(_equate(part.left, part.right, domain))
+            theorems += _state_inner_needs(relations, domain)
+            theorems.append(_refute(relations, domain))
         else:
             relations = [r for r in _list_relations(part, domain) if r is not sp.true]
             _refuse_unwritable(relations)
+            theorems += _state_inner_needs(relations, domain)
             theorems += (_state(relation, domain) for relation in relations)
     if not theorems:
         raise UnwritableError("nothing of it is left to be proved once it is written out")
@@ -70,8 +78,6 @@ def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
     """Refuse what is too long or has no term, before points are looked for."""
     _refuse_long(relations)
     for relation in relations:
-        if any(node.is_number for node in find_parts(relation, sp.atan2)):
-            raise UnwritableError("atan2 of numbers has no enclosure in Coq")
         letters = {s: "x" for s in find_free(relation) if not isinstance(s, sp.Indexed)}
         write_relation(relation, letters)
 
@@ -100,7 +106,8 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
         case Equality():
             yield from _equate(statement.printed, statement.rebuilt, domain)
         case Holds():
-            yield _write_out(domain.resolve(statement.relation))
+            relation = _write_out(domain.resolve(statement.relation))
+            yield from relation.args if isinstance(relation, sp.And) else (relation,)
         case PrintedNumber():
             half = sp.Rational(1, 2) / 10 ** len(statement.printed.partition(".")[2])
             value = _write_out(domain.resolve(statement.value))
@@ -124,8 +131,31 @@ def _write_out(expression: sp.Basic) -> sp.Basic:
     return prepare(expression)
 
 
-def _state(relation: sp.Basic, domain: Domain) -> Theorem:
-    hypotheses = _list_hypotheses(relation, domain)
+def _state_inner_needs(relations: Iterable[sp.Basic], domain: Domain) -> list[Theorem]:
+    sides = chain.from_iterable(relation.args for relation in relations)
+    integrals = dict.fromkeys(chain.from_iterable(map(list_integrals, sides)))
+    found = {
+        need: list_between(integral)
+        for integral in integrals
+        for need in list_needs(integral.function)
+    }
+    return [_state(need, domain, between) for need, between in found.items()]
+
+
+def list_between(integral: sp.Integral) -> tuple[sp.Basic, ...]:
+    """List the relations that keep the letter of an integral between its limits.
+
+    There are none where the integrand is to have values everywhere: it has no tangents.
+    """
+    letter, lower, upper = integral.limits[0]
+    if not integral.function.has(sp.tan):
+        return ()
+    least, most = sp.Min(lower, upper), sp.Max(lower, upper)
+    return sp.Le(least, letter, evaluate=False), sp.Le(letter, most, evaluate=False)
+
+
+def _state(relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = ()) -> Theorem:
+    hypotheses = _list_hypotheses(relation, domain, between)
     _refuse_long(hypotheses)
     symbols = _find_symbols((relation, *hypotheses))
     points = tuple(islice(_list_points(symbols, domain), _POINTS))
@@ -165,13 +195,15 @@ def _try_points(symbols: list[sp.Basic], domain: Domain) -> list[Point]:
         raise UnwritableError(str(error)) from error
 
 
-def _list_hypotheses(relation: sp.Basic, domain: Domain) -> tuple[sp.Basic, ...]:
+def _list_hypotheses(
+    relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = ()
+) -> tuple[sp.Basic, ...]:
     """List the sets of the symbols, what the paper says of them, and what the sides need."""
-    met = find_free(relation)
+    met = find_free(relation).union(*map(find_free, between))
     tied = [r for r in domain.where if find_free(r) <= met]
     sets = chain.from_iterable(_bound(s, domain.set_of(s)) for s in _order(met))
     needs = chain.from_iterable(list_needs(side) for side in relation.args)
-    listed = dict.fromkeys([*sets, *tied, *needs])
+    listed = dict.fromkeys([*sets, *tied, *between, *needs])
     return tuple(h for h in listed if h not in (sp.true, relation))
 
 

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from html import escape
+from types import MappingProxyType
 
 from mechproof.notebook import Displayed
 from mechproof.proof.cards import make_card
@@ -38,8 +39,9 @@ equation and every checkable claim of the papers, with the verdict that `mechpro
 This page is generated; the same findings and rows are in `ledger.json`, by the `id` that is also
 the anchor of a row here (`LEDGER.md#elliptic_planetary/eq-12`). "Read as" is what
 was read from the print and judged; rows marked *as typed* were typed by hand. A rung is the way in
-which a row was decided; the last section explains each. The formulas of what is proved, and what
-they were compared with, are folded away below each table.
+which a row was decided; the last section explains each. The last column says which script of
+`mechproof certify` proves a row once more with Coq, or why there is none ([COQ.md](COQ.md)). The
+formulas of what is proved, and what they were compared with, are folded away below each table.
 
 Marks say what a row rests on; rows marked *ours* are counted apart:
 
@@ -150,15 +152,18 @@ def _lines(records: Sequence[dict[str, object]]) -> str:
     return ",".join(f"\n{line}" for line in written)
 
 
-def to_markdown(ledgers: Sequence[Ledger]) -> str:
-    """Return the ledger as a page; formulas are LaTeX between dollar signs."""
+def to_markdown(ledgers: Sequence[Ledger], checks: Mapping[str, str] = MappingProxyType({})) -> str:
+    """Return the ledger as a page; formulas are LaTeX between dollar signs.
+
+    `checks` say of rows, by their ids, whether Coq has checked them.
+    """
     marks = "\n".join(f"- *{mark}*: {meaning}" for mark, meaning in MARKS.items())
     parts = [f"{INTRODUCTION}{marks}\n", "\n## Findings\n"]
     parts += [_finding(found) for found in sort_findings(ledgers)]
     for ledger in ledgers:
         parts.append(_heading(ledger))
         for title, rows in _sort_rows(ledger.judgements).items():
-            parts += [f"### {ledger.system}: {title}\n", _table(rows), _list_compared(rows)]
+            parts += [f"### {ledger.system}: {title}\n", _table(rows, checks), _list_compared(rows)]
         parts += [_details(j) for j in ledger.judgements if j.verdict not in PLAIN]
     parts.append(_explain_rungs([j for ledger in ledgers for j in ledger.judgements]))
     return "\n".join(parts)
@@ -201,10 +206,11 @@ def _sort_rows(judgements: Sequence[Judgement]) -> dict[str, list[Judgement]]:
     return {title: rows for title, rows in sorted_rows.items() if rows}
 
 
-def _table(judgements: Sequence[Judgement]) -> str:
-    lines = ["| number | read as | verdict | reason | rung |", "|---|---|---|---|---|"]
+def _table(judgements: Sequence[Judgement], checks: Mapping[str, str]) -> str:
+    lines = ["| number | read as | verdict | reason | rung | Coq |", "|---|---|---|---|---|---|"]
     for j in judgements:
-        cells = (f"{j.number}{_show_marks(j.marks)}", j.read_as, j.verdict.value, j.reason, j.rung)
+        number, checked = f"{j.number}{_show_marks(j.marks)}", checks.get(j.id, "")
+        cells = (number, j.read_as, j.verdict.value, j.reason, j.rung, checked)
         written = " | ".join(_escape(cell) for cell in cells)
         lines.append(f'| <a id="{escape(j.id)}"></a>{written} |')
     return "\n".join(lines) + "\n"

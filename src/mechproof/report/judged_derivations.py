@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from mechproof.coq.coverage import read_checks
 from mechproof.derivation import packaged_directory
 from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, read_record
 from mechproof.proof.ledger import JudgedPaper
@@ -20,7 +21,8 @@ from mechproof.roundoff.certificate_files import find_certificate
 class JudgedDerivation:
     """A derivation and its ledger; `home` is where its kernels are imported from, if they are.
 
-    `told` is the paper whose forms say what is proved of their rounding errors.
+    `told` is the paper whose forms say what is proved of their rounding errors; `checks` say of
+    rows, by their ids, whether Coq has checked them.
     """
 
     location: Path
@@ -28,6 +30,7 @@ class JudgedDerivation:
     told: Paper
     records: tuple[Record, ...] = ()
     home: str = ""
+    checks: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def system(self) -> str:
@@ -50,6 +53,7 @@ def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
         tell_proofs(paper, find_certificate(folder, paper.system)),
         tuple(_read_records(folder, paper)),
         home if kernels.is_file() else "",
+        read_checks(folder),
     )
 
 

@@ -241,20 +241,20 @@ def _list_sections(
         "What the rows mean for the paper's own numbers and conclusions, computed by the kernels.",
         tuple(_place([view for view in views if view.number in follows], figures)),
     )
-    symbols = name_symbols(paper)
+    about = (name_symbols(paper), source.checks)
     others = [row for number, row in judged.items() if number in again - own]
     yield Section(
         "corrected",
         "With the correction inserted",
         "What follows from a finding is true with its correction in the place of the print.",
-        tuple(_place([describe_row(r, anchors[r.number], symbols) for r in others], figures)),
+        tuple(_place([describe_row(r, anchors[r.number], *about) for r in others], figures)),
     )
 
 
 def _view_rows(source: JudgedDerivation, anchors: Mapping[str, str]) -> list[RowView]:
     """View the paper's own rows; of those without a judgement, why they have none."""
-    ledger, symbols = source.ledger, name_symbols(source.ledger.paper)
-    views = {j.number: describe_row(j, anchors[j.number], symbols) for j in ledger.judgements}
+    ledger, about = source.ledger, (name_symbols(source.ledger.paper), source.checks)
+    views = {j.number: describe_row(j, anchors[j.number], *about) for j in ledger.judgements}
     views |= {row.number: describe_left(row, anchors[row.number]) for row in ledger.left}
     return [
         views[row.number]

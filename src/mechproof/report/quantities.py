@@ -176,7 +176,7 @@ def _list_rows(quantity: Quantity, source: JudgedDerivation) -> Iterator[RowView
     anchors, symbols = name_anchors(judged), name_symbols(source.ledger.paper)
     for number in list_form_numbers(quantity):
         if number in judged:
-            yield describe_row(judged[number], anchors[number], symbols)
+            yield describe_row(judged[number], anchors[number], symbols, source.checks)
 
 
 def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from markupsafe import Markup
 
@@ -64,6 +65,7 @@ class RowView:
     on: Markup = NOTHING
     singular: Markup = NOTHING
     rung: str = ""
+    checked: str = ""
     failure: str = ""
     place: str = ""
     sides: tuple[str, str] = ("", "")
@@ -75,8 +77,16 @@ def name_symbols(paper: Paper) -> dict[str, str]:
     return {name: latex for name, latex in printed.items() if "#" not in latex}
 
 
-def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> RowView:
-    """Return the view of a judgement; `symbols` are those of its paper as it prints them."""
+def describe_row(
+    row: Judgement,
+    anchor: str,
+    symbols: Mapping[str, str],
+    checks: Mapping[str, str] = MappingProxyType({}),
+) -> RowView:
+    """Return the view of a judgement; `symbols` are those of its paper as it prints them.
+
+    `checks` say of rows, by their ids, whether Coq has checked them.
+    """
     witnesses = tuple(_describe_evidence(item, symbols) for item in row.evidence)
     return RowView(
         anchor=anchor,
@@ -96,6 +106,7 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         on=set_prose(row.on),
         singular=set_prose(", ".join(row.singular)),
         rung="" if row.verdict is Verdict.NOT_CHECKABLE else row.rung,
+        checked=checks.get(row.id, ""),
         place=_say_place(row.place),
         sides=row.sides,
     )

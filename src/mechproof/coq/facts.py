@@ -1,0 +1,236 @@
+"""The first tactics of a proof: tangents written out, angles opened, squares and roots known."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from itertools import chain
+from math import gcd
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from mechproof.arithmetic import balls
+from mechproof.coq.signs import BITS, find_factors, show_sign, turn_positive
+from mechproof.coq.terms import Names, write_term
+from mechproof.coq.theorems import Theorem
+from mechproof.proof.domain import Point
+from mechproof.record.parts import find_parts
+
+
+def introduce(theorem: Theorem, names: Names) -> str:
+    """Write the first tactic: letters by their names, and hypotheses by their numbers."""
+    facts = [f"H{number}" for number in range(1, len(theorem.hypotheses) + 1)]
+    return " ".join(["intros", *(names[s] for s in theorem.symbols), *facts]) + "."
+
+
+def turn_right(theorem: Theorem, names: Names) -> Iterator[str]:
+    """Write the angles of vectors that are seen to point to the right as arctangents."""
+    vectors = find_parts(theorem.conclusion, sp.atan2)
+    for number, vector in enumerate(sorted(vectors, key=sp.count_ops), start=1):
+        above, along = vector.args
+        if not balls.truth(sp.Gt(along, 0, evaluate=False), theorem.witness, BITS):
+            continue
+        for angle in _list_angles(along, names):
+            yield f"pose proof (COS_bound {angle}). pose proof (SIN_bound {angle})."
+        texts = [write_term(part, names) for part in (above, along)]
+        proof = show_sign(along, theorem.witness, names)
+        yield f"try assert (V{number} : 0 < {texts[1]}) by {proof}."
+        yield (
+            f"try (rewrite (atan2_right {' '.join(texts)} V{number}); "
+            f"pose proof (Rgt_not_eq _ _ V{number}))."
+        )
+
+
+def _list_angles(part: sp.Basic, names: Names) -> list[str]:
+    angles = {node.args[0] for node in find_parts(part, sp.sin, sp.cos, sp.tan)}
+    return [write_term(a, names) for a in sorted(angles, key=sp.default_sort_key)]
+
+
+class Root(sp.Dummy):  # type: ignore[misc]
+    """A letter for the root of an expression."""
+
+    def __new__(cls, root: sp.Expr) -> Root:
+        """Return a positive letter of its own."""
+        letter: Root = super().__new__(cls, "root", positive=True)
+        letter.root = root
+        return letter
+
+
+class Facts:
+    """What the tactics of `lines` establish of the parts of a statement, `whole`."""
+
+    def __init__(self, whole: sp.Basic, witness: Point, names: Names) -> None:
+        self.names = names
+        self.witness = witness
+        self.lines: list[str] = []
+        if find_parts(whole, sp.tan):
+            self.lines.append("unfold tan in *.")
+        for size in sorted(find_parts(whole, sp.Abs), key=sp.default_sort_key):
+            inner = write_term(size.args[0], names)
+            self.lines.append(
+                f"try (first [ rewrite (Rabs_right {inner}) in * by (apply Rle_ge; sign) "
+                f"| rewrite (Rabs_left1 {inner}) in * by sign ])."
+            )
+        whole = self._take_turns_off(whole)
+        self.rules: list[str] = []
+        # The terms that are written for roots of expressions.
+        self.joined: dict[Root, str] = {}
+        self.angles = _find_bases({n.args[0] for n in find_parts(whole, sp.sin, sp.cos, sp.tan)})
+        self._open()
+        self._note_squares(whole)
+
+    @property
+    def modulo(self) -> str:
+        """Return the equations that hold between sines, cosines and roots, as `ring` takes them."""
+        return f" [{' '.join(self.rules)}]" if self.rules else ""
+
+    @property
+    def closing(self) -> str:
+        """Return the tactic for an equality of quotients.
+
+        What `field` compares before it puts in the squares is simplified with them.
+        """
+        by = self.modulo
+        conditions = f"conditions ltac:(ring{by})"
+        simplified = f"field_simplify_eq{by}; [ ring{by} | {conditions}.. ]"
+        return f"first [ ring{by} | field{by}; {conditions} | {simplified} ]"
+
+    def _take_turns_off(self, whole: sp.Basic) -> sp.Basic:
+        """Write sines and cosines of angles beyond whole turns by those of the rest."""
+        # A relation with equal sides would become true.
+        sides = [relation.args for relation in find_parts(whole, Relational)]
+        whole = sp.Tuple(*chain(*sorted(sides, key=sp.default_sort_key))) if sides else whole
+        for node in sorted(find_parts(whole, sp.sin, sp.cos), key=sp.default_sort_key):
+            angle = sp.expand(node.args[0])
+            turns = angle.coeff(sp.pi) / 2
+            if not (turns.is_Integer and turns > 0):
+                continue
+            rest = node.func(angle - 2 * turns * sp.pi)
+            texts = [write_term(part, self.names) for part in (node, rest)]
+            inner = write_term(rest.args[0], self.names)
+            lemma = "sin_period" if isinstance(node, sp.sin) else "cos_period"
+            period = f"rewrite <- ({lemma} {inner} {turns})"
+            self.lines.append(
+                f"replace {texts[0]} with {texts[1]} in * by "
+                f"({period}; f_equal; simpl; field; conditions ltac:(ring))."
+            )
+            whole = whole.xreplace({node: rest})
+        return whole
+
+    def _open(self) -> None:
+        opened = False
+        for angle, terms in self.angles.items():
+            if terms == [(1, angle)]:
+                continue
+            text = write_term(angle, self.names)
+            written = " + ".join(
+                _repeat(count, write_term(base, self.names)) for count, base in terms
+            )
+            for function in ("sin", "cos"):
+                self.lines.append(
+                    f"try replace ({function} {text}) with ({function} ({written})) in * "
+                    "by (f_equal; field; conditions ltac:(ring))."
+                )
+            opened = True
+        if opened or any(base.is_number for base in self.bases):
+            self.lines.append("open_angles.")
+
+    @property
+    def bases(self) -> list[sp.Basic]:
+        """Return the angles of which all others are sums."""
+        return list(dict.fromkeys(base for terms in self.angles.values() for _, base in terms))
+
+    def _note_squares(self, whole: sp.Basic) -> None:
+        for number, base in enumerate(self.bases, start=1):
+            angle = write_term(base, self.names)
+            self.lines.append(f"pose proof (square_of_sine {angle}) as S{number}.")
+            self.rules.append(f"S{number}")
+        roots = {p.base for p in find_parts(whole, sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
+        for number, base in enumerate(sorted(roots, key=sp.default_sort_key), start=1):
+            text = write_term(base, self.names)
+            square = f"sqrt {text} * sqrt {text} = {text}"
+            self.lines.append(f"assert (Q{number} : {square}) by (apply sqrt_sqrt; close).")
+            self.rules.append(f"Q{number}")
+        self._join_roots(sorted(roots, key=sp.default_sort_key))
+
+    def _join_roots(self, roots: Sequence[sp.Expr]) -> None:
+        """Write a root that is a rational multiple of another, or rational, by it."""
+        for number, root in enumerate(roots):
+            for other in (sp.Integer(1), *roots[:number]):
+                scale = _find_scale(root, other, self.witness)
+                if scale is None:
+                    continue
+                texts = [write_term(part, self.names) for part in (root, scale, other)]
+                known = f"sqrt {texts[2]}" if other != 1 else "sqrt 1"
+                self.lines.append(
+                    f"try assert (M{number} : sqrt {texts[0]} = {texts[1]} * {known}) by "
+                    f"(apply root_of_product; [ scale_sign | close | "
+                    f"field{self.modulo}; conditions ltac:(ring{self.modulo}) ])."
+                )
+                term = f"({texts[1]} * {'1' if other == 1 else known})"
+                self.joined[Root(root)] = term
+                self.lines.append(f"try rewrite M{number} in *.")
+                if other == 1:
+                    self.lines.append("try rewrite sqrt_1 in *.")
+                break
+
+
+def is_square(base: sp.Expr, witness: Point) -> bool:
+    """Return whether an expression is seen to be the square of a quotient."""
+    return _find_scale(base, sp.Integer(1), witness) is not None
+
+
+def _find_scale(root: sp.Expr, other: sp.Expr, witness: Point) -> sp.Expr | None:
+    """Return the m for which `root` is m^2 times `other`, if the factors show one.
+
+    Each factor of it is positive at the witness.
+    """
+    factors = find_factors(root / other)
+    if factors is None:
+        return None
+    powers = Counter(factors.above)
+    powers.subtract(factors.below)
+    number = sp.sqrt(factors.number)
+    if not number.is_Rational or any(power % 2 for power in powers.values()):
+        return None
+    parts = (turn_positive(f, witness) ** (power // 2) for f, power in powers.items())
+    return sp.Mul(number, *parts)
+
+
+def _find_bases(angles: set[sp.Basic]) -> dict[sp.Basic, list[tuple[int, sp.Basic]]]:
+    """Write every angle as whole multiples of as few others as their terms allow."""
+    if len(angles) == 1 and not any(angle.has(sp.pi) for angle in angles):
+        return {angle: [(1, angle)] for angle in angles}
+    split = {a: _list_terms(a) for a in sorted(angles, key=sp.default_sort_key)}
+    counts: dict[sp.Basic, list[sp.Rational]] = {}
+    for number, base in (term for terms in split.values() for term in terms):
+        counts.setdefault(base, []).append(number)
+    right = {sp.pi: [sp.S.Half]}
+    units = {base: _find_unit([*numbers, *right.get(base, [])]) for base, numbers in counts.items()}
+    return {
+        angle: [(int(number / units[base]), units[base] * base) for number, base in terms]
+        for angle, terms in split.items()
+    }
+
+
+def _list_terms(angle: sp.Basic) -> list[tuple[sp.Rational, sp.Basic]]:
+    terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(angle))]
+    if len(terms) == 1 and not terms[0][1].is_Symbol and terms[0][0] == 1:
+        return [(sp.Integer(1), angle)]
+    return [
+        (n, base) if n.is_Rational and base != 1 else (sp.Integer(1), n * base) for n, base in terms
+    ]
+
+
+def _find_unit(numbers: Sequence[sp.Rational]) -> sp.Rational:
+    """Return the largest number of which all are whole multiples."""
+    below = reduce(lambda a, b: a * b // gcd(a, b), (int(n.q) for n in numbers))
+    above = reduce(gcd, (abs(int(n * below)) for n in numbers))
+    return sp.Rational(above, below)
+
+
+def _repeat(count: int, text: str) -> str:
+    total = " + ".join([text] * abs(count))
+    return f"(- ({total}))" if count < 0 else f"({total})"
