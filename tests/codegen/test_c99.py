@@ -267,19 +267,19 @@ def test_results_may_take_the_place_of_points(
 
 def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
     runner = CliRunner()
-    done = runner.invoke(app, ["emit", "c", "elliptic_planetary", "--out", str(tmp_path)])
+    done = runner.invoke(app, ["emit", "c", "track_wheel", "--out", str(tmp_path)])
     assert done.exit_code == 0, done.output
     (tmp_path / "main.c").write_text(
-        '#include <stdio.h>\n#include "elliptic_planetary.h"\n'
-        'int main(void) { printf("%.17g", elliptic_planetary_position(0.5, 66, 16, 0.475)); }\n'
+        '#include <stdio.h>\n#include "track_wheel.h"\n'
+        'int main(void) { printf("%.17g", track_wheel_radius(0.5, 66, 0.3, 3)); }\n'
     )
     assert COMPILER is not None
-    command = [COMPILER, *STRICT, "main.c", "elliptic_planetary.c", "-o", "main", "-lm"]
+    command = [COMPILER, *STRICT, "main.c", "track_wheel.c", "-o", "main", "-lm"]
     subprocess.run(command, cwd=tmp_path, check=True)
     printed = subprocess.run([str(tmp_path / "main")], capture_output=True, text=True, check=True)
-    from mechproof.kernels import elliptic_planetary
+    from mechproof.kernels import track_wheel
 
-    wanted = elliptic_planetary.position(0.5, 66, 16, 0.475)
+    wanted = track_wheel.radius(0.5, 66, 0.3, 3)
     assert float(printed.stdout) == pytest.approx(wanted, rel=6 * 2.0**-52)
     assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1
 
