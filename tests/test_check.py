@@ -74,7 +74,7 @@ CHECKED = [
     ([r"\mathrm{ch}\frac x2=\sqrt{\frac{1+\mathrm{ch}\,x}{2}}"], ["PROVED"]),
     ([r"\operatorname{inv}\alpha=\operatorname{tg}\alpha-\alpha"], ["PROVED"]),
     ([r"\int_0^1 x^n\,dx=\frac{1}{n+1}", "--natural", "n"], ["ENCLOSED"]),
-    ([r"\prod_{k=1}^nk=n!"], ["ENCLOSED"]),
+    ([r"\prod_{k=1}^nk=n!"], ["PROVED"]),
     ([r"\prod_{k=1}^nk=(n+1)!"], ["REFUTED"]),
     ([r"\max(x,-10^9)=x"], ["REFUTED"]),
     ([r"z_1d_1=d_1z_1"], ["PROVED"]),

@@ -35,9 +35,8 @@ NOT_PROVED = [
     r"\lim_{x\to a}\sqrt{x}=\sqrt{a}",
     r"\lim_{x\to\infty}\sin x=0",
     r"\lim_{x\to0}x\ge0",
-    # The logarithm has no derivative where it has no value.
-    r"\frac{d}{dx}\ln x=\frac1x",
-    # Nor is it undone or cancelled there; the same of roots, and of what has no value anywhere.
+    # A logarithm is not undone or cancelled where it has no value; the same of roots, and of what
+    # has no value anywhere.
     r"\mathrm{e}^{\ln x}=x",
     r"\ln x-\ln x=0",
     r"0\cdot\ln x=0",
@@ -60,13 +59,16 @@ NOT_PROVED = [
     make_thorough(r"\int_{-1}^1\mathrm{e}^{\ln t}dt=0"),
     r"\sum_{k=1}^\infty k-\sum_{k=1}^\infty k=0",
     r"\sum_{k=1}^n\sqrt{a_k}\sqrt{a_k}=\sum_{k=1}^na_k",
-    r"\frac{d}{dx}(\ln x-\ln x)=0",
+    r"\frac{d}{dx}\ln x=\frac{d}{dx}\ln(-x)",
     r"\lim_{x\to0}(\sqrt{-x^2}\sqrt{-x^2})=0",
 ]
 SAID = [
     # What both sides need is said, unless it is shown.
     (r"\sqrt x=\sqrt x", "x >= 0"),
     (r"\lg x+\lg x=2\lg x", "x > 0"),
+    # A derivative is compared where the function has values.
+    (r"\frac{d}{dx}\ln x=\frac1x", "x > 0"),
+    (r"\frac{d}{dx}(\ln x-\ln x)=0", "x > 0"),
     (r"\ln(x+1000)=\ln(1000+x)", "x + 1000 > 0"),
     (r"\sqrt{x-y}(x+y)=x\sqrt{x-y}+y\sqrt{x-y}", "x - y >= 0"),
 ]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from twins import ACCEPTED, judge
 
 from mechproof.proof.definedness import list_unshown, need_the_same, tell
 from mechproof.proof.domain import Domain
+from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper, Variable
 
 x, y = sp.symbols("x y", real=True)
@@ -44,3 +46,30 @@ def test_sides_need_the_same_where_needs_are_proved_equal(
     assert need_the_same(sides, list_needs(sides), DOMAIN) is alike
     turned = sides[::-1]
     assert need_the_same(turned, list_needs(turned), DOMAIN) is alike
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        r"\frac{d}{dx}\ln x=\frac1x",
+        r"\frac{d}{dx}\sqrt x=\frac1{2\sqrt x}",
+        r"\frac{d}{dx}\operatorname{arcosh}x=\frac1{\sqrt{x^2-1}}",
+        r"\frac{d}{dx}\ln\tan\frac x2=\frac1{\sin x}",
+    ],
+)
+def test_a_derivative_is_what_it_is_where_the_function_has_values(printed: str) -> None:
+    assert judge(printed)[0] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        r"\frac{d}{dx}\ln x=\frac{d}{dx}\ln(-x)",
+        r"\frac{d}{dx}\ln x=\frac2x",
+        r"\ln x^2=2\ln x",
+        r"\ln(xy)=\ln x+\ln y",
+        r"\int_0^1\sqrt{x-2}\,dx=\int_0^1\sqrt{x-2}\,dx+\ln y-\ln y",
+    ],
+)
+def test_where_one_side_only_is_defined_nothing_is_proved(printed: str) -> None:
+    assert judge(printed)[0] not in ACCEPTED

@@ -294,7 +294,7 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
         Equality(Integral(sign(t), (t, 0, x)), x * sp.sign(x)),
         "was not shown to be continuous in x over the domain",
     ),
-    "inequality": (ge(p, sin(p)), "the sign of p - sin(p) is not shown"),
+    "inequality": (ge(floor(p) + 1, p), "the sign of -p + floor(p) + 1 is not shown"),
 }
 
 

@@ -29,6 +29,21 @@ TRUE = {
     "over the jump of the tangent": (integral(1 / (2 + sp.cos(x)), 0, TURN), TURN / sp.sqrt(3)),
     "with a parameter": (integral(1 / (1 - e * sp.cos(x)), 0, TURN), TURN / sp.sqrt(1 - e**2)),
     "within a formula": (e + e * integral(3 * x**2, -1, 1), 3 * e),
+    "against the axis": (integral(x, 1, 0), -sp.Rational(1, 2)),
+    "to a parameter": (integral(sp.cos(x), 0, e), sp.sin(e)),
+    "between parameters": (integral(1 / x**2, e, 2 * e), 1 / (2 * e)),
+    "of negative numbers": (integral(1 / x, -2, -1), -sp.log(2)),
+    "a modulus": (integral(sp.Abs(sp.sin(x)), 0, TURN), sp.S(4)),
+    "a modulus of a polynomial": (integral(sp.Abs(x**2 - 1), -1, 2), sp.Rational(8, 3)),
+    "to infinity": (integral(x * sp.exp(-x), 0, sp.oo), sp.S.One),
+    "to infinity, of a bell": (integral(x * sp.exp(-(x**2)), 0, sp.oo), sp.S.Half),
+    "to infinity, a parameter": (integral(sp.exp(-e * x), 0, sp.oo), 1 / e),
+    "from a quarter turn": (integral(1 / (1 + e * sp.sin(x)), 0, TURN), TURN / sp.sqrt(1 - e**2)),
+    "over the whole line, a parameter": (integral(1 / (e**2 + x**2), -sp.oo, sp.oo), sp.pi / e),
+    "over the whole line": (integral(1 / (1 + x**2), -sp.oo, sp.oo), sp.pi),
+    "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),
+    "between two poles": (integral(1 / sp.sqrt(1 - x**2), -1, 1), sp.pi),
+    "from a logarithm's pole": (integral(x * sp.log(x), 0, 1), -sp.Rational(1, 4)),
 }
 
 
@@ -55,8 +70,18 @@ def test_its_wrong_neighbour_is_refuted(name: str) -> None:
             2 * sp.atan(sp.tan(x / 2) / sp.sqrt(3)) / sp.sqrt(3),
         ),
         (integral(1 / x**2, -1, 1), -1 / x),
+        (integral(1 / x**2, 0, 1), -1 / x),
+        (integral(1 / x, 1, sp.oo), sp.log(x)),
+        (integral(sp.cos(x), 0, sp.oo), sp.sin(x)),
     ],
-    ids=["another derivative", "it jumps", "the integrand has a pole"],
+    ids=[
+        "another derivative",
+        "it jumps",
+        "the integrand has a pole",
+        "no limit at a pole",
+        "no limit",
+        "no limit, though bounded",
+    ],
 )
 def test_what_is_no_continuous_antiderivative_is_no_proof(
     value: sp.Integral, proposed: sp.Expr, monkeypatch: pytest.MonkeyPatch
@@ -68,10 +93,23 @@ def test_what_is_no_continuous_antiderivative_is_no_proof(
     assert integrals.decide_by_antiderivative(value, told, DOMAIN, prove) is None
 
 
+def test_what_is_bound_elsewhere_is_not_looked_at() -> None:
+    prove = lambda *_: "equal"  # noqa: E731
+    own = sp.Integral(x, (x, 0, x))
+    inner = sp.Integral(1 / (2 - e), (e, 0, x))
+    for value in (own, sp.Integral(inner, (x, 0, 5)), sp.Sum(inner, (x, 1, 5))):
+        assert integrals.decide_by_antiderivative(value, sp.S.One, DOMAIN, prove) is None
+        assert integrals.settle_improper(value, DOMAIN) == value
+
+
 @pytest.mark.parametrize(
     "value",
-    [integral(x, 1, 0), integral(sp.exp(-x), 0, sp.oo), integral(sp.sqrt(1 - e * sp.sin(x)), 0, 1)],
-    ids=["against the axis", "improper", "elliptic"],
+    [
+        integral(x, 1, 1),
+        integral(sp.exp(-(x**4)), 0, sp.oo),
+        integral(sp.sqrt(1 - e * sp.sin(x)), 0, 1),
+    ],
+    ids=["of nothing", "no antiderivative", "elliptic"],
 )
 def test_other_integrals_are_left(value: sp.Integral) -> None:
     prove = lambda *_: "equal"  # noqa: E731

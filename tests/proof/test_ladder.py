@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof import ladder
+from mechproof.proof import equalities, relations
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Verdict
@@ -171,12 +171,12 @@ def test_what_a_symbol_is_declared_to_be_is_not_proved_by_the_declaration():
 
 
 def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):
-    monkeypatch.setattr(ladder, "_EQUAL", (lambda left, right, domain: "broken rung",))
+    monkeypatch.setattr(equalities, "_FIRST", (lambda left, right, domain: "broken rung",))
     with pytest.raises(ContradictionError, match="proved, yet"):
         decide(FALSE, ANYWHERE)
 
 
 def test_a_sign_that_balls_refute_is_caught(monkeypatch):
-    monkeypatch.setattr(ladder, "_holds_by_sign", lambda relation, domain: True)
+    monkeypatch.setattr(relations, "_holds_by_sign", lambda relation, domain: True)
     with pytest.raises(ContradictionError, match="proved, yet"):
         decide(Holds(x > y), ANYWHERE)

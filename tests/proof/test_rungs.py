@@ -5,21 +5,28 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from twins import judge
 
 from mechproof.document.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
     bisection,
     induction,
+    inequalities,
     integrals,
+    inverses,
+    monotonicity,
     newton,
     powers,
     printed_number,
     taylor,
+    telescoping,
     vector_angles,
 )
-from mechproof.proof.ladder import IDENTICAL, UNCOMPARED
+from mechproof.proof.equalities import IDENTICAL
+from mechproof.proof.ladder import UNCOMPARED
 from mechproof.proof.rungs import RUNGS, name_rungs
+from mechproof.proof.verdict import Verdict
 
 ROOT = Path(__file__).parents[2]
 EXPECTED = [
@@ -36,11 +43,38 @@ NAMED += [
     induction.RUNG,
     UNCOMPARED,
     newton.RUNG,
+    inverses.INVERSE,
+    inverses.TURNS,
+    inverses.LOGARITHMS,
+    inverses.ROOT,
+    inequalities.SQUARES,
+    inequalities.HALF_ANGLES,
+    inequalities.ORDERS,
+    monotonicity.RUNG,
+    telescoping.RUNG,
 ]
 
 
 def test_every_rung_that_occurs_is_explained() -> None:
     assert set(name_rungs([*EXPECTED, *NAMED, "none", "enclosure"])) == set(RUNGS)
+
+
+def list_documented() -> list[list[str]]:
+    """List the table of examples: kinds of statements, a print, where it is meant, its rung."""
+    page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
+    table = page.split("| statements |")[1].split("\n\n")[0]
+    lines = (line.strip("| ").split(" |") for line in table.splitlines()[2:])
+    return [[cell.replace("`", "").strip() for cell in line] for line in lines]
+
+
+@pytest.mark.parametrize(("kind", "printed", "where", "rung"), list_documented())
+def test_what_is_documented_is_proved_by_the_rung(
+    kind: str, printed: str, where: str, rung: str
+) -> None:
+    verdict, named = judge(printed, where)
+    assert verdict is Verdict.PROVED, kind
+    assert rung in named
+    assert set(name_rungs([rung])) <= set(RUNGS)
 
 
 def test_a_rung_without_an_explanation_is_refused() -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb
 
-from mechproof.record import ValueWhere
+from mechproof.record import DerivativeWhere, ValueWhere
 
 Ball = Any
 NOT_FINITE = arb("nan")
@@ -52,6 +52,7 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.erfc: lambda x: x.erfc(),
     sp.factorial: lambda x: (x + 1).gamma(),
     ValueWhere: lambda value, needed: value,
+    DerivativeWhere: lambda value, needed: value,
     sp.sinc: lambda x: x.sinc(),
     sp.Mod: lambda x, y: x - y * (x / y).floor(),
     sp.floor: lambda x: x.floor(),
@@ -68,7 +69,10 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
 
 # Of a complex ball, and whether the integration asks for an analytic function.
 COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
-    ValueWhere: lambda z, needed, analytic: z if needed.is_finite() else NOT_ANALYTIC,
+    **dict.fromkeys(
+        (ValueWhere, DerivativeWhere),
+        lambda z, needed, analytic: z if needed.is_finite() else NOT_ANALYTIC,
+    ),
     sp.Abs: lambda z, analytic: z.real_abs(analytic),
     sp.sign: lambda z, analytic: z.real_sgn(analytic),
     sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),

@@ -9,7 +9,7 @@ import sympy as sp
 from mechproof.latex.pieces import has_value
 from mechproof.latex.tree import Approach, At, Derivation, Integration, Repeated
 from mechproof.latex.values import depends, differentiate, make_running, settle
-from mechproof.record import IntegralWithoutDifferential, ValueWhere
+from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
@@ -78,7 +78,7 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
             value = differentiate(value, variable, moving)
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
-    return ValueWhere(value, needed)
+    return DerivativeWhere(value, needed)
 
 
 def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:

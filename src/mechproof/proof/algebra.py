@@ -14,6 +14,7 @@ from math import comb, lcm
 
 import sympy as sp
 
+from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
@@ -21,8 +22,8 @@ from mechproof.proof.sums import canonicalise
 from mechproof.record.parts import find_parts
 
 _HALF = sp.Rational(1, 2)
-_ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
-_EXPONENTIALS = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
+_ARGUMENTS = (sp.atan, sp.atan2, sp.asin, sp.acos)
+_EXPONENTIALS = (sp.exp, *HYPERBOLIC)
 
 
 class Field:
@@ -69,8 +70,8 @@ class Field:
         return next((name for used, name in kinds if used), "rational field")
 
     def _collect_angles(self, expression: sp.Basic) -> None:
-        for node in find_parts(expression, *_ANGULAR, *_EXPONENTIALS):
-            for monomial, factor in _linear_terms(node.args[0]):
+        for node in find_parts(expression, *ANGULAR, *_EXPONENTIALS):
+            for monomial, factor in list_terms(node.args[0]):
                 known = self._denominators.get(monomial, 1)
                 self._denominators[monomial] = lcm(known, int(factor.q))
 
@@ -90,7 +91,7 @@ class Field:
             return self._translate_root(node.base) ** node.exp.p
         if isinstance(node, sp.Abs):
             return self._translate_root(node.args[0] ** 2)
-        if isinstance(node, _ANGULAR):
+        if isinstance(node, ANGULAR):
             return self._translate_angle(node)
         if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
             return self._translate_exponential(node)
@@ -102,7 +103,7 @@ class Field:
     def _translate_angle(self, node: sp.Expr) -> sp.Expr:
         self.used_angles = True
         cosine, sine = sp.Integer(1), sp.Integer(0)
-        for monomial, factor in _linear_terms(node.args[0]):
+        for monomial, factor in list_terms(node.args[0]):
             c, s = self._multiple(monomial, factor)
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         quotients = {
@@ -118,7 +119,7 @@ class Field:
     def _translate_exponential(self, node: sp.Expr) -> sp.Expr:
         """Return a power of generators; hyperbolic functions are quotients of such powers."""
         power = sp.Integer(1)
-        for monomial, factor in _linear_terms(node.args[0] if node.args else sp.S.One):
+        for monomial, factor in list_terms(node.args[0] if node.args else sp.S.One):
             denominator = self._denominators.get(monomial, 1)
             if monomial not in self._bases:
                 base = sp.Dummy("E", positive=True)
@@ -150,7 +151,7 @@ class Field:
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
 
     def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
-        if isinstance(monomial, sp.atan | sp.atan2) and self._denominators[monomial] == 1:
+        if isinstance(monomial, _ARGUMENTS) and self._denominators[monomial] == 1:
             return self._point_of_argument(monomial)
         if monomial not in self._circle:
             base = monomial / self._denominators[monomial]
@@ -162,6 +163,9 @@ class Field:
 
     def _point_of_argument(self, node: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return cos and sin of the argument of a vector: its components by its length."""
+        if isinstance(node, sp.asin | sp.acos):
+            side, root = self._translate(node.args[0]), self._translate_root(1 - node.args[0] ** 2)
+            return (root, side) if isinstance(node, sp.asin) else (side, root)
         y, x = (node.args[0], sp.S.One) if isinstance(node, sp.atan) else node.args
         length = self._translate_root(x**2 + y**2)
         return self._translate(x) / length, self._translate(y) / length
@@ -296,12 +300,3 @@ def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     except sp.PolynomialError:
         pass
     return field.hindrance or f"that {left - right} is zero is not shown"
-
-
-def _linear_terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
-    """Write an angle as a sum of rational multiples of monomials."""
-    totals: dict[sp.Expr, sp.Rational] = {}
-    for term in sp.Add.make_args(sp.expand(angle)):
-        factor, rest = term.as_coeff_Mul(rational=True)
-        totals[rest] = totals.get(rest, sp.Integer(0)) + factor
-    return list(totals.items())

@@ -14,6 +14,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.proof.domain import Domain
+from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
 
@@ -153,12 +154,7 @@ def _list_conditions(sides: Sides) -> set[Relational]:
     """Collect the conditions of pieces in symbols that are bound nowhere."""
     pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
     free = {symbol for side in sides for symbol in side.free_symbols}
-    bound = {
-        symbol
-        for side in sides
-        for node in side.atoms(ExprWithLimits, sp.Limit)
-        for symbol in ([node.args[1]] if isinstance(node, sp.Limit) else node.bound_symbols)
-    }
+    bound = {symbol for side in sides for symbol in find_bound(side)}
     conditions = {c for piece in pieces for _, cond in piece.args for c in cond.atoms(Relational)}
     return {c.canonical for c in conditions if c.free_symbols <= free - bound}
 

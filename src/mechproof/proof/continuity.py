@@ -5,18 +5,16 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import (
-    is_nonnegative,
-    is_nonzero,
-    is_positive,
-    is_within_quarter_turn,
-)
+from mechproof.proof.half_angles import find_sign_there, is_shown_there
+from mechproof.proof.signs import is_positive, is_within_quarter_turn
+from mechproof.record import Slack, list_needs
 
 _POLES = 4
 _EVERYWHERE = (
     *(sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc),
     *(sp.sinh, sp.cosh, sp.tanh, sp.asinh),
 )
+_WHERE_DEFINED = (sp.log, sp.asin, sp.acos, sp.atanh, sp.acosh)
 
 
 def find_break(expression: sp.Basic, variable: sp.Symbol, domain: Domain) -> sp.Basic | None:
@@ -48,31 +46,16 @@ def has_pole(node: sp.Basic, variable: sp.Symbol, domain: Domain) -> bool:
 def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
     if node.is_Symbol or isinstance(node, (sp.Add, sp.Mul, *_EVERYWHERE)):
         return True
-    if isinstance(node, sp.Pow):
-        return _is_continuous_power(node, domain)
+    if isinstance(node, sp.Pow) and node.exp.is_Integer:
+        sign = None if node.exp > 0 else find_sign_there(node.base, domain)
+        return bool(node.exp > 0) or (sign is not None and sign.strict)
     if isinstance(node, sp.tan):
         return is_within_quarter_turn(node.args[0], domain)
     if isinstance(node, sp.atan2):
-        return is_positive(node.args[1], domain)
-    if isinstance(node, sp.log):
-        return is_positive(node.args[0], domain)
-    if isinstance(node, sp.asin | sp.acos):
-        return all(is_nonnegative(1 + k * node.args[0], domain) for k in (1, -1))
-    if isinstance(node, sp.atanh):
-        return all(is_positive(1 + k * node.args[0], domain) for k in (1, -1))
-    if isinstance(node, sp.acosh):
-        return is_nonnegative(node.args[0] - 1, domain)
+        return is_shown_there(Slack(node.args[1], True), domain)
+    if isinstance(node, _WHERE_DEFINED) or (isinstance(node, sp.Pow) and node.exp.is_Rational):
+        return all(is_shown_there(need, domain) for need in list_needs(node))
     return False
-
-
-def _is_continuous_power(node: sp.Pow, domain: Domain) -> bool:
-    if not node.exp.is_Rational:
-        return False
-    if node.exp.is_Integer:
-        return bool(node.exp > 0) or is_nonzero(node.base, domain)
-    return is_positive(node.base, domain) or (
-        bool(node.exp > 0) and is_nonnegative(node.base, domain)
-    )
 
 
 def _find_break_of_integral(
@@ -84,9 +67,7 @@ def _find_break_of_integral(
             found = find_break(limit, variable, domain)
             if found is not None:
                 return found
-        within = {**domain.within, bound: _range_between(limits, domain)}
-        where = tuple(r for r in domain.where if bound not in r.free_symbols)
-        between = Domain(within, where, domain.given)
+        between = domain.with_set(bound, _range_between(limits, domain))
         for moving in (bound, variable):
             found = find_break(node.function, moving, between)
             if found is not None:

@@ -9,6 +9,9 @@ import sympy as sp
 from mechproof.proof.normal_form import reduce_polynomial, split
 from mechproof.proof.set_values import COUNTS
 
+ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
+
 
 @dataclass
 class Coordinates:
@@ -113,3 +116,9 @@ def list_angles(expression: sp.Expr) -> list[sp.Expr]:
     """List the arguments of sines, cosines and tangents."""
     found = {node.args[0] for node in expression.atoms(sp.sin, sp.cos, sp.tan)}
     return sorted(found, key=sp.default_sort_key)
+
+
+def list_terms(expression: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
+    """Write an expression as a sum of rational multiples of monomials."""
+    terms = (t.as_coeff_Mul(rational=True) for t in sp.Add.make_args(sp.expand(expression)))
+    return [(monomial, factor) for factor, monomial in terms]

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.cases import narrow
 from mechproof.proof.domain import Domain
+from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_shown
 from mechproof.proof.sums import canonicalise
-from mechproof.record import Slack, list_needs, list_partial
+from mechproof.record import DerivativeWhere, Slack, list_needs, list_partial
 
 
 def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
@@ -18,6 +20,38 @@ def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
     parts = list_partial(domain.resolve(expression))
     needs = dict.fromkeys(need for node in parts for need in list_needs(node))
     return [need for need in needs if not _is_shown(need, domain)]
+
+
+def list_necessary(expression: sp.Basic) -> list[Slack]:
+    """List what roots, logarithms and so on need, without which they have no value anywhere.
+
+    A power of a negative number has values where a symbol in its exponent makes that whole.
+    """
+    nodes = (node for node in list_partial(expression) if not _has_values_between(node))
+    return list(dict.fromkeys(need for node in nodes for need in list_needs(node)))
+
+
+def _has_values_between(node: sp.Basic) -> bool:
+    return isinstance(node, sp.Pow) and bool(node.exp.free_symbols)
+
+
+def list_needed(expression: sp.Basic) -> list[Slack]:
+    """List what functions need to have values whose derivatives are said to have them there."""
+    nodes = sorted(expression.atoms(DerivativeWhere), key=sp.default_sort_key)
+    return list(dict.fromkeys(need for node in nodes for need in list_necessary(node.args[1])))
+
+
+def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:
+    """Return the part of a domain on which needs are met, None where there is none."""
+    for number, strict in needs:
+        relation = sp.Gt(number, 0) if strict else sp.Ge(number, 0)
+        if relation == sp.true:
+            continue
+        part = narrow(domain, relation)
+        if part is None:
+            return None
+        domain = part
+    return domain
 
 
 def tell(need: Slack) -> str:
@@ -58,7 +92,8 @@ def _is_shown(need: Slack, domain: Domain) -> bool:
     number, strict = need
     if not strict and number.has(sp.Sum) and find_sign(number, domain) is None:
         return _adds_squares(number, domain)
-    return is_shown(need, domain)
+    # Half angles of more than one variable take too long for what they say.
+    return (is_shown_there if len(number.free_symbols) == 1 else is_shown)(need, domain)
 
 
 def _adds_squares(number: sp.Expr, domain: Domain) -> bool:

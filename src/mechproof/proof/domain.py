@@ -104,6 +104,11 @@ class Domain:
         base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
         return self.within.get(base, sp.S.Reals)
 
+    def with_set(self, symbol: sp.Basic, values: sp.Set) -> Domain:
+        """Return the domain on which a symbol of no relation has this set."""
+        where = tuple(relation for relation in self.where if symbol not in relation.free_symbols)
+        return replace(self, within={**self.within, symbol: values}, where=where)
+
     def allows(self, point: Point) -> bool:
         """Return whether no set and no relation that the point decides excludes it."""
         relations = [r for r in self.where if find_free(r) <= point.keys()]

@@ -11,7 +11,8 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.inverses import decide_by_inverse
+from mechproof.proof.powers import decide_by_logarithms, is_analytic, split_powers
 from mechproof.proof.preparation import prepare
 from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
@@ -29,8 +30,8 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
 
 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
-    """Return the symbols up to which sums run from an integer, each term once."""
-    sums = difference.atoms(sp.Sum)
+    """Return the symbols up to which sums and products run from an integer, each term once."""
+    sums = difference.atoms(sp.Sum, sp.Product)
     ends = {total.limits[0][2].as_coeff_Add()[1] for total in sums if _is_plain(total)}
     counts = {end for end in ends if end.is_Symbol and end.is_positive and end.is_integer}
     return {n for n in counts if all(_is_plain(total) for total in sums if total.has(n))}
@@ -56,18 +57,29 @@ def _begins(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
 def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
     """Tell whether the step from n to n + 1 adds nothing to the difference."""
     last = {
-        total: sp.Sum(total.function, total.limits[0])
-        + total.function.subs(total.limits[0][0], total.limits[0][2] + 1)
-        for total in difference.atoms(sp.Sum)
+        total: total.function.subs(total.limits[0][0], total.limits[0][2] + 1)
+        for total in difference.atoms(sp.Sum, sp.Product)
         if total.has(count)
     }
     kept = {total: sp.Dummy() for total in last}
     before = difference.xreplace(kept)
-    after = {kept[total]: kept[total] + more - total for total, more in last.items()}
-    step = before.subs(count, count + 1).xreplace(after) - before
-    return _vanishes(step, domain)
+    after = {
+        kept[total]: kept[total] * more if isinstance(total, sp.Product) else kept[total] + more
+        for total, more in last.items()
+    }
+    following = before.subs(count, count + 1).xreplace(after)
+    products = [kept[total] for total in last if isinstance(total, sp.Product)]
+    if not products:
+        return _vanishes(following - before, domain)
+    # What a product is for n follows from the difference, which is taken to vanish there.
+    slope = before.diff(*products)
+    if len(products) > 1 or slope.has(count, *kept.values()) or not is_analytic(slope):
+        return False
+    following = following.subs(products[0], products[0] - before / slope)
+    return _vanishes(sp.expand(following * slope), domain)
 
 
 def _vanishes(value: sp.Expr, domain: Domain) -> bool:
-    value = prepare(value)
-    return any(rung(value, sp.S.Zero, domain) for rung in (decide_equal, decide_by_logarithms))
+    value = split_powers(prepare(value))
+    rungs = (decide_equal, decide_by_logarithms, decide_by_inverse)
+    return any(rung(value, sp.S.Zero, domain) for rung in rungs)

@@ -1,27 +1,39 @@
-"""Rung: a definite integral between numbers has the value that an antiderivative gives.
+"""Rung: a definite integral has the value that an antiderivative gives.
 
 SymPy only proposes the antiderivative. It counts if its derivative is proved to be the integrand
 inside the limits and both are continuous up to them: the fundamental theorem of calculus. One by
 tan(x/2) jumps at odd multiples of pi; its arctangent is written without a jump (Jeffrey 1993).
+An improper integral has the value of the limits at its ends, where these are shown.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import replace
+from itertools import pairwise
+from typing import Any
 
 import sympy as sp
 from sympy.integrals.manualintegrate import manualintegrate
+from sympy.integrals.rationaltools import ratint
 from sympy.polys.polyerrors import PolynomialError
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.domain import Domain
+from mechproof.proof.growth import find_limit
+from mechproof.proof.half_angles import find_sign_there
+from mechproof.proof.refutation import compare
+from mechproof.proof.signs import is_positive
+from mechproof.record.parts import find_bound, find_parts
 
 RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.
 _LARGEST = 60
+_MOST_ZEROS = 12
+# Points at which sides are compared first, and the bits of their balls.
+_TRIED = 2
+_PRECISION = (64,)
 _TANGENT = sp.Dummy("t", real=True)
 
 
@@ -30,7 +42,9 @@ def decide_by_antiderivative(
 ) -> str | None:
     """Return the rungs if left = right is proved with the values of integrals, else None."""
     sides = (domain.resolve(left), domain.resolve(right))
-    integrals = sorted({i for side in sides for i in side.atoms(sp.Integral)}, key=str)
+    integrals = _list_free(*sides)
+    if not integrals or _are_seen_to_differ(sides, domain):
+        return None
     values = {integral: _find_value(integral, domain) for integral in integrals}
     known = {integral: value for integral, value in values.items() if value is not None}
     if not known:
@@ -39,50 +53,232 @@ def decide_by_antiderivative(
     return f"{RUNG}, {rest}" if rest else None
 
 
+def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
+    """Compare sides at a few points, which takes less than to look for antiderivatives."""
+    with suppress(NotImplementedError):
+        return compare(*sides, domain, _TRIED, _PRECISION).counterexample is not None
+    return False
+
+
+def settle_improper(expression: Any, domain: Domain) -> Any:
+    """Put the values of improper integrals in their places, as far as they are shown."""
+    improper = filter(_is_improper, _list_free(expression))
+    values = ((node, _find_value(node, domain)) for node in improper)
+    return expression.xreplace({node: value for node, value in values if value is not None})
+
+
+def _list_free(*sides: Any) -> list[sp.Integral]:
+    """List the integrals of which no symbol is bound, here or elsewhere in the sides."""
+    bound = {symbol for side in sides for symbol in find_bound(side)}
+    found = {node for side in sides for node in find_parts(side, sp.Integral)}
+    return sorted((node for node in found if not node.free_symbols & bound), key=str)
+
+
+def _is_improper(integral: sp.Integral) -> bool:
+    """Tell whether a limit is infinite or the integrand seen to have no value there."""
+    (variable, *limits), *others = integral.limits
+    if others or len(limits) != 2:
+        return False
+    there = (integral.function.subs(variable, limit) for limit in limits)
+    return any(limit.is_infinite for limit in limits) or any(
+        value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there
+    )
+
+
 def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     integrand, (variable, *limits) = integral.function, integral.limits[0]
-    are_numbers = len(limits) == 2 and all(x.is_number and x.is_finite for x in limits)
-    if len(integral.limits) > 1 or not are_numbers or integrand.count_ops() > _LARGEST:
+    if len(integral.limits) > 1 or len(limits) != 2 or integrand.count_ops() > _LARGEST:
+        return None
+    if integrand.has(sp.Integral, sp.Sum):
         return None
     lower, upper = limits
-    if (lower < upper) != sp.true:
+    if lower == upper:
         return None
-    closed = _run(domain, variable, sp.Interval(lower, upper))
-    if find_break(integrand, variable, closed) is not None:
+    if (lower > upper) == sp.true:
+        turned = _find_value(sp.Integral(integrand, (variable, upper, lower)), domain)
+        return None if turned is None else -turned
+    if integrand.has(sp.Abs):
+        return _find_value_by_signs(integrand, variable, lower, upper, domain)
+    return _find_by_antiderivative(integrand, variable, lower, upper, domain)
+
+
+def _find_by_antiderivative(
+    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
+) -> sp.Expr | None:
+    """Return the difference of an antiderivative, of its limits where it has no values itself."""
+    place, run = _parametrise(variable, lower, upper)
+    inside = domain.with_set(variable, run.interior)
+    slope = sp.diff(place, variable)
+    running = _put(integrand, variable, place)
+    if find_break(running, variable, inside) is not None:
         return None
-    within = _run(domain, variable, sp.Interval.open(lower, upper))
-    for candidate in _propose(integrand, variable):
-        if find_break(candidate, variable, closed) is None and decide_equal(
-            sp.diff(candidate, variable), integrand, within
-        ):
-            return candidate.subs(variable, upper) - candidate.subs(variable, lower)
+    for candidate in _propose(integrand, variable, domain):
+        moved = _put(candidate, variable, place)
+        if find_break(moved, variable, inside) is not None:
+            continue
+        if decide_equal(sp.diff(moved, variable), running * slope, inside) is None:
+            continue
+        low, high = (_find_end(moved, variable, end, run, domain) for end in (run.start, run.end))
+        if low is not None and high is not None:
+            return high - low
     return None
 
 
-def _run(domain: Domain, variable: sp.Symbol, values: sp.Interval) -> Domain:
-    where = tuple(r for r in domain.where if variable not in r.free_symbols)
-    return replace(domain, within={**domain.within, variable: values}, where=where)
+def _parametrise(
+    variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
+) -> tuple[sp.Expr, sp.Interval]:
+    """Return the variable by one that runs between numbers, and where that runs."""
+    if lower.is_number and upper.is_number:
+        return variable, sp.Interval(lower, upper)
+    if upper.is_infinite:
+        return lower + variable, sp.Interval(0, sp.oo)
+    if lower.is_infinite:
+        return upper + variable, sp.Interval(-sp.oo, 0)
+    return lower + (upper - lower) * variable, sp.Interval(0, 1)
 
 
-def _propose(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+def _put(expression: sp.Expr, variable: sp.Symbol, place: sp.Expr) -> sp.Expr:
+    return expression if place == variable else expression.subs(variable, place)
+
+
+def _find_end(
+    candidate: sp.Expr, variable: sp.Symbol, end: sp.Expr, run: sp.Interval, domain: Domain
+) -> sp.Expr | None:
+    """Return the value that an antiderivative comes to at an end, None if it is not shown."""
+    if end.is_finite:
+        near = sp.Interval(run.start, run.end, end != run.start, end != run.end)
+        if find_break(candidate, variable, domain.with_set(variable, near)) is None:
+            return candidate.subs(variable, end)
+    limit = find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
+    return None if limit is None or limit.is_infinite else limit
+
+
+def _find_value_by_signs(
+    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
+) -> sp.Expr | None:
+    """Cut an integral between numbers where what stands in a modulus is zero."""
+    modulus = max(integrand.atoms(sp.Abs), key=lambda node: (node.count_ops(), str(node)))
+    (inner,) = modulus.args
+    if not (lower.is_number and upper.is_number):
+        return None
+    cuts = [lower, *_list_zeros(inner, variable, lower, upper), upper]
+    total = sp.S.Zero
+    for start, end in pairwise(cuts):
+        sign = find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
+        if sign is None:
+            return None
+        part = integrand.xreplace({modulus: sign.direction * inner})
+        value = _find_value(sp.Integral(part, (variable, start, end)), domain)
+        if value is None:
+            return None
+        total += value
+    return total
+
+
+def _list_zeros(
+    inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
+) -> list[sp.Expr]:
+    """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.
+
+    Where one is missed, no sign is shown beside it.
+    """
+    inside = sp.Interval.open(lower, upper)
+    found: list[sp.Expr] = []
+    if inner.is_polynomial(variable) and inner.free_symbols == {variable}:
+        found = list(dict.fromkeys(sp.Poly(inner, variable).real_roots()))
+    elif isinstance(inner, sp.sin | sp.cos) and lower.is_finite and upper.is_finite:
+        slope = sp.diff(inner.args[0], variable)
+        if slope.is_Rational and slope != 0:
+            start = inner.args[0].subs(variable, 0)
+            shift = sp.pi / 2 if isinstance(inner, sp.cos) else sp.S.Zero
+            found = [(sp.pi * k + shift - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS)]
+    return sorted((z for z in found if inside.contains(z) == sp.true), key=sp.N)
+
+
+def _propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
+    """Propose antiderivatives; SymPy is told which parameters are positive, and decides nothing."""
+    told = {
+        s: sp.Dummy(s.name, positive=True)
+        for s in sorted(integrand.free_symbols - {variable}, key=str)
+        if is_positive(s, domain)
+    }
+    back = {dummy: symbol for symbol, dummy in told.items()}
+    met: set[sp.Expr] = set()
+    for known in dict.fromkeys((integrand.xreplace(told), integrand)):
+        for proposed in _propose_any(known, variable):
+            for candidate in _turn_logarithms(proposed.xreplace(back)):
+                if candidate not in met:
+                    met.add(candidate)
+                    yield candidate
+
+
+def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
+    """Yield an antiderivative with ln u, and with ln(-u) for where u is negative."""
+    yield candidate
+    logarithms = sorted(candidate.atoms(sp.log), key=sp.default_sort_key)
+    turned = {node: sp.log(-node.args[0]) for node in logarithms if node.args[0].free_symbols}
+    if turned:
+        yield candidate.xreplace(turned)
+        yield from (candidate.xreplace({node: turned[node]}) for node in turned)
+
+
+def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     found = manualintegrate(integrand, variable)
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
-    with suppress(PolynomialError, NotImplementedError):
-        yield from _propose_by_half_angle(integrand, variable)
+    for propose in (_propose_by_half_angle, _propose_by_tangent, _propose_by_fractions):
+        with suppress(PolynomialError, NotImplementedError):
+            yield from propose(integrand, variable)
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in the sine and cosine of the variable by t = tan(x/2)."""
+    """Integrate what is rational in the sine and cosine of the variable by t = tan(x/2).
+
+    With sines, x is also counted from a quarter turn: of a + b*sin(x) the angle then stays small.
+    """
     t = _TANGENT
     circle = {sp.sin(variable): 2 * t / (1 + t**2), sp.cos(variable): (1 - t**2) / (1 + t**2)}
-    rational = sp.together(sp.expand_trig(integrand).xreplace(circle) * 2 / (1 + t**2))
+    for shift in (sp.S.Zero, sp.pi / 2) if integrand.has(sp.sin) else (sp.S.Zero,):
+        turned = sp.expand_trig(integrand.subs(variable, variable + shift))
+        rational = turned.xreplace(circle) * 2 / (1 + t**2)
+        for found in _propose_by_slope(rational, variable, variable):
+            yield found.subs(variable, variable - shift)
+
+
+def _propose_by_tangent(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate by t = tan x what a half turn does not change."""
+    t, c, s = _TANGENT, sp.Dummy("c"), sp.Dummy("s")
+    written = sp.expand_trig(integrand).xreplace({sp.sin(variable): s, sp.cos(variable): c})
+    tangent = sp.cancel(sp.together(written.subs(s, t * c)))
+    above, below = (sp.Poly(part, c) for part in sp.fraction(tangent))
+    powers = [m[0] for polynomial in (above, below) for m in polynomial.monoms()]
+    if any((power - powers[0]) % 2 for power in powers):
+        return
+    rational = tangent.subs(c, 1 / sp.sqrt(1 + t**2)) / (1 + t**2)
+    yield from _propose_by_slope(rational, 2 * variable, variable)
+
+
+def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate what is rational in t, the tangent of half an angle."""
+    t = _TANGENT
+    rational = sp.together(rational)
     if rational.has(variable):
         return
     found = manualintegrate(sp.apart(sp.cancel(rational), t), t)
     if not found.has(sp.Integral):
-        turned = found.replace(sp.atan, lambda slope: _turn(slope, variable))
-        yield from _list_pieces(turned.subs(t, sp.tan(variable / 2)))
+        turned = found.replace(sp.atan, lambda slope: _turn(slope, double))
+        yield from _list_pieces(turned.subs(t, sp.sin(double) / (1 + sp.cos(double))))
+
+
+def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors."""
+    if not integrand.is_rational_function(variable):
+        return
+    found = manualintegrate(sp.apart(integrand, variable), variable)
+    if not found.has(sp.Integral):
+        yield from _list_pieces(found)
+    if integrand.free_symbols == {variable}:
+        yield ratint(integrand, variable, real=True)
 
 
 def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
@@ -95,7 +291,7 @@ def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
         yield from _list_pieces(candidate.xreplace({node: value}))
 
 
-def _turn(slope: sp.Expr, variable: sp.Symbol) -> sp.Expr:
+def _turn(slope: sp.Expr, variable: sp.Expr) -> sp.Expr:
     """Write atan(a*t + b), t = tan(x/2), as x/2 and an angle that does not jump."""
     slope = sp.expand(slope)
     a, b = slope.coeff(_TANGENT, 1), slope.coeff(_TANGENT, 0)

@@ -10,18 +10,15 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof import bisection, newton, taylor
-from mechproof.proof.algebra import decide_equal, explain_unequal
-from mechproof.proof.antiderivative import decide_by_derivative, explain_break
-from mechproof.proof.bisection import holds_on_interval
-from mechproof.proof.cases import decide_by_pieces, decide_by_values, write_pieces
-from mechproof.proof.definedness import list_unshown, need_the_same, tell
+from mechproof.proof import newton
+from mechproof.proof.algebra import explain_unequal
+from mechproof.proof.antiderivative import explain_break
+from mechproof.proof.definedness import list_needed, list_unshown, narrow_to, need_the_same, tell
 from mechproof.proof.domain import Domain
-from mechproof.proof.induction import decide_by_induction
-from mechproof.proof.integrals import decide_by_antiderivative
+from mechproof.proof.equalities import prove_equal, prove_where_defined
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.limits import settle_limits
-from mechproof.proof.powers import decide_by_logarithms
-from mechproof.proof.preparation import prepare, take_values
+from mechproof.proof.preparation import take_values
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.refutation import (
     POINTS,
@@ -31,9 +28,7 @@ from mechproof.proof.refutation import (
     find_unlike,
     find_violation,
 )
-from mechproof.proof.signs import is_nonzero, is_shown
-from mechproof.proof.taylor import holds_near_zero
-from mechproof.proof.vector_angles import decide_by_argument
+from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import show_plainly
 from mechproof.record import (
@@ -41,6 +36,7 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Definition,
+    DerivativeWhere,
     Distinct,
     Equality,
     Holds,
@@ -52,19 +48,9 @@ from mechproof.record import (
 )
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.relations import find_slack
-from mechproof.record.substitution import substitute, write_steps
+from mechproof.record.substitution import substitute
 
-IDENTICAL = "identical"
-SIGN = "sign in positive coordinates"
 UNCOMPARED = "nothing to compare with"
-# The rungs of two scalars, cheapest first.
-_EQUAL = (
-    decide_equal,
-    decide_by_argument,
-    decide_by_derivative,
-    decide_by_logarithms,
-    decide_by_induction,
-)
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 # Characters of an expression that a reason names.
@@ -99,7 +85,11 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
-    printed, rebuilt = (settle_limits(domain.resolve(s), domain) for s in (printed, rebuilt))
+    sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
+    printed, rebuilt = (settle_improper(side, domain) for side in sides)
+    if [printed, rebuilt] != sides:
+        answer = _decide_sides(printed, rebuilt, domain)
+        return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", _clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
@@ -138,17 +128,15 @@ def _tell_all(failed: Mapping[str, Answer], rung: str = "") -> Answer:
 
 
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
-    rung = _prove_equal(printed, rebuilt, domain)
-    if rung:
-        sides = (printed, rebuilt)
-        needs = [list_unshown(side, domain) for side in sides]
-        needed = _tell_needs(needs)
-        undefined = _find_break(sides, needs, domain)
-        if undefined:
-            reason = f"both sides agree where both are defined, which fails at {undefined}"
-            return Answer(Verdict.UNDECIDED, rung, reason)
-        where = f"where {needed}" if needed else "wherever they are defined"
-        return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
+    sides = printed, rebuilt
+    if rung := prove_equal(printed, rebuilt, domain):
+        return _report_equal(sides, domain, rung)
+    if rung := prove_where_defined(printed, rebuilt, domain):
+        if not any(side.has(sp.Integral, sp.Sum, sp.Product) for side in sides):
+            return _report_equal(sides, domain, rung)
+        needed = _tell_needs([list_unshown(side, domain) for side in sides])
+        reason = f"both sides agree where {needed}, which is not said"
+        return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
@@ -157,29 +145,25 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     return _report_unproved(comparison, why)
 
 
+def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> Answer:
+    """Answer for sides that are equal where both have values: PROVED if they have them alike."""
+    needs = [list_unshown(side, domain) for side in sides]
+    needed = _tell_needs(needs)
+    if any(side.has(DerivativeWhere) for side in sides):
+        domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
+    undefined = _find_break(sides, needs, domain)
+    if undefined:
+        reason = f"both sides agree where both are defined, which fails at {undefined}"
+        unsaid = f"; what is not said: {needed}" if needed else ""
+        return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
+    where = f"where {needed}" if needed else "wherever they are defined"
+    return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
+
+
 def _tell_needs(needs: Sequence[list[Slack]]) -> str:
     """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
     told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
     return told if len(told) <= _LONGEST else "every root and logarithm has a real value"
-
-
-def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
-    printed, rebuilt = (write_steps(take_values(side)) for side in (printed, rebuilt))
-    if printed == rebuilt:
-        return IDENTICAL
-    if printed.has(sp.Piecewise) or rebuilt.has(sp.Piecewise):
-        return decide_by_pieces((printed, rebuilt), domain, _prove_equal)
-    printed, rebuilt = prepare(printed), prepare(rebuilt)
-    found = next(filter(None, (rung(printed, rebuilt, domain) for rung in _EQUAL)), None)
-    found = found or decide_by_antiderivative(printed, rebuilt, domain, _prove_equal)
-    found = found or decide_by_values((printed, rebuilt), domain, _prove_equal)
-    return found or _prove_by_cases((printed, rebuilt), domain)
-
-
-def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
-    """Prove sides equal for each sign of what stands in moduli."""
-    one, other = map(write_pieces, sides)
-    return None if (one, other) == tuple(sides) else _prove_equal(one, other, domain)
 
 
 def _find_break(
@@ -235,7 +219,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
         return _decide_sides(relation.lhs, relation.rhs, domain)
-    rung = _prove_relation(take_values(relation), domain)
+    rung = prove_relation(take_values(relation), domain)
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
@@ -289,37 +273,6 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     printed, rebuilt = enclosed if holds is False else ("", "")
     evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
     return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
-
-
-def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
-    if newton.converges(relation, domain):
-        return newton.RUNG
-    if holds_near_zero(relation, domain):
-        return taylor.RUNG
-    if holds_on_interval(relation, domain):
-        return bisection.RUNG
-    return SIGN if _holds_by_sign(relation, domain) else _hold_by_cases(relation, domain)
-
-
-def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
-    """Prove an inequality for each sign of what stands in moduli."""
-    slack = find_slack(relation)
-    if slack is None or (written := write_pieces(slack.value)) == slack.value:
-        return None
-
-    def prove(value: sp.Expr, zero: sp.Expr, part: Domain) -> str | None:
-        if value.has(sp.Piecewise):
-            return decide_by_pieces((value, zero), part, prove)
-        return SIGN if is_shown(slack._replace(value=value), part) else None
-
-    return prove(written, sp.S.Zero, domain)
-
-
-def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
-    if isinstance(relation, sp.Unequality):
-        return is_nonzero(relation.lhs - relation.rhs, domain)
-    slack = find_slack(relation)
-    return slack is not None and is_shown(slack, domain)
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:

@@ -12,8 +12,8 @@ from types import MappingProxyType
 
 from mechproof.notebook import Displayed
 from mechproof.proof.cards import make_card
+from mechproof.proof.equalities import IDENTICAL
 from mechproof.proof.findings import LedgerFinding
-from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper

@@ -1,7 +1,8 @@
 """Limits that are worked out: by continuity, or by as many derivatives as both parts vanish.
 
-Only functions that are smooth about the point are taken, so the value is the limit from either
-side. What is not shown so stays a limit, of which nothing is proved and nothing refuted.
+Functions that are smooth about the point have the value as the limit from either side; others are
+looked at from each side that is meant and where they have values, by how fast their parts grow
+(`growth`). What is not shown so stays a limit, of which nothing is proved and nothing refuted.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
+from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record.parts import find_parts
 
@@ -27,7 +29,33 @@ def settle_limits(expression: Any, domain: Domain) -> Any:
 
 
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
-    body, variable, point, _ = limit.args
+    body, variable, point, direction = limit.args
+    value = _find_smooth(body, variable, point, domain)
+    if value is not None:
+        return value
+    return _find_from_sides(body, variable, point, str(direction), domain)
+
+
+def _find_from_sides(
+    body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
+) -> sp.Expr | None:
+    """Return the one limit that is shown from every side that is meant and has values."""
+    sides = (1, -1) if direction == "+-" and point.is_finite else (-1 if direction == "-" else 1,)
+    defined = {side: is_defined_near(body, variable, point, side, domain) for side in sides}
+    if None in defined.values() or True not in defined.values():
+        return None
+    first, *others = (
+        find_limit(body, variable, point, side, domain) for side in sides if defined[side]
+    )
+    if first is None or first.is_infinite:
+        return None
+    are_same = all(o is not None and decide_equal(first, o, domain) for o in others)
+    return first if are_same else None
+
+
+def _find_smooth(
+    body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain
+) -> sp.Expr | None:
     if point.is_infinite:
         # The way to infinity is that of the reciprocal to zero.
         body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero

@@ -30,6 +30,10 @@ class StrictSign:
         """Return the sign of a product."""
         return StrictSign(self.direction * other.direction, self.strict and other.strict)
 
+    def is_above(self, strict: bool) -> bool:
+        """Tell whether it says that a number is positive, or not negative if not strictly meant."""
+        return self.direction > 0 and (self.strict or not strict)
+
 
 def sign_of_number(number: sp.Expr) -> StrictSign | None:
     """Return the sign of a number, None where its ball holds zero."""
@@ -129,7 +133,9 @@ def _sign_of_mixed_terms(
     polynomial: sp.Poly, positive: set[sp.Basic], nonnegative: set[sp.Basic]
 ) -> StrictSign | None:
     if len(polynomial.gens) == 1:
-        return _sign_by_sturm(polynomial, positive | nonnegative)
+        sign = _sign_by_sturm(polynomial, positive | nonnegative)
+        if sign or polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
+            return sign
     found = (_sign_by_discriminant(polynomial, s, positive, nonnegative) for s in polynomial.gens)
     return next(filter(None, found), None)
 

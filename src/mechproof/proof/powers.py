@@ -13,6 +13,10 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_positive
 
 RUNG = "logarithms and powers"
+_JUMPING = (
+    *(sp.sign, sp.floor, sp.ceiling, sp.Heaviside, sp.Mod, sp.atan2),
+    *(sp.KroneckerDelta, sp.Piecewise),
+)
 
 
 def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
@@ -22,6 +26,66 @@ def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
     if (one, other) == (left, right):
         return None
     return RUNG if decide_equal(one, other, domain) else None
+
+
+def split_powers(expression: sp.Expr) -> sp.Expr:
+    """Write b**(k*n + m), n a whole number, by powers of b**n, wherever b is not zero.
+
+    Where it is zero both sides of an identity go on as they are near it: b is zero on no interval,
+    and nothing jumps there.
+    """
+    if expression.has(*_JUMPING):
+        return expression
+    names: dict[tuple[sp.Expr, sp.Expr], sp.Symbol] = {}
+    return expression.replace(
+        lambda node: isinstance(node, sp.Pow) and _is_count(node.exp) and is_analytic(node.base),
+        lambda node: _split_power(node.base, node.exp, names),
+    )
+
+
+def is_analytic(expression: sp.Expr) -> bool:
+    """Tell whether an expression, unless it is zero itself, is zero on no interval."""
+    roots = (power for power in expression.atoms(sp.Pow) if not power.exp.is_integer)
+    return not expression.has(*_JUMPING, sp.Abs, sp.Max, sp.Min) and not any(
+        root.base.free_symbols for root in roots
+    )
+
+
+def _is_count(exponent: sp.Expr) -> bool:
+    return not exponent.is_Integer and bool(exponent.is_integer)
+
+
+def _split_power(
+    base: sp.Expr, exponent: sp.Expr, names: dict[tuple[sp.Expr, sp.Expr], sp.Symbol]
+) -> sp.Expr:
+    result = sp.S.One
+    for term in sp.Add.make_args(sp.expand(exponent)):
+        times, rest = term.as_coeff_Mul(rational=True)
+        if not times.is_Integer:
+            return sp.Pow(base, exponent)
+        for factor, power in _list_factors(base):
+            if rest == 1:
+                result *= factor ** (power * times)
+            elif factor == -1:
+                result *= names.setdefault((factor, rest), sp.Dummy("sign")) ** (times % 2)
+            else:
+                name = names.setdefault((factor, rest), sp.Dummy("power", real=True))
+                result *= name ** (power * times)
+    return result
+
+
+def _list_factors(base: sp.Expr) -> list[tuple[sp.Expr, int]]:
+    """List factors with whole powers, numbers by their primes."""
+    found: list[tuple[sp.Expr, int]] = []
+    for factor in sp.Mul.make_args(base):
+        if factor.is_Rational:
+            primes = sp.factorrat(factor).items()
+            found += [(sp.Integer(prime), int(power)) for prime, power in primes]
+        elif isinstance(factor, sp.Pow) and factor.exp.is_Integer:
+            found.append((factor.base, int(factor.exp)))
+        else:
+            found.append((factor, 1))
+    return found
 
 
 def _write(node: sp.Expr, domain: Domain) -> sp.Expr:

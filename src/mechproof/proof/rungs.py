@@ -20,7 +20,8 @@ RUNGS = {
     "and to be continuous up to both limits",
     "logarithms and powers": "both sides are the same once powers of positive bases are written as "
     "exponentials and logarithms of products as sums",
-    "induction": "both sides are equal for one term, and each further term adds the same to both",
+    "induction": "both sides are equal for one term, and each further term adds the same to both, "
+    "or multiplies both by the same",
     "sign in positive coordinates": "an inequality whose sign is read from the coefficients after "
     "a change to coordinates that are positive exactly on the domain",
     "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
@@ -31,6 +32,22 @@ RUNGS = {
     "Newton's method in balls": "a bracket has one root for all sizes, and Newton's steps from the "
     "start end within the bound of it: shown on parts of the domain, by the signs at the ends, the "
     "sign of the derivative, and Kantorovich's bound",
+    "inverse function: value and range": "an inverse function has the value at which what it is "
+    "inverse to gives its argument, if that lies in its range",
+    "sum of angles within a turn": "inverse sines, cosines and tangents add up to an angle that "
+    "lies within a turn and points along the first axis",
+    "product under one logarithm": "logarithms add up to nothing, for the product of their "
+    "arguments is one",
+    "square of a root and its sign": "a side has the sign of a root, and its square is that of it",
+    "squares of roots and moduli": "an inequality, by those of the squares of what has a sign",
+    "signs in half-angle tangents": "an inequality in the tangents of half angles and in "
+    "exponentials, on the intervals in which these lie",
+    "every order of the numbers": "an inequality, by the coefficients for every order of the "
+    "numbers, each written as the one below and a gap",
+    "monotonicity": "an inequality that holds at one place, from which the difference of its sides "
+    "grows, or at both ends of an interval on which it is concave",
+    "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
+    "telescope, which is checked as an identity of fractions",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",

@@ -8,6 +8,7 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 from mechproof.record.dimensions import ANGLE, FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Power
 from mechproof.record.exactness import RecordError
 from mechproof.record.expressions import (
+    DerivativeWhere,
     FunctionWithoutArgument,
     IntegralWithoutDifferential,
     ValueWhere,
@@ -77,6 +78,7 @@ __all__ = [
     "Cost",
     "Datum",
     "Definition",
+    "DerivativeWhere",
     "Derived",
     "Dimension",
     "Distinct",

@@ -12,7 +12,7 @@ class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
 
 
 class ValueWhere(sp.Function):  # type: ignore[misc]
-    """A first value where a second has one too: a derivative has none where the function has none.
+    """A first value where a second has one too, which is printed and cancels.
 
     Both are arguments: the value, and what is needed for it.
     """
@@ -22,6 +22,10 @@ class ValueWhere(sp.Function):  # type: ignore[misc]
         return written
 
     _sympystr = _latex
+
+
+class DerivativeWhere(ValueWhere):
+    """A derivative where the function has values; nothing is said of it elsewhere."""
 
 
 class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]

@@ -10,6 +10,7 @@ from functools import cache, lru_cache
 from typing import Any
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 
 # Statements are asked one after another: few are at work at once.
@@ -63,3 +64,13 @@ def _has_those_of_its_parts(kind: type[sp.Basic]) -> bool:
     """Tell whether SymPy has no other rule for a class; some metaclasses hide the attribute."""
     rules = (vars(base)["free_symbols"] for base in kind.__mro__ if "free_symbols" in vars(base))
     return next(rules) is sp.Basic.free_symbols
+
+
+def find_bound(expression: sp.Basic) -> set[sp.Symbol]:
+    """Return the symbols that sums, products, integrals and limits bind."""
+    nodes = find_parts(expression, ExprWithLimits, sp.Limit)
+    return {
+        symbol
+        for node in nodes
+        for symbol in ([node.args[1]] if isinstance(node, sp.Limit) else node.bound_symbols)
+    }

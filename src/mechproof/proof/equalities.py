@@ -1,0 +1,62 @@
+"""Whether two scalars are equal: the rungs that tell, cheapest first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.antiderivative import decide_by_derivative
+from mechproof.proof.cases import decide_by_pieces, decide_by_values, write_pieces
+from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
+from mechproof.proof.domain import Domain
+from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.integrals import decide_by_antiderivative
+from mechproof.proof.inverses import decide_by_inverse
+from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.preparation import prepare, take_values
+from mechproof.proof.telescoping import decide_by_telescoping
+from mechproof.proof.vector_angles import decide_by_argument
+from mechproof.record.substitution import write_steps
+
+IDENTICAL = "identical"
+_FIRST = (
+    decide_equal,
+    decide_by_argument,
+    decide_by_derivative,
+    decide_by_logarithms,
+    decide_by_induction,
+)
+_LAST = (decide_by_inverse, decide_by_telescoping)
+
+
+def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
+    """Return the rungs that prove sides equal wherever both have values, None for none."""
+    printed, rebuilt = (write_steps(take_values(side)) for side in (printed, rebuilt))
+    if printed == rebuilt:
+        return IDENTICAL
+    if printed.has(sp.Piecewise) or rebuilt.has(sp.Piecewise):
+        return decide_by_pieces((printed, rebuilt), domain, prove_equal)
+    printed, rebuilt = prepare(printed), prepare(rebuilt)
+    sides = printed, rebuilt
+    found = next(filter(None, (rung(*sides, domain) for rung in _FIRST)), None)
+    found = found or decide_by_antiderivative(*sides, domain, prove_equal)
+    found = found or decide_by_values(sides, domain, prove_equal)
+    found = found or _prove_by_cases(sides, domain)
+    return found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
+
+
+def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
+    """Prove sides equal where what roots, logarithms and so on of both need is given."""
+    sides = take_values(printed), take_values(rebuilt)
+    necessary = {need for side in sides for need in list_necessary(domain.resolve(side))}
+    unshown = [need for side in sides for need in list_unshown(side, domain)]
+    part = narrow_to(domain, [need for need in unshown if need in necessary])
+    return prove_equal(*sides, part) if part not in (None, domain) else None
+
+
+def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
+    """Prove sides equal for each sign of what stands in moduli."""
+    one, other = map(write_pieces, sides)
+    return None if (one, other) == tuple(sides) else prove_equal(one, other, domain)

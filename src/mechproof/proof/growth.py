@@ -1,0 +1,308 @@
+"""Limits from one side, by how fast parts grow: those that are shown, nothing else.
+
+The variable is written so that it goes to infinity. A product is compared with c*exp(a*y)*y**p*
+(ln y)**q: exponentials beat powers, powers beat logarithms (Hardy, Orders of Infinity, 1910).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+
+import sympy as sp
+
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+from mechproof.record import list_needs, list_partial
+
+_Y = sp.Dummy("y", positive=True)
+# Work limit: parts of parts.
+_DEEPEST = 12
+_HALF_PI = sp.pi / 2
+# The limits at minus and plus infinity of functions that are continuous everywhere.
+_ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
+    sp.atan: (-_HALF_PI, _HALF_PI),
+    sp.exp: (sp.S.Zero, sp.oo),
+    sp.tanh: (-sp.S.One, sp.S.One),
+    sp.erf: (-sp.S.One, sp.S.One),
+    sp.asinh: (-sp.oo, sp.oo),
+    sp.sinh: (-sp.oo, sp.oo),
+    sp.cosh: (sp.oo, sp.oo),
+    sp.Abs: (sp.oo, sp.oo),
+}
+_UNREAD = (sp.nan, sp.zoo, sp.Piecewise, sp.Integral, sp.Sum, sp.Product, sp.Limit)
+_CONTINUOUS = (*_ENDS, sp.sin, sp.cos, sp.asin, sp.acos)
+_BOUNDED = (sp.sin, sp.cos, sp.atan, sp.tanh, sp.asin, sp.acos, sp.erf)
+# Those that are like their argument where it is small.
+_LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
+
+
+@dataclass(frozen=True)
+class _Order:
+    """c*exp(rate*y)*y**power*(ln y)**logs up to a factor that goes to one; bounded c for None."""
+
+    rate: sp.Expr
+    power: sp.Rational
+    logs: sp.Rational
+    factor: sp.Expr | None
+
+    def times(self, other: _Order) -> _Order:
+        """Return the order of a product."""
+        rate, power, logs = (a + b for a, b in zip(self.size, other.size, strict=True))
+        if self.factor is None or other.factor is None:
+            return _Order(rate, power, logs, None)
+        return _Order(rate, power, logs, self.factor * other.factor)
+
+    @property
+    def size(self) -> tuple[sp.Expr, sp.Rational, sp.Rational]:
+        return self.rate, self.power, self.logs
+
+
+def find_limit(
+    expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
+) -> sp.Expr | None:
+    """Return the limit as x comes to a point from above (1) or below (-1), None if not shown."""
+    written = _write_far_out(expression, x, point, side)
+    return None if written.has(*_UNREAD) else _find(written, domain, _DEEPEST)
+
+
+def is_defined_near(
+    expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
+) -> bool | None:
+    """Tell whether roots, logarithms and so on have values near a point; None if not shown."""
+    written = _write_far_out(expression, x, point, side)
+    if written.has(*_UNREAD):
+        return None
+    needs = [need for part in list_partial(written) for need in list_needs(part)]
+    signs = [_find_direction_far_out(need.value, domain) for need in needs]
+    return None if None in signs else -1 not in signs
+
+
+def _write_far_out(expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int) -> sp.Expr:
+    return expression.subs(x, sp.sign(point) * _Y if point.is_infinite else point + side / _Y)
+
+
+def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
+    """Return 1 or -1 for a number that is shown to be above or below zero in the end."""
+    limit = _find(number, domain, _DEEPEST)
+    if limit is None or limit != 0:
+        return None if limit is None else _direction(limit, domain)
+    order = _find_order(number, domain, _DEEPEST)
+    return None if order is None or order.factor is None else _direction(order.factor, domain)
+
+
+def _direction(number: sp.Expr, domain: Domain) -> int | None:
+    """Return 1 or -1 for a number that is shown not to be zero."""
+    if number in (sp.oo, -sp.oo):
+        return 1 if number == sp.oo else -1
+    sign = find_sign(number, domain)
+    return sign.direction if sign is not None and sign.strict else None
+
+
+def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
+    if not node.has(_Y):
+        return node
+    if node == _Y:
+        return sp.oo
+    if depth == 0:
+        return None
+    if isinstance(node, sp.Add):
+        return _find_sum(node, domain, depth - 1)
+    if isinstance(node, _CONTINUOUS):
+        inner = _find(node.args[0], domain, depth - 1)
+        if inner is None:
+            return None
+        if inner.is_infinite:
+            ends = _ENDS.get(type(node))
+            return ends[inner == sp.oo] if ends else None
+        return node.func(inner)
+    if isinstance(node, sp.log):
+        return _find_logarithm(node.args[0], domain, depth - 1)
+    if isinstance(node, sp.Pow) and node.exp.has(_Y):
+        return _find(sp.exp(node.exp * sp.log(node.base)), domain, depth - 1)
+    order = _find_order(node, domain, depth - 1)
+    if order is not None:
+        return _settle(order, domain)
+    return _find_product(node, domain, depth - 1) if isinstance(node, sp.Mul) else None
+
+
+def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
+    """Return the product of limits that are no infinities."""
+    limits = [_find(factor, domain, depth) for factor in node.args]
+    are_known = all(limit is not None and not limit.is_infinite for limit in limits)
+    return sp.Mul(*limits) if are_known else None
+
+
+def _settle(order: _Order, domain: Domain) -> sp.Expr | None:
+    for grade in order.size:
+        if grade == 0:
+            continue
+        way = _direction(grade, domain)
+        if way is None:
+            return None
+        if way < 0:
+            return sp.S.Zero
+        sign = _direction(order.factor, domain) if order.factor is not None else None
+        return None if sign is None else sign * sp.oo
+    return order.factor
+
+
+def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
+    limits = [_find(term, domain, depth) for term in node.args]
+    endless = {limit for limit in limits if limit is not None and limit.is_infinite}
+    if None not in limits and len(endless) <= 1:
+        return sp.Add(*limits) if not endless else endless.pop()
+    order = _find_order(node, domain, depth)
+    if order is not None:
+        return _settle(order, domain)
+    for rewrite in _REWRITES:
+        other = rewrite(node)
+        found = None if other in (None, node) else _find(other, domain, depth)
+        if found is not None:
+            return found
+    return None
+
+
+def _join_logarithms(node: sp.Add) -> sp.Expr | None:
+    """Write c*(ln u - ln v) and a rest as c*ln(u/v) and the rest."""
+    terms = [t.as_coeff_Mul() for t in node.args]
+    logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
+    if len(logarithms) < 2:
+        return None
+    scale = abs(logarithms[0][0])
+    whole = sp.Mul(*(u ** (f / scale) for f, u in logarithms))
+    rest = sp.Add(*(f * t for f, t in terms if not isinstance(t, sp.log)))
+    return scale * sp.log(sp.cancel(sp.together(whole))) + rest
+
+
+def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
+    if len(node.args) != 2 or not any(p.exp == sp.S.Half for p in node.atoms(sp.Pow)):
+        return None
+    one, other = node.args
+    return sp.expand(one**2 - other**2) / (one - other)
+
+
+_REWRITES: tuple[Callable[[sp.Add], sp.Expr | None], ...] = (
+    _join_logarithms,
+    _multiply_by_conjugate,
+    lambda node: sp.together(node),
+    lambda node: sp.expand(node),
+)
+
+
+def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
+    """Return the limit of a logarithm, whose argument is positive wherever it has a value."""
+    inner = _find(argument, domain, depth)
+    if inner is None:
+        return None
+    if inner == 0:
+        return -sp.oo
+    if inner == sp.oo:
+        return sp.oo
+    return sp.log(inner) if _direction(inner, domain) == 1 else None
+
+
+def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+    if not node.has(_Y):
+        return _constant(node) if _direction(node, domain) else None
+    if node == _Y:
+        return _Order(sp.S.Zero, sp.S.One, sp.S.Zero, sp.S.One)
+    if depth == 0:
+        return None
+    if isinstance(node, sp.Mul):
+        orders = _find_orders(node.args, domain, depth - 1)
+        return reduce(_Order.times, orders) if orders else None
+    if isinstance(node, sp.Add):
+        return _find_order_of_sum(node, domain, depth - 1)
+    if isinstance(node, sp.Pow) and node.exp.is_Rational:
+        base = _find_order(node.base, domain, depth - 1)
+        return None if base is None else _raise(base, node.exp, domain)
+    if isinstance(node, sp.exp):
+        return _find_order_of_exponential(node.args[0], domain, depth - 1)
+    if isinstance(node, sp.log):
+        return _find_order_of_logarithm(node.args[0], domain, depth - 1)
+    limit = _find(node, domain, depth - 1) if not isinstance(node, sp.Pow) else None
+    if limit is not None and not limit.is_infinite and _direction(limit, domain):
+        return _constant(limit)
+    if isinstance(node, _LIKE_ARGUMENT) and _find(node.args[0], domain, depth - 1) == 0:
+        return _find_order(node.args[0], domain, depth - 1)
+    return _constant(None) if isinstance(node, _BOUNDED) else None
+
+
+def _find_orders(parts: Sequence[sp.Expr], domain: Domain, depth: int) -> list[_Order]:
+    """Return the orders of all parts, none where one is not known."""
+    orders = [_find_order(part, domain, depth) for part in parts]
+    known = [order for order in orders if order is not None]
+    return known if len(known) == len(orders) else []
+
+
+def _constant(factor: sp.Expr | None) -> _Order:
+    return _Order(sp.S.Zero, sp.S.Zero, sp.S.Zero, factor)
+
+
+def _raise(base: _Order, exponent: sp.Rational, domain: Domain) -> _Order | None:
+    if base.factor is None and exponent < 0:
+        return None
+    if not exponent.is_Integer and (base.factor is None or _direction(base.factor, domain) != 1):
+        return None
+    factor = None if base.factor is None else base.factor**exponent
+    rate, power, logs = (grade * exponent for grade in base.size)
+    return _Order(rate, power, logs, factor)
+
+
+def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> _Order | None:
+    """Return the order of the terms that grow fastest, where they do not cancel."""
+    if node.is_rational_function(_Y):
+        above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
+        factor = above.LC() / below.LC()
+        power = sp.Integer(above.degree() - below.degree())
+        is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
+        return _Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
+    orders = _find_orders(node.args, domain, depth)
+    if not orders:
+        return None
+    largest = orders[0]
+    for order in orders[1:]:
+        way = _compare(order, largest, domain)
+        if way is None:
+            return None
+        largest = order if way > 0 else largest
+    top = [order for order in orders if order.size == largest.size]
+    if any(order.factor is None for order in top):
+        return None
+    factor = sp.Add(*(order.factor for order in top))
+    return _Order(*largest.size, factor) if _direction(factor, domain) else None
+
+
+def _compare(one: _Order, other: _Order, domain: Domain) -> int | None:
+    for first, second in zip(one.size, other.size, strict=True):
+        if first != second:
+            return _direction(sp.expand(first - second), domain)
+    return 0
+
+
+def _find_order_of_exponential(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+    argument = sp.expand(argument)
+    rate = argument.coeff(_Y, 1)
+    if rate.has(_Y):
+        return None
+    rest = _find(sp.expand(argument - rate * _Y), domain, depth)
+    if rest is None or rest.is_infinite:
+        return None
+    return _Order(rate, sp.S.Zero, sp.S.Zero, sp.exp(rest))
+
+
+def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+    limit = _find(argument, domain, depth)
+    if limit is None:
+        return None
+    if not limit.is_infinite and decide_equal(limit, sp.S.One, domain):
+        return _find_order(sp.expand(argument - 1), domain, depth)
+    if not limit.is_infinite and _direction(limit, domain) == 1:
+        return _constant(sp.log(limit)) if _direction(sp.log(limit), domain) else None
+    order = _find_order(argument, domain, depth)
+    if order is None or order.factor is None or order.rate != 0 or order.power == 0:
+        return None
+    return _Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power)

@@ -1,0 +1,240 @@
+"""Signs of what is rational in sines, cosines and exponentials, on the ranges of their arguments.
+
+Every angle is an integer multiple of a base angle, whose half has a tangent: where the angle runs
+within one turn, so does the tangent within an interval. Exponentials and hyperbolic functions are
+powers of one positive number. What is left is the sign of a quotient of polynomials (`signs`), for
+one variable decided by Sturm's theorem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import lcm
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
+from mechproof.proof.domain import Domain
+from mechproof.proof.polynomial_signs import StrictSign
+from mechproof.proof.signs import find_sign, is_workable
+from mechproof.record import RecordError, Root, Slack
+
+_RANGES: Mapping[type[sp.Basic], sp.Interval] = {
+    sp.asin: sp.Interval(-sp.pi / 2, sp.pi / 2),
+    sp.acos: sp.Interval(0, sp.pi),
+    sp.atan: sp.Interval.open(-sp.pi / 2, sp.pi / 2),
+    sp.erf: sp.Interval.open(-1, 1),
+    sp.acosh: sp.Interval(0, sp.oo),
+}
+_MONOTONIC = (sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh, sp.erf, sp.log)
+_PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
+# Work limit: so many times a base angle, and so many base angles.
+_MOST_TIMES = 12
+_MOST_ANGLES = 3
+# Work limits: symbols and operations of an expression.
+_MOST_SYMBOLS = 4
+_LARGEST = 80
+# Points at which a number is tried.
+_TRIED = 6
+
+
+def is_negative_somewhere(value: sp.Expr, domain: Domain) -> bool:
+    """Tell whether a number is negative at one of a few points, before its sign is looked for."""
+    value = domain.resolve(value)
+    try:
+        points = domain.points(sorted(value.free_symbols, key=str), _TRIED)[: 2 * _TRIED]
+    except RecordError:
+        return False
+    return any(balls.evaluate(value, point) < 0 for point in points)
+
+
+def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Return the proved sign of an expression on a domain, or None if it is not shown."""
+    expression = domain.resolve(expression)
+    if not expression.has(*ANGULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
+        return None
+    if expression.has(sp.Sum, sp.Integral, Root) or not is_workable(expression):
+        return None
+    if len(expression.free_symbols) > _MOST_SYMBOLS or expression.count_ops() > _LARGEST:
+        return None
+    named, within = _name_ranges(expression, domain)
+    domain = replace(domain, within={**domain.within, **within})
+    named, within = _write_exponentials(named, domain)
+    domain = replace(domain, within={**domain.within, **within})
+    bases = _find_bases(named)
+    if bases is None or len(bases) > _MOST_ANGLES:
+        return None
+    return _find_sign(named, sorted(bases.items(), key=lambda item: str(item[0])), domain)
+
+
+def find_sign_there(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Return the sign that is proved in positive coordinates or in tangents of half angles."""
+    found = find_sign(expression, domain)
+    if found is not None and found.strict:
+        return found
+    return find_sign_in_half_angles(expression, domain) or found
+
+
+def is_shown_there(slack: Slack, domain: Domain) -> bool:
+    """Tell whether a slack is proved to be positive, or not negative, in either."""
+    sign = find_sign_there(slack.value, domain)
+    return sign is not None and sign.is_above(slack.strict)
+
+
+def _name_ranges(
+    expression: sp.Expr, domain: Domain
+) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
+    """Let functions of which only the range is known be numbers of it."""
+    nodes = sorted(expression.atoms(*_MONOTONIC), key=sp.default_sort_key)
+    outer = [n for n in nodes if not any(n != o and o.has(n) for o in nodes)]
+    named: dict[sp.Basic, sp.Symbol] = {}
+    within: dict[sp.Basic, sp.Interval] = {}
+    for node in outer:
+        named[node] = sp.Dummy("f", real=True)
+        within[named[node]] = _find_range(node, domain)
+    return expression.xreplace(named), within
+
+
+def _find_range(node: sp.Expr, domain: Domain) -> sp.Interval:
+    """Return where the values of a monotonic function lie, those of its argument being known."""
+    (argument,) = node.args
+    values = _RANGES.get(type(node), sp.Interval(-sp.oo, sp.oo))
+    direction = -1 if isinstance(node, sp.acos) else 1
+    for place in _list_places(argument, domain):
+        there = node.func(place)
+        if not (there.is_number and there.is_extended_real):
+            continue
+        sign = find_sign_there(argument - place, domain)
+        if sign is not None:
+            above = sp.Interval(there, sp.oo, left_open=sign.strict)
+            below = sp.Interval(-sp.oo, there, right_open=sign.strict)
+            values = values.intersect(above if sign.direction * direction > 0 else below)
+    return values
+
+
+def _list_places(argument: sp.Expr, domain: Domain) -> list[sp.Expr]:
+    """List numbers that an argument may be above or below: ends of its set, else a few."""
+    values = domain.set_of(argument) if argument.is_Symbol else sp.S.Reals
+    ends = (values.start, values.end) if isinstance(values, sp.Interval) else ()
+    return [*(end for end in ends if end.is_finite), *_PLACES]
+
+
+def _write_exponentials(
+    expression: sp.Expr, domain: Domain
+) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
+    """Write exponentials as powers of positive numbers; return the sets of these, too."""
+    expression = expression.replace(
+        lambda node: isinstance(node, HYPERBOLIC), lambda node: node.rewrite(sp.exp)
+    )
+    denominators: dict[sp.Expr, int] = {}
+    nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
+    for node in nodes:
+        for monomial, factor in list_terms(node.args[0]):
+            denominators[monomial] = lcm(denominators.get(monomial, 1), int(factor.q))
+    bases = {m: sp.Dummy("E", positive=True) for m in denominators}
+    powers = {
+        node: sp.Mul(*(bases[m] ** (f * denominators[m]) for m, f in list_terms(node.args[0])))
+        for node in nodes
+    }
+    within = {base: _exponentiate(monomial, domain) for monomial, base in bases.items()}
+    return expression.xreplace(powers), within
+
+
+def _exponentiate(monomial: sp.Expr, domain: Domain) -> sp.Interval:
+    """Return where the exponential of a fraction of a monomial lies: above or below one."""
+    sign = find_sign(monomial, domain)
+    if sign is None:
+        return sp.Interval.open(0, sp.oo)
+    if sign.direction > 0:
+        return sp.Interval(1, sp.oo, left_open=sign.strict)
+    return sp.Interval(0, 1, left_open=True, right_open=sign.strict)
+
+
+def _find_bases(expression: sp.Expr) -> dict[sp.Expr, int] | None:
+    """Return the monomials of angles with their denominators; None where multiples are many."""
+    bases: dict[sp.Expr, int] = {}
+    largest: dict[sp.Expr, sp.Rational] = {}
+    for node in expression.atoms(*ANGULAR):
+        for monomial, factor in list_terms(node.args[0]):
+            if monomial.is_number:
+                continue
+            bases[monomial] = lcm(bases.get(monomial, 1), int(factor.q))
+            largest[monomial] = max(largest.get(monomial, sp.S.Zero), abs(factor))
+    if any(largest[m] * bases[m] > _MOST_TIMES for m in bases):
+        return None
+    return bases
+
+
+def _find_sign(
+    expression: sp.Expr, bases: list[tuple[sp.Expr, int]], domain: Domain
+) -> StrictSign | None:
+    """Replace one base angle by the tangent of its half, and go on with the others."""
+    if not bases:
+        return None if expression.has(*ANGULAR) else find_sign(expression, domain)
+    (monomial, denominator), *others = bases
+    values = domain.set_of(monomial) if monomial.is_Symbol else sp.S.Reals
+    centre, run = _center(values, denominator)
+    angle, tangent = sp.Dummy("u", real=True), sp.Dummy("t", real=True)
+    base = denominator * (angle + centre)
+    turned = expression.replace(
+        lambda node: isinstance(node, ANGULAR) and node.has(monomial),
+        lambda node: _expand(node, monomial, base),
+    )
+    square = tangent**2
+    halves = {sp.sin(angle): 2 * tangent / (1 + square)}
+    halves[sp.cos(angle)] = (1 - square) / (1 + square)
+    within = {**domain.within, tangent: _list_tangents(run)}
+    sign = _find_sign(turned.xreplace(halves), others, replace(domain, within=within))
+    if sign is None or sp.true not in (run.contains(sp.pi), run.contains(-sp.pi)):
+        return sign
+    return _extend(sign, turned.xreplace({sp.sin(angle): 0, sp.cos(angle): -1}), others, domain)
+
+
+def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
+    """Return a middle of the base angle, and where it runs about it: within a turn, or the turn."""
+    if isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite:
+        ends = [end / denominator for end in values.args[:2]]
+        centre = sp.pi / 2 * sp.floor((ends[0] + ends[1]) / sp.pi + sp.S.Half)
+        low, high = (end - centre for end in ends)
+        if (low >= -sp.pi) == sp.true and (high <= sp.pi) == sp.true:
+            return centre, sp.Interval(low, high, *values.args[2:])
+    return sp.S.Zero, sp.Interval(-sp.pi, sp.pi)
+
+
+def _expand(node: sp.Expr, monomial: sp.Expr, base: sp.Expr) -> sp.Expr:
+    """Write a function of multiples of the base angle by the sine and the cosine of it."""
+    argument = sp.expand(sp.expand(node.args[0]).subs(monomial, base))
+    return sp.expand_trig(_by_sines(node.func, argument))
+
+
+def _by_sines(function: type[sp.Expr], argument: sp.Expr) -> sp.Expr:
+    sine, cosine = sp.sin(argument), sp.cos(argument)
+    written = {
+        sp.sin: lambda: sine,
+        sp.cos: lambda: cosine,
+        sp.tan: lambda: sine / cosine,
+        sp.cot: lambda: cosine / sine,
+        sp.sec: lambda: 1 / cosine,
+        sp.csc: lambda: 1 / sine,
+    }
+    return written[function]()
+
+
+def _list_tangents(run: sp.Interval) -> sp.Interval:
+    """Return where the tangent of half an angle runs; that of a half turn is beyond all numbers."""
+    low = -sp.oo if run.start == -sp.pi else sp.tan(run.start / 2)
+    high = sp.oo if run.end == sp.pi else sp.tan(run.end / 2)
+    return sp.Interval(low, high, run.left_open, run.right_open)
+
+
+def _extend(
+    sign: StrictSign, there: sp.Expr, others: list[tuple[sp.Expr, int]], domain: Domain
+) -> StrictSign:
+    """Return the sign that is kept at the half turn, where the expression may be zero."""
+    if not sign.strict or there.has(sp.nan, sp.zoo):
+        return sign
+    at_half_turn = _find_sign(there, others, domain)
+    is_strict = at_half_turn is not None and at_half_turn.strict
+    return StrictSign(sign.direction, is_strict)

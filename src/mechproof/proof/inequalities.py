@@ -1,0 +1,159 @@
+"""Rungs of inequalities beyond the sign in positive coordinates.
+
+Roots and moduli are squared one after the other: p + q*r, r >= 0 and r**2 = b, is not negative if p
+and q are not, if q**2*b >= p**2 and q >= 0, or if p**2 >= q**2*b and p >= 0. A polynomial of few
+numbers that are not negative is looked at for every order of theirs, each written as the one below
+and a gap (successive difference substitution, Yang 2005).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import permutations
+
+import sympy as sp
+
+from mechproof.proof import monotonicity
+from mechproof.proof.domain import Domain
+from mechproof.proof.half_angles import (
+    find_sign_there,
+    is_negative_somewhere,
+    is_shown_there,
+)
+from mechproof.proof.normal_form import expand, split
+from mechproof.proof.signs import is_shown
+from mechproof.record import Root, Slack
+
+SQUARES = "squares of roots and moduli"
+HALF_ANGLES = "signs in half-angle tangents"
+ORDERS = "every order of the numbers"
+# Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
+_MOST_ROOTS = 6
+_MOST_ORDERED = 3
+_MOST_TERMS = 120
+# Work limit: operations of a number.
+_LARGEST = 150
+_UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.KroneckerDelta, Root)
+
+
+def show_sign(slack: Slack, domain: Domain) -> str | None:
+    """Return the rung that proves a number to be positive, or not negative; None for none."""
+    if slack.value.has(*_UNREAD) or slack.value.count_ops() > _LARGEST:
+        return None
+    if is_negative_somewhere(slack.value, domain):
+        return None
+    rungs = (
+        (HALF_ANGLES, is_shown_there),
+        (ORDERS, _by_orders),
+        (SQUARES, _by_squares),
+        (monotonicity.RUNG, monotonicity.holds_by_slope),
+    )
+    return next((name for name, rung in rungs if rung(slack, domain)), None)
+
+
+def _by_orders(slack: Slack, domain: Domain) -> bool:
+    """Look at all orders of symbols that are not negative."""
+    value = domain.resolve(slack.value)
+    symbols = sorted(value.free_symbols, key=str)
+    sets = [domain.set_of(s) for s in symbols]
+    if not 2 <= len(symbols) <= _MOST_ORDERED or not value.is_rational_function(*symbols):
+        return False
+    if not all(isinstance(s, sp.Interval) and s.start == 0 and s.end == sp.oo for s in sets):
+        return False
+    if any(r.free_symbols & set(symbols) for r in domain.where):
+        return False
+    is_open = all(s.left_open for s in sets)
+    return all(
+        _holds_in_order(value, order, slack.strict, is_open) for order in permutations(symbols)
+    )
+
+
+def _holds_in_order(
+    value: sp.Expr, order: tuple[sp.Symbol, ...], strict: bool, is_open: bool
+) -> bool:
+    gaps = [sp.Dummy("gap", nonnegative=True) for _ in order]
+    written = {s: sp.Add(*gaps[: k + 1]) for k, s in enumerate(order)}
+    within = dict.fromkeys(gaps, sp.Interval(0, sp.oo))
+    within[gaps[0]] = sp.Interval(0, sp.oo, left_open=is_open)
+    return is_shown(Slack(value.xreplace(written), strict), Domain(within, (), {}))
+
+
+def _by_squares(slack: Slack, domain: Domain) -> bool:
+    value = domain.resolve(slack.value)
+    count = len(_list_roots(value))
+    if not 0 < count <= _MOST_ROOTS or value.has(sp.Sum, sp.Integral):
+        return False
+    return _holds(value, slack.strict, domain, count + 2)
+
+
+def _list_roots(value: sp.Expr) -> list[sp.Expr]:
+    """List square roots and moduli that stand in no other one, longest first."""
+    nodes = [
+        n
+        for n in value.atoms(sp.Pow, sp.Abs)
+        if isinstance(n, sp.Abs) or (n.exp.is_Rational and n.exp.q == 2)
+    ]
+    return sorted(nodes, key=lambda n: (-n.count_ops(), sp.default_sort_key(n)))
+
+
+def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
+    """Tell whether a number is shown to be positive, or not negative."""
+    if is_shown_there(Slack(value, strict), domain):
+        return True
+    if depth == 0 or is_negative_somewhere(value, domain):
+        return False
+    return any(
+        _holds_by_root(*parts, strict, domain, depth - 1) for parts in isolate_root(value, domain)
+    )
+
+
+def isolate_root(value: sp.Expr, domain: Domain) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+    """Yield p, q and b of p + q*sqrt(b), of the same sign as the number, for each outer root."""
+    nodes = _list_roots(value)
+    squares: dict[sp.Expr, sp.Expr] = {}
+    for node in nodes:
+        if any(node != other and other.has(node) for other in nodes):
+            continue
+        squares.setdefault(*_write_square(node))
+    names = {root: sp.Dummy("root", nonnegative=True) for root in squares}
+    named = value.replace(
+        lambda n: isinstance(n, sp.Pow) and n.exp.is_Rational and n.exp.q == 2,
+        lambda n: names[sp.sqrt(n.base)] ** (2 * n.exp) if sp.sqrt(n.base) in names else n,
+    ).xreplace(names)
+    above, below = split(named)
+    sign = None if below.free_symbols & set(names.values()) else find_sign_there(below, domain)
+    direction = sign.direction if sign and sign.strict else below
+    whole = expand(above * direction)
+    if not whole.is_polynomial(*names.values()):
+        return
+    back = {name: root for root, name in names.items()}
+    for root, name in names.items():
+        polynomial = sp.Poly(whole, name)
+        if len(polynomial.as_expr().args) > _MOST_TERMS:
+            return
+        p = q = sp.S.Zero
+        for (power,), coefficient in polynomial.terms():
+            part = coefficient * squares[root] ** (power // 2)
+            p, q = (p, q + part) if power % 2 else (p + part, q)
+        p, q = (sp.expand(part.xreplace(back)) for part in (p, q))
+        yield p, q, squares[root]
+
+
+def _write_square(node: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    if isinstance(node, sp.Abs):
+        return node, node.args[0] ** 2
+    return sp.sqrt(node.base), node.base
+
+
+def _holds_by_root(
+    p: sp.Expr, q: sp.Expr, b: sp.Expr, strict: bool, domain: Domain, depth: int
+) -> bool:
+    """Tell whether p + q*sqrt(b) is shown to be positive, or not negative."""
+    if q == 0:
+        return _holds(p, strict, domain, depth)
+    gap = sp.expand(q**2 * b - p**2)
+    if _holds(q, False, domain, depth):
+        return _holds(gap, strict, domain, depth) or _holds(p, strict, domain, depth)
+    if not _holds(-q, False, domain, depth):
+        return False
+    return _holds(p, False, domain, depth) and _holds(-gap, strict, domain, depth)

@@ -1,0 +1,170 @@
+"""Rungs: inverse functions and roots by what they are inverse to, and by their ranges.
+
+arcsin u = y says that sin y = u and that y lies within a quarter turn; sqrt(b) = y that y**2 = b
+and y >= 0. Inverse sines, cosines and tangents add up to nothing where the sum lies within a turn
+and points along the first axis. Logarithms add up to nothing where the product of their arguments
+is one, all of them being positive wherever the sum has a value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import lcm
+
+import sympy as sp
+
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.coordinates import list_terms
+from mechproof.proof.domain import Domain
+from mechproof.proof.inequalities import isolate_root, show_sign
+from mechproof.proof.polynomial_signs import sign_of_number
+from mechproof.proof.signs import is_shown
+from mechproof.record import Slack
+
+INVERSE = "inverse function: value and range"
+ROOT = "square of a root and its sign"
+TURNS = "sum of angles within a turn"
+LOGARITHMS = "product under one logarithm"
+# Work limits: terms of a sum of angles, whole multiples of them, roots that are squared.
+_MOST_TERMS = 6
+_MOST_TIMES = 12
+_MOST_ROOTS = 4
+# Work limit: operations of a difference.
+_LARGEST = 150
+_TURN = 2 * sp.pi
+
+_ANGLES = (sp.asin, sp.acos, sp.atan)
+_AREAS: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
+    sp.asinh: lambda u: sp.log(u + sp.sqrt(u**2 + 1)),
+    sp.acosh: lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
+    sp.atanh: lambda u: (sp.log(1 + u) - sp.log(1 - u)) / 2,
+}
+# Of each inverse function: what it is inverse to, and what is not negative of its values, strictly.
+_INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., list[Slack]]]] = {
+    sp.asin: (sp.sin, lambda y: [Slack(sp.pi / 2 + k * y, False) for k in (1, -1)]),
+    sp.acos: (sp.cos, lambda y: [Slack(y, False), Slack(sp.pi - y, False)]),
+    sp.atan: (sp.tan, lambda y: [Slack(sp.pi / 2 + k * y, True) for k in (1, -1)]),
+    sp.asinh: (sp.sinh, lambda y: []),
+    sp.acosh: (sp.cosh, lambda y: [Slack(y, False)]),
+    sp.atanh: (sp.tanh, lambda y: []),
+}
+
+
+def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Return the rung if left = right says what an inverse function or a root is, else None."""
+    difference = domain.resolve(left - right)
+    if difference.has(sp.Sum, sp.Product, sp.Integral, sp.Limit, sp.Indexed):
+        return None
+    powers = (p.exp for p in difference.atoms(sp.Pow) if p.exp.is_Integer)
+    if difference.count_ops() > _LARGEST or any(abs(power) > _MOST_TIMES for power in powers):
+        return None
+    difference = sp.expand(difference)
+    if plain := decide_equal(difference, sp.S.Zero, domain):
+        return plain
+    difference = _divide(difference)
+    rungs = (
+        (LOGARITHMS, _multiply_to_one),
+        (INVERSE, _is_inverse),
+        (TURNS, _adds_to_nothing),
+        (ROOT, _is_root),
+    )
+    return next((name for name, rung in rungs if rung(difference, domain)), None)
+
+
+def _divide(difference: sp.Expr) -> sp.Expr:
+    """Divide by a number before an inverse function that is no fraction, and not zero."""
+    for term in sp.Add.make_args(difference):
+        number, rest = term.as_independent(*difference.free_symbols, *_INVERSES, as_Add=False)
+        if type(rest) not in _INVERSES or not number.is_number or number.is_rational:
+            continue
+        if (sign := sign_of_number(number)) and sign.strict:
+            return sp.expand(difference / number)
+    return difference
+
+
+def _is_met(need: Slack, domain: Domain) -> bool:
+    return is_shown(need, domain) or show_sign(need, domain) is not None
+
+
+def _multiply_to_one(difference: sp.Expr, domain: Domain) -> bool:
+    if not difference.has(sp.log, *_AREAS):
+        return False
+    written = difference.replace(
+        lambda node: isinstance(node, tuple(_AREAS)), lambda node: _AREAS[type(node)](*node.args)
+    )
+    terms = list_terms(written)
+    logarithms = [(factor, node.args[0]) for node, factor in terms if isinstance(node, sp.log)]
+    rest = sp.Add(*(factor * node for node, factor in terms if not isinstance(node, sp.log)))
+    if not logarithms or rest.has(sp.log):
+        return False
+    times = lcm(*(int(factor.q) for factor, _ in logarithms))
+    if any(abs(factor * times) > _MOST_TIMES for factor, _ in logarithms):
+        return False
+    above, below = (
+        sp.Mul(*(u ** (sign * f * times) for f, u in logarithms if sign * f > 0))
+        for sign in (1, -1)
+    )
+    return decide_equal(above * sp.exp(sp.expand(times * rest)), below, domain) is not None
+
+
+def _is_inverse(difference: sp.Expr, domain: Domain) -> bool:
+    return any(
+        _has_value(node, sp.expand(node - difference / factor), domain)
+        for node, factor in list_terms(difference)
+        if type(node) in _INVERSES
+    )
+
+
+def _has_value(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
+    function, needs = _INVERSES[type(node)]
+    if type(node) in _AREAS:
+        there = function(value).rewrite(sp.exp).replace(sp.exp, _exponentiate)
+    else:
+        there = function(value)
+    if decide_equal(there, node.args[0], domain) is None:
+        return False
+    return all(_is_met(need, domain) for need in needs(value))
+
+
+def _exponentiate(argument: sp.Expr) -> sp.Expr:
+    """Return the exponential of a sum, that of multiples of logarithms as powers."""
+    written = argument.replace(
+        lambda node: isinstance(node, tuple(_AREAS)), lambda node: _AREAS[type(node)](*node.args)
+    )
+    return sp.Mul(
+        *(
+            node.args[0] ** factor
+            if isinstance(node, sp.log) and (2 * factor).is_Integer
+            else sp.exp(factor * node)
+            for node, factor in list_terms(written)
+        )
+    )
+
+
+def _adds_to_nothing(difference: sp.Expr, domain: Domain) -> bool:
+    terms = list_terms(difference)
+    factors = [factor for node, factor in terms if isinstance(node, _ANGLES)]
+    times = lcm(*(int(factor.q) for factor in factors))
+    if not factors or len(terms) > _MOST_TERMS or max(map(abs, factors)) * times > _MOST_TIMES:
+        return False
+    total = times * difference
+    return (
+        decide_equal(sp.sin(total), sp.S.Zero, domain) is not None
+        and decide_equal(sp.cos(total), sp.S.One, domain) is not None
+        and all(_is_met(Slack(_TURN + k * total, True), domain) for k in (1, -1))
+    )
+
+
+def _is_root(difference: sp.Expr, domain: Domain, depth: int = _MOST_ROOTS) -> bool:
+    """Tell whether p + q*sqrt(b) is zero: p**2 is q**2*b, and the signs of p and q differ."""
+    return depth > 0 and any(
+        _vanishes(sp.expand(p**2 - q**2 * b), domain, depth - 1)
+        and _is_met(Slack(-p * q, False), domain)
+        for p, q, b in isolate_root(difference, domain)
+        if q != 0
+    )
+
+
+def _vanishes(value: sp.Expr, domain: Domain, depth: int) -> bool:
+    is_zero = decide_equal(value, sp.S.Zero, domain) is not None
+    return is_zero or _is_root(value, domain, depth)

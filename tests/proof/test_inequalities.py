@@ -1,0 +1,95 @@
+"""Inequalities beyond positive coordinates: true ones are proved, no twins."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from twins import check_twins, judge, list_rows
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.half_angles import find_sign_in_half_angles
+from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
+from mechproof.proof.monotonicity import RUNG as MONOTONICITY
+from mechproof.proof.polynomial_signs import StrictSign
+from mechproof.proof.verdict import Verdict
+
+x, y = sp.symbols("x y", real=True)
+PI = sp.pi
+TABLES = {
+    HALF_ANGLES: (
+        (r"\cosh x\ge1", r"\cosh x>1", ""),
+        (r"\tanh x<1", r"\tanh x<\frac{999}{1000}", ""),
+        (r"\arcsin x\le\frac\pi2", r"\arcsin x<\frac\pi2", r"-1\le x\le1"),
+        (r"\sin x+\sin2x\ge0", r"\sin x+\sin2x>0", r"0\le x\le\frac\pi2"),
+        (r"\frac{\sin x}{1+\cos x}\le1", r"\frac{\sin x}{1+\cos x}<1", r"0\le x\le\frac\pi2"),
+    ),
+    ORDERS: (
+        (
+            r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}\ge\frac32",
+            r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}>\frac32",
+            "a>0, b>0, c>0",
+        ),
+        (
+            r"a^3+b^3+c^3+3abc\ge ab^2+a^2b+ac^2+a^2c+bc^2+b^2c",
+            r"a^3+b^3+c^3+3abc>ab^2+a^2b+ac^2+a^2c+bc^2+b^2c",
+            "a>0, b>0, c>0",
+        ),
+    ),
+    SQUARES: (
+        (r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),
+        (r"|\sin2x|\le2|\sin x|", r"|\sin2x|\le\frac{19}{10}|\sin x|", ""),
+        (r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),
+        (
+            r"\sqrt{(a+c)^2+(b+d)^2}\le\sqrt{a^2+b^2}+\sqrt{c^2+d^2}",
+            r"\sqrt{(a+c)^2+(b+d)^2}\le\sqrt{a^2+b^2}+\sqrt{c^2-d^2}",
+            "",
+        ),
+        (r"\sqrt{1-k\cos x}\ge\sqrt{1-k}", r"\sqrt{1-k\cos x}>\sqrt{1-k}", r"0\le k\le1"),
+    ),
+    MONOTONICITY: (
+        (r"\sin x\le x", r"\sin x<x", r"x\ge0"),
+        (r"\frac{\sin x}x<1", r"\frac{\sin x}x<\frac{999}{1000}", r"0<x\le\pi"),
+        (r"\tan x>x", r"\tan x>x+\frac{x^3}{2}", r"0<x<\frac\pi2"),
+        (r"\frac x{1+x}\le\ln(1+x)", r"\frac x{1+x}<\ln(1+x)", "x>-1"),
+        (r"\sin x\ge\frac{2x}\pi", r"\sin x\ge\frac{2x}3", r"0\le x\le\frac\pi2"),
+        (r"x\mathrm{e}^{-x}\le\frac1{\mathrm{e}}", r"x\mathrm{e}^{-x}<\frac1{\mathrm{e}}", "x>0"),
+    ),
+}
+
+
+@pytest.mark.parametrize(("rung", "printed", "twin", "where"), list_rows(TABLES))
+def test_an_inequality_is_proved_and_its_neighbour_not_accepted(
+    rung: str, printed: str, twin: str, where: str
+) -> None:
+    check_twins(rung, printed, twin, where)
+
+
+def test_a_chain_of_bounds_of_a_rate_is_proved() -> None:
+    rate, where = r"\frac{\cos\beta}{1-\sin^2\beta\cos^2\varphi}", r"0\le\beta<\frac\pi2"
+    for bound in (r"\cos\beta\le" + rate, rate + r"\le\frac1{\cos\beta}"):
+        assert judge(bound, where)[0] is Verdict.PROVED
+        assert judge(bound.replace(r"\le", "<"), where)[0] is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("expression", "values", "sign"),
+    [
+        (1 + sp.cos(x), sp.S.Reals, StrictSign(1, False)),
+        (1 + sp.cos(x), sp.Interval.open(-PI, PI), StrictSign(1, True)),
+        (1 + sp.cos(x), sp.Interval.Ropen(0, PI), StrictSign(1, True)),
+        (1 + sp.cos(x), sp.Interval(0, PI), StrictSign(1, False)),
+        (sp.sin(x), sp.Interval(0, PI), StrictSign(1, False)),
+        (sp.sin(x), sp.Interval.open(PI, 2 * PI), StrictSign(-1, True)),
+        (sp.sin(x), sp.Interval.open(0, PI + sp.Rational(1, 1000)), None),
+        (sp.sin(x / 2), sp.Interval.open(0, 2 * PI), StrictSign(1, True)),
+        (2 - sp.exp(x), sp.Interval(-sp.oo, 0), StrictSign(1, True)),
+        (1 - sp.exp(x), sp.Interval(-sp.oo, 0), StrictSign(1, False)),
+        (sp.atan(x) - PI / 4, sp.Interval(1, sp.oo), StrictSign(1, False)),
+        (sp.atan(x) - PI / 4, sp.Interval.open(1, sp.oo), StrictSign(1, True)),
+        (PI / 2 - sp.acos(x), sp.Interval(0, 1), StrictSign(1, False)),
+    ],
+)
+def test_signs_are_strict_only_where_no_end_is_zero(
+    expression: sp.Expr, values: sp.Interval, sign: StrictSign | None
+) -> None:
+    assert find_sign_in_half_angles(expression, Domain({x: values}, (), {})) == sign

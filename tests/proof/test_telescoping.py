@@ -1,0 +1,100 @@
+"""Sums whose terms hold the count, products, and powers of a count: no twin is accepted."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from twins import check_twins, list_rows
+
+from mechproof.proof import induction, telescoping
+from mechproof.proof.domain import Domain
+from mechproof.proof.powers import split_powers
+
+x = sp.Symbol("x", real=True)
+n = sp.Symbol("n", integer=True, positive=True)
+k = sp.Symbol("k", integer=True)
+DOMAIN = Domain({n: sp.S.Naturals}, (), {})
+CHOOSE = sp.factorial(n) / sp.factorial(k) / sp.factorial(n - k)
+TABLES = {
+    telescoping.RUNG: (
+        (
+            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n",
+            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n+n-1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
+            r"\sum_{k=1}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a+b)^n",
+            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a-b)^n",
+            "",
+        ),
+    ),
+    induction.RUNG: (
+        (
+            r"\prod_{k=2}^n\left(1-\frac1{k^2}\right)=\frac{n+1}{2n}",
+            r"\prod_{k=2}^n\left(1-\frac1{k^2}\right)=\frac{n+1}{2n^2}",
+            "",
+        ),
+        (
+            r"\sum_{k=1}^n(-1)^kk^2=(-1)^n\frac{n(n+1)}2",
+            r"\sum_{k=1}^n(-1)^kk^2=\frac{n(n+1)}2",
+            "",
+        ),
+        (
+            r"\sum_{k=1}^n\arctan\frac1{1+k+k^2}=\arctan(n+1)-\frac\pi4",
+            r"\sum_{k=1}^n\arctan\frac1{1+k+k^2}=\arctan n",
+            "",
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize(("rung", "printed", "twin", "where"), list_rows(TABLES))
+def test_a_sum_is_proved_and_its_neighbour_not_accepted(
+    rung: str, printed: str, twin: str, where: str
+) -> None:
+    check_twins(rung, printed, twin, where)
+
+
+@pytest.mark.parametrize(
+    ("term", "first", "value"),
+    [
+        (CHOOSE, 0, 2**n + 1),
+        (CHOOSE, 1, 2**n),
+        (CHOOSE, 0, (n - 1) * 2**n),
+        (CHOOSE * (-1) ** k, 0, sp.S.One),
+        # For k = n a factorial of -1 stands in it.
+        (sp.factorial(n) / sp.factorial(k) / sp.factorial(n - k - 1), 0, n * 2 ** (n - 1)),
+    ],
+    ids=["another start", "a term less", "zero at the start", "never", "no factorial"],
+)
+def test_what_is_not_shown_to_telescope_is_left(term: sp.Expr, first: int, value: sp.Expr) -> None:
+    total = sp.Sum(term, (k, first, n))
+    assert telescoping.decide_by_telescoping(total, value, DOMAIN) is None
+
+
+def test_a_factor_that_is_zero_for_a_count_hides_no_product() -> None:
+    product = sp.Product(k, (k, 1, n))
+    wrong = 2 * (n - 1) * sp.factorial(n)
+    assert induction.decide_by_induction((n - 1) * product, wrong, DOMAIN) is None
+    hidden = (x - sp.Abs(x)) * product
+    wrong = (x - sp.Abs(x)) * sp.factorial(n) + (n - 1) * (x + sp.Abs(x))
+    assert induction.decide_by_induction(hidden, wrong, DOMAIN) is None
+
+
+def test_powers_are_split_by_their_exponents() -> None:
+    assert sp.simplify(split_powers(x ** (n + 1) - x * x**n)) == 0
+    assert sp.simplify(split_powers(4**n - (2**n) ** 2)) == 0
+    assert sp.simplify(split_powers((-x) ** n - (-1) ** n * x**n)) == 0
+    assert sp.simplify(split_powers((-1) ** n - 1)) != 0
+
+
+@pytest.mark.parametrize(
+    "power", [(x - sp.Abs(x)) ** (n - 1), sp.sqrt(x**2 + x) ** n, sp.sign(x) * x ** (n - 1)]
+)
+def test_powers_of_what_is_zero_on_an_interval_or_jumps_are_left(power: sp.Expr) -> None:
+    assert split_powers(power) == power
