@@ -98,6 +98,21 @@ def find_ledgers(
     return [found[place] for place in locations]
 
 
+def find_papers(
+    locations: Sequence[Path],
+    *,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    report: Callable[[str], None] = lambda text: None,
+) -> list[JudgedPaper]:
+    """Return the ledgers with their papers; otherwise as `find_ledgers`."""
+    ledgers = find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
+    return [
+        ledger if isinstance(ledger, JudgedPaper) else _restore(ledger, location, limit, report)
+        for ledger, location in zip(ledgers, locations, strict=True)
+    ]
+
+
 def judge_derivations(
     locations: Sequence[Path],
     *,
@@ -120,7 +135,6 @@ def judge_derivations(
     """
     progress: dict[Path, _Progress] = {}
     places: dict[str, Path] = {}
-    found: dict[Path, JudgedPaper] = {}
 
     def load(location: Path) -> _Progress:
         report(f"loading {location}")
@@ -132,18 +146,13 @@ def judge_derivations(
         return progress[location]
 
     derivations = [location for location in locations if location.suffix not in SUFFIXES]
-    for location in derivations if use_cache and not only_kernels else ():
-        if kept := LedgerCache(location).load():
-            check_names(places, kept.system, location)
-            found[location] = _restore(kept, location, limit, report)
-    changed = [location for location in derivations if location not in found]
     try:
-        _fill([partial(load, one) for one in changed], limit, processes, start, report)
+        _fill([partial(load, one) for one in derivations], limit, processes, start, report)
     finally:
         _opened.clear()
         for paper in progress.values() if use_cache else ():
             paper.save()
-    found |= {location: paper.finish(limit, report) for location, paper in progress.items()}
+    found = {location: paper.finish(limit, report) for location, paper in progress.items()}
     for location in locations:
         if location not in found:
             found[location] = _check_source(location, limit, report, use_cache=use_cache)
@@ -155,6 +164,8 @@ def _restore(
     kept: Ledger, location: Path, limit: float, report: Callable[[str], None]
 ) -> JudgedPaper:
     """Put a kept ledger and its paper together again; the rows of forms are not stated anew."""
+    if location.suffix in SUFFIXES:
+        return _check_source(location, limit, report, use_cache=True)
     report(f"loading {location}")
     with stop_after(limit, location):
         paper = load_paper(location)

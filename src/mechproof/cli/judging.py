@@ -15,6 +15,7 @@ from mechproof.proof.ledger import JudgedPaper, Ledger
 from mechproof.verification import (
     VerificationError,
     find_ledgers,
+    find_papers,
     judge_derivations,
     list_failures,
     name_judging,
@@ -46,6 +47,12 @@ def judge_papers(
             limit=limit,
             report=report,
         )
+
+
+def read_papers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[JudgedPaper]:
+    """Judge the papers that have changed; the others are loaded, and their ledgers as kept."""
+    with _judging(name_judging(locations)) as report:
+        return find_papers(locations, use_cache=use_cache, limit=limit, report=report)
 
 
 def read_ledgers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
+from mechproof.cli.judging import LimitOption, NoCacheOption, read_papers, refuse_failures
 from mechproof.cli.paths import (
     DerivationsOption,
     PapersArgument,
@@ -55,7 +55,7 @@ def report(
 
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
-    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    ledgers = read_papers(locations, use_cache=not no_cache, limit=limit)
     try:
         with show_progress("writing the pages") as tell:
             site = build_site(locations, ledgers, tell)

@@ -115,6 +115,8 @@ def isolate_root(value: sp.Expr, domain: Domain) -> Iterator[tuple[sp.Expr, sp.E
         if any(node != other and other.has(node) for other in nodes):
             continue
         squares.setdefault(*_write_square(node))
+    if not squares or value.has(Root):
+        return
     names = {root: sp.Dummy("root", nonnegative=True) for root in squares}
     named = value.replace(
         lambda n: isinstance(n, sp.Pow) and n.exp.is_Rational and n.exp.q == 2,
