@@ -281,6 +281,12 @@ def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
 
     wanted = track_wheel.radius(0.5, 66, 0.3, 3)
     assert float(printed.stdout) == pytest.approx(wanted, rel=6 * 2.0**-52)
+    makefile = (tmp_path / "Makefile").read_text()
+    flags = "-ffp-contract=off -fno-math-errno -fno-trapping-math"
+    assert f"CFLAGS = -std=c99 -O3 -march=native {flags}\n" in makefile
+    (tmp_path / "Makefile").write_text("all:\n")
+    runner.invoke(app, ["emit", "c", "track_wheel", "--out", str(tmp_path)])
+    assert (tmp_path / "Makefile").read_text() == "all:\n"
     assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1
 
 

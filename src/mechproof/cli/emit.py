@@ -54,6 +54,8 @@ def emit_c(
 ) -> None:
     """Write a header and a source in C99 for each system; they need <math.h> and <stddef.h>.
 
+    A Makefile beside them makes shared libraries.
+
     Each kernel is a function of one point, and one with _array after its name of many. Sums over
     axes of any length take the number of their terms first. Quantities that are computed in one
     pass are stored by pointers. Link with -lm.
@@ -68,7 +70,7 @@ def emit_c(
     Exit status 0: written; 1: a kernel is not PROVED, a derivation fails, or has no kernel for C;
     2: bad usage.
     """
-    from mechproof.codegen.backends.c99 import render_c
+    from mechproof.codegen.backends.c99 import render_c, render_makefile
 
     if error is None and (let or name is not None):
         refuse(f"{'--let' if let else '--name'} goes with --error")
@@ -90,6 +92,9 @@ def emit_c(
             continue
         for name, text in files.items():
             _write(out / name, text)
+    # One that somebody else wrote is left alone.
+    if not (out / "Makefile").exists():
+        _write(out / "Makefile", render_makefile())
 
 
 def _judge(systems: list[str] | None, derivations: Path | None) -> Iterator[tuple[Path, Paper]]:

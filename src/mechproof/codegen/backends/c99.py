@@ -40,7 +40,8 @@ ACCURACY = {
     True: "Accuracy is the largest error that a search has found, in floats as they are computed "
     "here, where no value on the way leaves their range; eps = 2**-23.",
 }
-COMMAND = "cc -std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
+FLAGS = "-std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
+COMMAND = f"cc {FLAGS}"
 # Points whose angles are asked for together: of a block numbers stay in the first cache.
 BLOCK = 512
 # What is written out beside the elementary functions.
@@ -52,6 +53,11 @@ HEADERS = frozenset({
     "stdbool", "stdckdint", "stddef", "stdint", "stdio", "stdlib", "stdnoreturn", "string",
     "tgmath", "threads", "time", "uchar", "wchar", "wctype",
 })  # fmt: skip
+
+
+def render_makefile() -> str:
+    """Return the makefile that makes a shared library of each source beside it."""
+    return render_template("Makefile.jinja", {"flags": FLAGS})
 
 
 def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[str, str]:
