@@ -82,6 +82,7 @@ REFUSED: dict[str, list[Any]] = {
     "optional object": NO_OBJECTS[1:],
 }  # fmt: skip
 REFUSED["optional not negative"] = [v for v in REFUSED["not negative"] if v is not None]
+REFUSED["optional probability"] = [v for v in REFUSED["probability"] if v is not None]
 REFUSED["optional pair"] = [bad for bad in REFUSED["pair"] if bad is not None]
 # The kind of a parameter, by its name.
 KINDS = {
@@ -98,6 +99,7 @@ KINDS = {
     "width": "expanded_uncertainty",
     "not negative": "uncertainty standard_deviation half_width resolution",
     "probability": "probability",
+    "optional probability": "consumer_risk producer_risk",
     "text": "quantity unit name label of rank",
     "labels": "labels",
     "which": "which",
@@ -159,6 +161,7 @@ ELSEWHERE = {
     "choose.angles": "sizes",
     "export.phi1": "number",
     "export.tolerance": "positive",
+    "ThicknessInspection.tip_grade.multiple": "number",
     "formula.name": "text",
     "formula.derivations": "folder",
     "tailor.error": "positive",

@@ -193,6 +193,17 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         f"ThicknessInspection.{n}": (getattr(INSPECTION, n), {"acceptance": (-1, 1)})
         for n in ("shares", "consumer_risk", "producer_risk")
     },
+    **{
+        f"ThicknessInspection.{n}": (getattr(INSPECTION, n), {risk: wanted})
+        for n, risk, wanted in (
+            ("acceptance_limits", "consumer_risk", 0.01),
+            ("scale_gauge", "producer_risk", 0.95),
+        )
+    },
+    "ThicknessInspection.tip_grade": (
+        INSPECTION.tip_grade,
+        {"multiple": 6, "producer_risk": 0.95},
+    ),
     "ThicknessInspection.conformance_probability": (
         INSPECTION.conformance_probability,
         {"measured": 0.0},

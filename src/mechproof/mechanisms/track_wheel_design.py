@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from mechproof.arguments.scalars import check_real, require
+from mechproof.arguments.scalars import check_real, choose_one, require
 from mechproof.mechanisms.units import Units
 
 __all__ = ["QUARTER", "check_offset", "check_tilt", "choose_wish", "find_angles", "solve_tilt"]
@@ -42,10 +42,7 @@ def check_offset(offset: object) -> float:
 
 def choose_wish(wanted: Mapping[str, object], units: Units) -> tuple[str, float]:
     """Return name and size of the one error that is given."""
-    given = {name: error for name, error in wanted.items() if error is not None}
-    if len(given) != 1:
-        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: give one of {', '.join(wanted)}")
-    ((name, error),) = given.items()
+    name, error = choose_one(wanted)
     return name, check_real(name, units.take(name, error, "mm"))
 
 
