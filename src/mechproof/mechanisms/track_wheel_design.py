@@ -11,6 +11,8 @@ plane. With t = tan(tau/2) each error w gives an equation q*t**2 + 2*b*t = g:
     in space:     g = w**2 - e**2,  b = 2*e*H,  q = 4*(rho**2 + H**2 + e*rho) - g
 
 Up to tau = pi/2 both errors rise with the tilt and the offset, so that the root is the only one.
+The rows "design, ..." of the track wheel's ledger prove all of it, from equation (15) of Kapitonov,
+Yakubovsky 2022.
 """
 
 from __future__ import annotations
