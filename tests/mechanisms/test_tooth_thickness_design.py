@@ -210,6 +210,13 @@ def test_the_coarsest_grade_has_the_risk_and_the_next_has_not() -> None:
             r"producer_risk = array.*: is wanted of one set",
         ),
         (
+            inspect(FIXED, FIXED, true=FIXED),
+            "acceptance_limits",
+            {"consumer_risk": 0.1},
+            ValueError,
+            "consumer_risk = 0.1: is not reached",
+        ),
+        (
             dataclasses.replace(GAUGE, tolerance=([-0.057, -0.05], -0.012)),
             "acceptance_limits",
             {"producer_risk": 0.1},

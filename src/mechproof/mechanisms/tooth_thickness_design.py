@@ -41,6 +41,8 @@ FAR, OCTAVES = 60, range(-20, 21)
 # From below one step is the rule; only near the largest risk they are many.
 STEPS = 100
 EPS = float(np.finfo(float).eps)
+# Twice the accuracy of shares by quadrature, and much below any jump that matters.
+NEAR = 2e-8
 
 
 def choose_risk(consumer_risk: float | None, producer_risk: float | None) -> tuple[str, float]:
@@ -82,6 +84,10 @@ def find_acceptance(
         return sign * get_risk(name, shares(limits))
 
     guard = _invert(rise, sign * risk, -reach, min((high - low) / 2, reach))
+    reached = abs(rise(guard))
+    close = math.isclose(reached, risk, rel_tol=NEAR, abs_tol=NEAR)
+    allowed = f"is not reached: with values that are fixed the risk jumps to {reached!r}"
+    require(close, name, risk, allowed)
     return low + guard, high - guard
 
 
