@@ -285,7 +285,8 @@ class TrackWheel(Displayed):
         if name == "planar_error":
             return units.give(error - inwards, "mm")
         *_, up = self._displace_crest(angle, 0.0)
-        side = math.sqrt(error - abs(up)) * math.sqrt(error + abs(up))
+        # A hypotenuse may be below its longer side by a last bit.
+        side = math.sqrt(max(error - abs(up), 0.0)) * math.sqrt(error + abs(up))
         found = (error - least) * ((error + least) / (inwards + side)) if error > least else 0.0
         return units.give(found, "mm")
 
