@@ -82,15 +82,16 @@ REFUSED: dict[str, list[Any]] = {
     "optional object": NO_OBJECTS[1:],
 }  # fmt: skip
 REFUSED["optional not negative"] = [v for v in REFUSED["not negative"] if v is not None]
+REFUSED["optional probability"] = [v for v in REFUSED["probability"] if v is not None]
 REFUSED["optional pair"] = [bad for bad in REFUSED["pair"] if bad is not None]
 # The kind of a parameter, by its name.
 KINDS = {
     "number": "R1 R2 e m alpha l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM R A H "
-    "nominal gap value module",
+    "nominal gap value module tilt offset",
     "number of": "variant set",
     "array": "phi3 phi1 dh e_tip height_error x1 phi points angle speed acceleration jerk t",
     "strict array": "measured mean std width multiple lower upper x inputs signs readings",
-    "exact": "mount R4 R5 e2 eta band largest_e largest_ratio",
+    "exact": "mount R4 R5 e2 eta band largest_e largest_ratio planar_error spatial_error",
     "object": "pair dwell wheel contributions system type_a mechanism corners exact",
     "optional object": "axes ax certified scatter",
     "count": "z count chunk budget",
@@ -98,6 +99,7 @@ KINDS = {
     "width": "expanded_uncertainty",
     "not negative": "uncertainty standard_deviation half_width resolution",
     "probability": "probability",
+    "optional probability": "consumer_risk producer_risk",
     "text": "quantity unit name label of rank",
     "labels": "labels",
     "which": "which",
@@ -159,6 +161,7 @@ ELSEWHERE = {
     "choose.angles": "sizes",
     "export.phi1": "number",
     "export.tolerance": "positive",
+    "ThicknessInspection.tip_grade.multiple": "number",
     "formula.name": "text",
     "formula.derivations": "folder",
     "tailor.error": "positive",

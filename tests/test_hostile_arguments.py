@@ -151,8 +151,27 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "TrackWheel.published": (TrackWheel.published, {"z": 6, "H": 20, "shift": (0, 0, 0)}),
     **{
         f"TrackWheel.{n}": (getattr(WHEEL, n), {"phi": 1.0, "degrees": False})
-        for n in ("radius", "track", "displacement", "planar_error", "spatial_error")
+        for n in (
+            "radius",
+            "track",
+            "displacement",
+            "planar_error",
+            "spatial_error",
+            "normal_error",
+        )
     },
+    "TrackWheel.worst_pose": (
+        WHEEL.worst_pose,
+        {"tilt": 0.1, "offset": 0.1, "degrees": False},
+    ),
+    "TrackWheel.largest_tilt": (
+        WHEEL.largest_tilt,
+        {"planar_error": 0.2, "offset": 0.1, "degrees": False},
+    ),
+    "TrackWheel.largest_offset": (
+        WHEEL.largest_offset,
+        {"spatial_error": 10, "tilt": 0.1, "degrees": False},
+    ),
     "TrackWheel.displacement_of": (WHEEL.displacement_of, {"points": [1.0, 2.0, 3.0]}),
     "ThicknessInspection": (
         ThicknessInspection,
@@ -174,6 +193,17 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         f"ThicknessInspection.{n}": (getattr(INSPECTION, n), {"acceptance": (-1, 1)})
         for n in ("shares", "consumer_risk", "producer_risk")
     },
+    **{
+        f"ThicknessInspection.{n}": (getattr(INSPECTION, n), {risk: wanted})
+        for n, risk, wanted in (
+            ("acceptance_limits", "consumer_risk", 0.01),
+            ("scale_gauge", "producer_risk", 0.95),
+        )
+    },
+    "ThicknessInspection.tip_grade": (
+        INSPECTION.tip_grade,
+        {"multiple": 6, "producer_risk": 0.95},
+    ),
     "ThicknessInspection.conformance_probability": (
         INSPECTION.conformance_probability,
         {"measured": 0.0},

@@ -12,6 +12,7 @@ from mechproof.record import Paper
 from .aside import ASIDE
 from .consequences import CONSEQUENCES
 from .curve_rows import CURVE_ROWS
+from .design import DESIGN_ROWS
 from .error_rows import ERROR_ROWS
 from .figures import FIGURE_ROWS
 from .findings import FINDINGS
@@ -27,7 +28,13 @@ PAPER = Paper(
     variables=VARIABLES,
     notation=NOTATION,
     print=PRINT.file,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS + CONSEQUENCES,
+    rows=ERROR_ROWS
+    + FRAME_ROWS
+    + CURVE_ROWS
+    + TABLE_ROWS
+    + FIGURE_ROWS
+    + CONSEQUENCES
+    + DESIGN_ROWS,
     transcription="2",
     sentences=68,
     aside=ASIDE,

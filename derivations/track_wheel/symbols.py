@@ -74,6 +74,8 @@ radius, thickness, amplitude, periods, phi = PRINT.symbols("R H_s A z phi")
 radius_vector, planar_error, spatial_error = PRINT.symbols("rho Delta_Sigma^XY Delta_Sigma^XYZ")
 ball_radius, millimetre = sp.symbols("r_b mm", positive=True)
 THETA = periods * phi
+eccentricity, nearer, farther = sp.symbols("e d f", nonnegative=True)
+tilt_tangent = sp.Symbol("t", positive=True)
 
 # Meanings and prints of what the block does not declare ----------------------------------------
 
@@ -132,6 +134,12 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
         ),
         offset: ("deviation from the middle of a tolerance",),
     },
+    (LENGTH, sp.Interval(0, sp.oo)): {
+        eccentricity: ("offset of the axis",),
+        nearer: ("distance of a point from the plane of the crest that rises",),
+        farther: ("distance of a point from the plane of the crest that falls",),
+    },
+    (NUMBER, sp.Interval.Lopen(0, 1)): {tilt_tangent: ("tangent of half the tilt",)},
     (NUMBER, sp.Interval.open(0, 1)): {
         share: ("temperature error / total error",),
         spread: ("largest relative change of the deformation",),

@@ -102,6 +102,14 @@ def check_triple(name: str, value: Any) -> tuple[float, float, float]:
     return x, y, z
 
 
+def choose_one(wanted: Mapping[str, Any]) -> tuple[str, Any]:
+    """Return name and value of the one parameter that is given; TypeError for none or several."""
+    given = [name for name, value in wanted.items() if value is not None]
+    if len(given) != 1:
+        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: give one of {', '.join(wanted)}")
+    return given[0], wanted[given[0]]
+
+
 def check_text(name: str, value: Any) -> str:
     """Return a text; TypeError for anything else."""
     require(isinstance(value, str), name, value, "must be a text", TypeError)

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_flag, check_pair
-from mechproof.arguments.scalars import refuse, require
+from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.conformity import (
     Law,
     Normal,
@@ -41,13 +41,23 @@ from mechproof.conformity.risks import Limits
 from mechproof.kernels.forms import tooth_thickness as forms
 from mechproof.laws.kinds import check_law
 from mechproof.mechanisms.tooth_thickness import ToothThickness
+from mechproof.mechanisms.tooth_thickness_design import (
+    Window,
+    check_symmetric,
+    choose_risk,
+    find_acceptance,
+    find_factor,
+    get_risk,
+)
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
 from mechproof.notebook import Displayed
 
 __all__ = ["IT_120_TO_180", "ThicknessInspection"]
 
 # ISO 286-1, standard tolerances of sizes above 120 up to 180 mm, in mm, by grade.
-IT_120_TO_180: Mapping[int, float] = MappingProxyType({6: 0.025, 7: 0.040, 8: 0.063})
+IT_120_TO_180: Mapping[int, float] = MappingProxyType(
+    {5: 0.018, 6: 0.025, 7: 0.040, 8: 0.063, 9: 0.100, 10: 0.160, 11: 0.250}
+)
 
 # Paper on tooth thickness: smallest decrease 12 um, tolerance 45 um; as deviations.
 PUBLISHED_TOLERANCE = (-0.057, -0.012)
@@ -199,3 +209,141 @@ class ThicknessInspection(Displayed):
             law = getattr(self, wrong[0])
             refuse(wrong[0], law, "must be Normal for a conformance probability", TypeError)
         return conformance_probability(measured, self.true, add_normals(errors), self.tolerance)
+
+    def acceptance_limits(
+        self, *, consumer_risk: float | None = None, producer_risk: float | None = None
+    ) -> tuple[float, float]:
+        """Return the acceptance limits with which a global risk is the one wanted.
+
+        Both differ from the tolerance limits by the same guard band: inwards if the consumer's
+        risk has to be less than with simple acceptance (guarded acceptance), outwards if the
+        producer's has to be (guarded rejection). A limit that is infinite stays so.
+
+        Parameters
+        ----------
+        consumer_risk, producer_risk : float
+            One of them, wanted: below the share of teeth that do not conform, or that do.
+
+        Returns
+        -------
+        (lower, upper)
+            Limits of the measured deviation (mm), as `shares` takes them.
+
+        Raises
+        ------
+        TypeError
+            If neither risk is given, or both are.
+        ValueError
+            If the risk is out of reach, or the laws and limits are several sets of parameters.
+
+        Notes
+        -----
+        Root of a monotonic function; the risk has the accuracy of `shares`.
+
+        Source: JCGM 106:2012, clauses 8 and 9.5.
+
+        """
+        name, risk = choose_risk(consumer_risk, producer_risk)
+        laws = self.true, *self.errors
+        reach = sum(float(np.max(np.abs(law.knots()))) for law in laws)
+        low, high = self._window
+        reach += max((abs(limit) for limit in (low, high) if np.isfinite(limit)), default=0.0)
+        return find_acceptance(name, risk, self.shares, (low, high), reach)
+
+    def scale_gauge(
+        self, *, consumer_risk: float | None = None, producer_risk: float | None = None
+    ) -> ThicknessInspection:
+        """Return this inspection with the largest gauge with which a global risk is as wanted.
+
+        The errors of the gauge, `height` and `thickness`, are multiplied by one factor, the
+        largest up to which the risk is no more than wanted, with simple acceptance. The producer's
+        risk rises with the factor; where the consumer's falls again, because the gauge scatters
+        as widely as the tolerance, this is left out.
+
+        Parameters
+        ----------
+        consumer_risk, producer_risk : float
+            One of them, wanted: above that of a gauge without error.
+
+        Raises
+        ------
+        TypeError
+            If neither risk is given, or both are.
+        ValueError
+            If the risk is out of reach, an error's law is not symmetric about 0, the gauge has no
+            error that can be scaled, or the laws and limits are several sets of parameters.
+
+        Notes
+        -----
+        Root of a monotonic function; the risk has the accuracy of `shares`.
+
+        Source: paper on tooth thickness, Figs. 4 and 5; JCGM 106:2012, clause 9.5.
+
+        """
+        name, risk = choose_risk(consumer_risk, producer_risk)
+        for error in ("tip_diameter", "height", "thickness"):
+            check_symmetric(error, getattr(self, error))
+        has_error = any(np.any(law.knots() != 0) for law in (self.height, self.thickness))
+        require(has_error, "thickness", self.thickness, "and height have no error to be scaled")
+        tip, *others = self.errors
+
+        def scaled(factor: float, tolerance: Window, acceptance: Window) -> Shares:
+            errors = [scale_law(law, factor) for law in others] if factor else []
+            return exact_shares(self.true, [tip, *errors], tolerance, acceptance)
+
+        factor = find_factor(name, risk, scaled, self._window)
+        height, thickness = (scale_law(law, factor) for law in (self.height, self.thickness))
+        return replace(self, height=height, thickness=thickness)
+
+    def tip_grade(
+        self,
+        *,
+        multiple: float,
+        consumer_risk: float | None = None,
+        producer_risk: float | None = None,
+    ) -> int:
+        """Return the coarsest IT grade of the tip diameter with which a global risk is as wanted.
+
+        Of the grades in `IT_120_TO_180`; with it and every finer one the risk is no more than
+        wanted.
+
+        Parameters
+        ----------
+        multiple : float
+            Standard deviations in the tolerance field, which is centred on the nominal size: the
+            deviation has the law Normal.from_width(0, IT, multiple).
+        consumer_risk, producer_risk : float
+            One of them, wanted: at least that with the finest grade.
+
+        Raises
+        ------
+        TypeError
+            If neither risk is given, or both are, or `multiple` is no real number.
+        ValueError
+            If the risk is out of reach, the tip diameter beyond 120 to 180 mm, `multiple` not
+            positive, or the laws and limits are several sets of parameters.
+
+        """
+        name, risk = choose_risk(consumer_risk, producer_risk)
+        check_real("multiple", multiple)
+        tip = self.wheel.m * (self.wheel.z + 2)
+        allowed = f"must have a tip diameter above 120 and up to 180 mm, not {tip!r} mm"
+        require(120 < tip <= 180, "wheel", self.wheel, allowed)
+        coarsest = None
+        for grade, field in IT_120_TO_180.items():
+            part = replace(self, tip_diameter=Normal.from_width(0.0, field, multiple))
+            found = get_risk(name, part.shares())
+            if found > risk:
+                break
+            coarsest = grade
+        if coarsest is None:
+            refuse(name, risk, f"must be at least {found!r}, that of IT{grade}")
+        return coarsest
+
+    @property
+    def _window(self) -> Window:
+        """The tolerance limits, of which there is one set; ValueError otherwise."""
+        low, high = (np.asarray(limit) for limit in self.tolerance)
+        one = low.ndim == high.ndim == 0
+        require(one, "tolerance", self.tolerance, "must be one pair of numbers here")
+        return float(low), float(high)

@@ -10,21 +10,36 @@ about Y0, then gamma about Z0, each counter-clockwise, and shifted by (a, b, c).
 45.25
 >>> wheel.displacement([0.0, 1.0]).shape
 (2, 3)
+>>> tilt = wheel.largest_tilt(spatial_error=0.05)
+>>> round(float(wheel.worst_pose(tilt).spatial_error(0.0)), 12)
+0.05
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import InitVar, dataclass, field
+from dataclasses import InitVar, dataclass, field, replace
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.scalars import check_count, check_real, check_triple
+from mechproof.arguments.scalars import check_count, check_real, check_triple, require
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import track_wheel as kernels
+from mechproof.kernels.derivatives import track_wheel as derivatives
 from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain
+from mechproof.mechanisms.inversion import WIDENING
+from mechproof.mechanisms.track_wheel_design import (
+    QUARTER,
+    check_offset,
+    check_tilt,
+    choose_wish,
+    find_angles,
+    solve_tilt,
+)
 from mechproof.mechanisms.units import Units
 from mechproof.notebook import Displayed
 
@@ -149,3 +164,142 @@ class TrackWheel(Displayed):
         units = Units()
         moved = units.take("phi", self.displacement(phi, degrees=degrees), "mm")
         return units.give(kernels.spatial_error(moved), "mm")
+
+    def normal_error(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return the error along the normal of the track in the plane, positive outwards.
+
+        It is the part of the displacement (15) that moves the track's wall to the side; NaN where
+        a track with |A| = R lies in the pole, and has no normal.
+        """
+        units = Units(degrees)
+        (angles,) = as_floats("phi", units.take("phi", phi, "rad"))
+        moved = np.asarray(self.displacement(angles))
+        radius = kernels.radius(angles, self.R, self.A, self.z)
+        cosine, sine = np.cos(angles), np.sin(angles)
+        outwards = moved[..., 0] * cosine + moved[..., 1] * sine
+        ahead = moved[..., 1] * cosine - moved[..., 0] * sine
+        with np.errstate(divide="ignore", invalid="ignore"):
+            slope = derivatives.radius(angles, self.R, self.A, self.z)[..., 0]
+            error = (radius * outwards - slope * ahead) / np.hypot(radius, slope)
+        return units.give(error, "mm")
+
+    def worst_pose(
+        self, tilt: float = 0.0, offset: float = 0.0, *, degrees: bool = False
+    ) -> TrackWheel:
+        """Return the wheel with its axis tilted and offset in the directions that are worst.
+
+        The side that rises is at a crest of the track, `radius_extremes().at_maximum`, and the
+        offset is away from it. With no other directions are the largest errors in the plane,
+        along the normal and in space larger; they occur at this crest. The wheel's own angles and
+        shift are left out, and so is a turn about its axis.
+
+        Parameters
+        ----------
+        tilt : float
+            Angle between the axis and Z0 (rad), 0 to pi/2.
+        offset : float
+            Shift in the plane X0Y0 (mm), not negative.
+        degrees : bool
+            Whether the tilt is in degrees.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a parameter is not of its kind or out of its range; the message names it.
+
+        """
+        units = Units(degrees)
+        angle = check_tilt(units.take("tilt", tilt, "rad"))
+        length = check_offset(units.take("offset", offset, "mm"))
+        return self._place(angle, length)
+
+    def largest_tilt(
+        self,
+        *,
+        planar_error: float | None = None,
+        spatial_error: float | None = None,
+        offset: float = 0.0,
+        degrees: bool = False,
+    ) -> Any:
+        """Return the tilt up to which no error is larger than wanted, in whatever direction.
+
+        In closed form: in the directions of `worst_pose` the largest error is the one wanted, to
+        20 eps, as held by the tests.
+
+        Parameters
+        ----------
+        planar_error, spatial_error : float
+            One of them: the largest error wanted in the plane, which is also that along the
+            normal of the track, or in space (mm).
+        offset : float
+            Shift in the plane X0Y0, in any direction, that comes with the tilt (mm).
+        degrees : bool
+            Whether the tilt is wanted in degrees.
+
+        Returns
+        -------
+        float
+            Angle between the axis and Z0 (rad), 0 to pi/2.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a parameter is not of its kind, or the error out of reach; the message says what is
+            allowed.
+
+        """
+        units = Units(degrees)
+        wanted = {"planar_error": planar_error, "spatial_error": spatial_error}
+        name, error = choose_wish(wanted, units)
+        length = check_offset(units.take("offset", offset, "mm"))
+        most = self._find_largest(name, QUARTER, length)
+        allowed = f"must lie between the offset, {length!r}, and {most!r}, that of a right angle"
+        require(length <= error <= most * (1 + WIDENING), name, error, allowed)
+        rho = float(kernels.largest_radius(self.R, self.A))
+        tilt = solve_tilt(name, error, length, rho, self.H)
+        return units.give(min(tilt, QUARTER), "rad")
+
+    def largest_offset(
+        self,
+        *,
+        planar_error: float | None = None,
+        spatial_error: float | None = None,
+        tilt: float = 0.0,
+        degrees: bool = False,
+    ) -> Any:
+        """Return the offset up to which no error is larger than wanted, in whatever direction.
+
+        In closed form, as `largest_tilt`; `tilt` is that which comes with the offset (rad), 0 to
+        pi/2. Errors as there; the error wanted must be at least that of the tilt alone.
+        """
+        units = Units(degrees)
+        wanted = {"planar_error": planar_error, "spatial_error": spatial_error}
+        name, error = choose_wish(wanted, units)
+        angle = check_tilt(units.take("tilt", tilt, "rad"))
+        least = self._find_largest(name, angle, 0.0)
+        allowed = f"must be at least {least!r}, that of the tilt alone"
+        require(error >= least * (1 - WIDENING), name, error, allowed)
+        # What is wanted may have been computed, and be too small by its rounding.
+        error = max(error, least)
+        inwards = self._find_largest("planar_error", angle, 0.0)
+        if name == "planar_error":
+            return units.give(error - inwards, "mm")
+        *_, up = self._displace_crest(angle, 0.0)
+        # A hypotenuse may be below its longer side by a last bit.
+        side = math.sqrt(max(error - abs(up), 0.0)) * math.sqrt(error + abs(up))
+        found = (error - least) * ((error + least) / (inwards + side)) if error > least else 0.0
+        return units.give(found, "mm")
+
+    def _place(self, tilt: float, offset: float) -> TrackWheel:
+        crest = self.radius_extremes().at_maximum
+        shift = (-offset * math.cos(crest), -offset * math.sin(crest), 0.0)
+        return replace(self, angles=find_angles(tilt, crest), shift=shift)
+
+    def _displace_crest(self, tilt: float, offset: float) -> Any:
+        """Return the displacement of the crest where it is largest."""
+        placed = self._place(tilt, offset)
+        return placed.displacement(placed.radius_extremes().at_maximum)
+
+    def _find_largest(self, name: str, tilt: float, offset: float) -> float:
+        """Return the largest of the errors that the kernel of this name computes."""
+        return float(getattr(kernels, name)(self._displace_crest(tilt, offset)))
