@@ -113,6 +113,7 @@ def test_branches_and_pieces_are_measured_charted_chosen_and_tailored(workshop: 
         assert "A quick measurement" in page
 
 
+@pytest.mark.thorough
 @pytest.mark.xdist_group("pieces")
 def test_compiled_kernels_are_kept_whoever_compiles_them_first(
     workshop: Path, tmp_path: Path

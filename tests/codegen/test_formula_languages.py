@@ -21,6 +21,7 @@ from c_libraries import STRICT, compile_files, needs_compiler
 from derived import paper_of
 from quantities import KERNELS, find_subject
 from trial import load_source, paper_of as make_paper, quantity_of, x
+from weights import first_of
 
 import mechproof
 from mechproof.cli.emit import SCRIPTS as COMMANDS
@@ -312,10 +313,12 @@ def test_numbers_are_read_back_exactly(number: float, language: str) -> None:
     assert (language != "structured_text") or text.startswith("LREAL#") != in_single
 
 
-def test_structured_text_is_read_by_its_grammar() -> None:
+@pytest.mark.parametrize(
+    "system", first_of(["tooth_thickness", "elliptic_planetary", "oval_planetary"])
+)
+def test_structured_text_is_read_by_its_grammar(system: str) -> None:
     """The grammar is that of another project's reader, of the language as controllers have it."""
     parse = pytest.importorskip("blark.parse")
-    for system in ("elliptic_planetary", "oval_planetary"):
-        (text,) = render_scripts(paper_of(system), "structured_text")[0].values()
-        assert parse.parse_source_code(text).exception is None
-        assert parse.parse_source_code(text.replace(":=", "=")).exception is not None
+    (text,) = render_scripts(paper_of(system), "structured_text")[0].values()
+    assert parse.parse_source_code(text).exception is None
+    assert parse.parse_source_code(text.replace(":=", "=")).exception is not None

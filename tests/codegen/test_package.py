@@ -12,7 +12,7 @@ from mechproof.record import Paper
 
 
 def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
-    paper = dataclasses.replace(declared_paper_of("elliptic_planetary"), system="system")
+    paper = dataclasses.replace(declared_paper_of("tooth_thickness"), system="system")
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
     folders = ("", "forms/", "derivatives/", "compiled/")
