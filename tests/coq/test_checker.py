@@ -34,7 +34,7 @@ from sympy import (
 from mechproof.coq import checker
 from mechproof.coq.checker import check_files, find_assumptions
 from mechproof.coq.libraries import LIBRARIES, read_library
-from mechproof.coq.scripts import LONGEST, write_script
+from mechproof.coq.scripts import PLAIN, write_script
 from mechproof.coq.theorems import Theorem
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
@@ -206,8 +206,7 @@ def proved(planted: tuple[Path, dict[str, str]]) -> set[str]:
     for name, pair in PAIRS.items():
         for kind, theorem in zip(("true", "wrong"), pair, strict=True):
             module = f"{name}_{kind}".replace(" ", "_")
-            longest = 0 if name.startswith("shared") else LONGEST
-            script = write_script(name, [theorem], longest)
+            script = write_script(name, [theorem], 0 if name.startswith("shared") else PLAIN)
             script = re.sub(r"^(Require|Open) .*", "", script, flags=re.MULTILINE)
             script = script.replace("Qed.", "Qed.\nAbort All.")
             texts.append(f"Module {module}.\nOpen Scope R_scope.\n{script}\nEnd {module}.")

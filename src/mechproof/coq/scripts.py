@@ -13,19 +13,20 @@ from mechproof.coq.shared import settle, share_parts, write_definitions
 from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation, write_term
 from mechproof.coq.theorems import Theorem
 
+# Statements of numbers share their parts in longer scripts.
+PLAIN = 32_000
 # Work limits: Coq reads long statements for minutes, but of definitions many in seconds.
-LONGEST = 60_000
-_LONGEST_SHARED = 240_000
+_LONGEST, _LONGEST_SHARED = 60_000, 240_000
 
 
-def write_script(title: str, theorems: Sequence[Theorem], longest: int = LONGEST) -> str:
+def write_script(title: str, theorems: Sequence[Theorem], plain: int = PLAIN) -> str:
     """Write the file of one row: `title` is a comment, each theorem has its number.
 
-    Statements of numbers that would be longer than `longest` characters share their parts. Its
+    Statements of numbers that would be longer than `plain` characters share their parts. Its
     `all_parts` is what must not assume more than is published. Raises `UnwritableError`.
     """
-    text = _write(title, theorems, {})
-    if len(text) > longest and not any(theorem.symbols for theorem in theorems):
+    text, longest = _write(title, theorems, {}), _LONGEST
+    if len(text) > plain and not any(theorem.symbols for theorem in theorems):
         text = _write(title, theorems, share_parts([r for t in theorems for r in _list(t)]))
         longest = _LONGEST_SHARED
     if len(text) > longest:

@@ -23,15 +23,21 @@ _SHORTEST = 30
 # Enclosures have so many decimal places, fewer where those of the parts are wider.
 _PLACES = 30
 _BITS = 128
-# What relates two numbers if their difference is related to zero so, or lies on one side of it.
-_BY_DIFFERENCE = (
-    "Rminus_lt",
-    "Rminus_gt",
-    "Rminus_le",
-    "Rminus_ge",
-    "Rlt_not_eq, Rminus_lt",
-    "Rgt_not_eq, Rminus_gt",
-)
+# Two numbers are related as their difference is to zero, and differ where it has a sign.
+_SETTLE = f"""Ltac settle :=
+  let lies := interval with (i_prec {_BITS}) in
+  intros;
+  repeat match goal with |- _ /\\ _ => split end;
+  first
+    [ lies
+    | apply Rminus_lt; lies
+    | apply Rminus_gt; lies
+    | apply Rminus_le; lies
+    | apply Rminus_ge; lies
+    | apply Rlt_not_eq, Rminus_lt; lies
+    | apply Rgt_not_eq, Rminus_gt; lies
+    | at_point ].
+"""
 
 
 def share_parts(relations: Sequence[sp.Basic]) -> Names:
@@ -71,7 +77,12 @@ class _Parts:
 
 
 def write_definitions(names: Names) -> Iterator[str]:
-    """Yield the definition of each part and the fact where it lies. Raises `UnwritableError`."""
+    """Yield a tactic, and of each part its definition and the fact where it lies.
+
+    Raises `UnwritableError`.
+    """
+    if names:
+        yield _SETTLE
     known: dict[sp.Basic, str] = {}
     values: dict[sp.Basic, flint.arb] = {}
     for part, name in names.items():
@@ -92,10 +103,7 @@ def write_definitions(names: Names) -> Iterator[str]:
 
 def settle(text: str) -> str:
     """Write the tactics that prove relations from where the definitions lie that they use."""
-    by = f"interval with (i_prec {_BITS})"
-    ways = " | ".join((by, *(f"apply {lemma}; {by}" for lemma in _BY_DIFFERENCE), "at_point"))
-    split = "repeat match goal with |- _ /\\ _ => split end"
-    return f"{_recall(text)}intros; {split}; first [ {ways} ]."
+    return f"{_recall(text)}settle."
 
 
 def _recall(text: str) -> str:
