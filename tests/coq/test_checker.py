@@ -34,7 +34,7 @@ from sympy import (
 from mechproof.coq import checker
 from mechproof.coq.checker import check_files, find_assumptions
 from mechproof.coq.libraries import LIBRARIES, read_library
-from mechproof.coq.scripts import write_script
+from mechproof.coq.scripts import PLAIN, write_script
 from mechproof.coq.theorems import Theorem
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
@@ -52,6 +52,8 @@ LENGTHS = (
 DOUBLED = Integral(2 / (1 - e * cos(2 * v)), (v, 0, x / 2))
 TURNED = atan2(e * sin(x), 1 - e * cos(x))
 HALF_TURN = (Gt(x, -pi, evaluate=False), Lt(x, pi, evaluate=False), Ne(cos(x / 2), 0))
+# It is written once.
+ROOTS = sqrt(sqrt(2) + sqrt(3) + atan2(1, -2, evaluate=False))
 FROM_ZERO = (Ge(x, 0, evaluate=False), Le(x, 1, evaluate=False))
 VECTOR = (Ne(x**2 + y**2, 0),)
 TURN = (Lt(x, 1, evaluate=False), Lt(0, x, evaluate=False))
@@ -112,6 +114,10 @@ PAIRS = {
     "number": (
         state(Lt(abs(sqrt(2) * pi - Rational(4443, 1000)), Rational(1, 2000), evaluate=False)),
         state(Lt(abs(sqrt(2) * pi - Rational(4444, 1000)), Rational(1, 2000), evaluate=False)),
+    ),
+    "shared numbers": (
+        state(Lt(ROOTS * cos(ROOTS), -sin(ROOTS) - Rational(1, 3), evaluate=False)),
+        state(Lt(ROOTS * cos(ROOTS), -sin(ROOTS) - 4, evaluate=False)),
     ),
     "integral": (
         state(equal(Integral(cos(e * v) * e, (v, 0, x)), sin(e * x)), *SHARE),
@@ -200,7 +206,7 @@ def proved(planted: tuple[Path, dict[str, str]]) -> set[str]:
     for name, pair in PAIRS.items():
         for kind, theorem in zip(("true", "wrong"), pair, strict=True):
             module = f"{name}_{kind}".replace(" ", "_")
-            script = write_script(name, [theorem])
+            script = write_script(name, [theorem], 0 if name.startswith("shared") else PLAIN)
             script = re.sub(r"^(Require|Open) .*", "", script, flags=re.MULTILINE)
             script = script.replace("Qed.", "Qed.\nAbort All.")
             texts.append(f"Module {module}.\nOpen Scope R_scope.\n{script}\nEnd {module}.")

@@ -56,6 +56,31 @@ def test_a_changed_script_is_refused(statement: object, old: str, new: str) -> N
         compare_script(text.replace(old, new), theorems)
 
 
+SHARED = sqrt(sqrt(2) + sqrt(3) + sqrt(5) + sp.pi)
+
+
+def write_shared() -> tuple[str, list]:
+    _, theorems = write(Holds(sp.Lt(SHARED * cos(SHARED), sin(SHARED), evaluate=False)))
+    return write_script("mine", theorems, 0), theorems
+
+
+def test_shared_parts_are_read_back() -> None:
+    text, theorems = write_shared()
+    assert text.count("PI") == 1
+    compare_script(text, theorems)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("(sqrt 3)", "(sqrt 4)"), ("(cos (sqrt", "(sin (sqrt"), ("Definition", "Axiom")],
+)
+def test_a_changed_definition_is_refused(old: str, new: str) -> None:
+    text, theorems = write_shared()
+    assert old in text
+    with pytest.raises(ReadBackError):
+        compare_script(text.replace(old, new), theorems)
+
+
 def test_a_statement_over_no_point_is_not_written() -> None:
     with pytest.raises(UnwritableError, match="no point"):
         write(Equality(e, e), where=(e > Rational(1, 2), e < Rational(1, 3)))

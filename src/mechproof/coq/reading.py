@@ -14,6 +14,7 @@ import sympy as sp
 
 _TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
 _STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : (.*)\.\nProof\.", re.MULTILINE)
+_DEFINITION = re.compile(r"^Definition (shared_\d+) : R := (.*)\.$", re.MULTILINE)
 _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin,
     "cos": sp.cos,
@@ -67,15 +68,28 @@ class ReadStatement:
 
 
 def read_script(text: str) -> list[ReadStatement]:
-    """Read every theorem and lemma of a file. Raises ValueError for what it does not know."""
-    return [_read(name, body) for name, body in _STATEMENT.findall(text)]
+    """Read every theorem and lemma of a file, with what it defines written out.
+
+    Raises ValueError for what it does not know.
+    """
+    defined: dict[str, sp.Expr] = {}
+    for name, term in _DEFINITION.findall(text):
+        defined[name] = _read_term(term, defined)
+    return [_read(name, body, defined) for name, body in _STATEMENT.findall(text)]
 
 
-def _read(name: str, body: str) -> ReadStatement:
+def _read_term(text: str, letters: Mapping[str, sp.Expr]) -> sp.Expr:
+    parser = _Parser(text, letters)
+    term = parser.sum()
+    parser.end()
+    return term
+
+
+def _read(name: str, body: str, defined: Mapping[str, sp.Expr]) -> ReadStatement:
     found = re.fullmatch(r"(forall|exists) ([\w' ]+) : R, (.*)", body)
     quantifier, names, rest = found.groups() if found else ("", "", body)
     variables = tuple(names.split())
-    parser = _Parser(rest, {variable: sp.Symbol(variable) for variable in variables})
+    parser = _Parser(rest, {**defined, **{letter: sp.Symbol(letter) for letter in variables}})
     *hypotheses, conclusion = parser.implications()
     parser.end()
     parts: tuple[Read, ...] = (conclusion,)

@@ -5,29 +5,48 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+import sympy as sp
+
 from mechproof.coq.libraries import find_library
 from mechproof.coq.proofs import prove, prove_at_point
-from mechproof.coq.terms import UnwritableError, name_symbols, write_relation, write_term
+from mechproof.coq.shared import settle, share_parts, write_definitions
+from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation, write_term
 from mechproof.coq.theorems import Theorem
 
-# Work limit: Coq reads longer scripts for minutes; the longest that it accepts has half of it.
-_LONGEST = 60_000
+# Statements of numbers share their parts in longer scripts.
+PLAIN = 32_000
+# Work limits: Coq reads long statements for minutes, but of definitions many in seconds.
+_LONGEST, _LONGEST_SHARED = 60_000, 240_000
 
 
-def write_script(title: str, theorems: Sequence[Theorem]) -> str:
+def write_script(title: str, theorems: Sequence[Theorem], plain: int = PLAIN) -> str:
     """Write the file of one row: `title` is a comment, each theorem has its number.
 
-    Its `all_parts` is what must not assume more than is published. Raises `UnwritableError`.
+    Statements of numbers that would be longer than `plain` characters share their parts. Its
+    `all_parts` is what must not assume more than is published. Raises `UnwritableError`.
     """
-    parts = [write_theorem(theorem, f"part_{n}") for n, theorem in enumerate(theorems, start=1)]
+    text, longest = _write(title, theorems, {}), _LONGEST
+    if len(text) > plain and not any(theorem.symbols for theorem in theorems):
+        text = _write(title, theorems, share_parts([r for t in theorems for r in _list(t)]))
+        longest = _LONGEST_SHARED
+    if len(text) > longest:
+        raise UnwritableError(f"its script is longer than {longest} characters")
+    return text
+
+
+def _list(theorem: Theorem) -> tuple[sp.Basic, ...]:
+    return *theorem.hypotheses, theorem.conclusion
+
+
+def _write(title: str, theorems: Sequence[Theorem], shared: Names) -> str:
+    numbered = enumerate(theorems, start=1)
+    parts = [write_theorem(theorem, f"part_{n}", shared) for n, theorem in numbered]
+    parts = [*write_definitions(shared), *parts]
     library = find_library("\n".join(parts))
     parts = [f"(* {title} *)", f"Require Import {library}.\nOpen Scope R_scope.\n", *parts]
     names = re.findall(r"^(?:Theorem|Lemma) (\w+)", "\n".join(parts), re.MULTILINE)
     parts.append(f"Definition all_parts := ({', '.join(names)}).\n")
-    text = "\n".join(parts)
-    if len(text) > _LONGEST:
-        raise UnwritableError(f"its script is longer than {_LONGEST} characters")
-    return text
+    return "\n".join(parts)
 
 
 def write_assumptions(modules: Sequence[str]) -> str:
@@ -37,9 +56,12 @@ def write_assumptions(modules: Sequence[str]) -> str:
     return f"{requires}\nDefinition all_rows := ({parts}).\nPrint Assumptions all_rows.\n"
 
 
-def write_theorem(theorem: Theorem, name: str) -> str:
-    """Write a theorem with its proof, and the witness of its hypotheses as a lemma before it."""
-    names = name_symbols(theorem.symbols)
+def write_theorem(theorem: Theorem, name: str, shared: Names) -> str:
+    """Write a theorem with its proof, and the witness of its hypotheses as a lemma before it.
+
+    Numbers that are `shared` are written by their names.
+    """
+    names = name_symbols(theorem.symbols, shared)
     hypotheses = [write_relation(h, names) for h in theorem.hypotheses]
     conclusion = write_relation(theorem.conclusion, names)
     values = [write_term(theorem.witness[s], {}) for s in theorem.symbols]
@@ -48,14 +70,15 @@ def write_theorem(theorem: Theorem, name: str) -> str:
     reach = "".join(f"exists {value}. " for value in values)
     if not theorem.of_all:
         facts = " /\\ ".join([*hypotheses, conclusion])
-        shown = prove_at_point((*theorem.hypotheses, theorem.conclusion))
+        shown = settle(facts) if shared else prove_at_point(_list(theorem))
         return f"Theorem {name} : {exists}{facts}.\nProof. {reach}{shown} Qed.\n"
     inhabited = ""
     if hypotheses:
         facts = " /\\ ".join(hypotheses)
-        shown = prove_at_point(theorem.hypotheses)
+        shown = settle(facts) if shared else prove_at_point(theorem.hypotheses)
         inhabited = f"Lemma {name}_inhabited : {exists}{facts}.\nProof. {reach}{shown} Qed.\n\n"
     variables = f"forall {binders} : R, " if binders else ""
     implied = "".join(f"{h} -> " for h in hypotheses)
-    proof = "\n".join(f"  {line}" for line in prove(theorem, names))
+    lines = [settle(f"{implied}{conclusion}")] if shared else prove(theorem, names)
+    proof = "\n".join(f"  {line}" for line in lines)
     return f"{inhabited}Theorem {name} : {variables}{implied}{conclusion}.\nProof.\n{proof}\nQed.\n"

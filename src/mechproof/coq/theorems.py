@@ -83,7 +83,10 @@ def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
 
 
 def _refuse_long(relations: Sequence[sp.Basic]) -> None:
-    parts = chain.from_iterable(map(sp.preorder_traversal, relations))
+    """Refuse relations of too many parts; of numbers equal parts count once, as they are shared."""
+    parts: Iterator[sp.Basic] = chain.from_iterable(map(sp.preorder_traversal, relations))
+    if not any(map(find_free, relations)):
+        parts = iter(dict.fromkeys(parts))
     if sum(1 for _ in islice(parts, _LONGEST)) == _LONGEST:
         raise UnwritableError(f"it has {_LONGEST} parts or more")
 
