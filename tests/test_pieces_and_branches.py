@@ -88,6 +88,7 @@ def test_the_same_in_c(workshop: Path) -> None:
         assert function(*given) == pytest.approx(getattr(kernels, name)(*given), rel=4 * EPS)
 
 
+@pytest.mark.thorough
 @pytest.mark.xdist_group("pieces")
 def test_branches_and_pieces_are_measured_charted_chosen_and_tailored(workshop: Path) -> None:
     run_in(workshop, "measure", "--quick", "rocker", "lift")

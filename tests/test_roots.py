@@ -86,6 +86,7 @@ def test_the_same_in_c(workshop: Path) -> None:
         assert function(mean, size) == pytest.approx(float(solve(mean, size)), rel=16 * EPS)
 
 
+@pytest.mark.thorough
 @pytest.mark.xdist_group("roots")
 def test_a_root_is_measured_charted_and_chosen_but_not_tailored(workshop: Path) -> None:
     run_in(workshop, "measure", "--quick", "anomaly")

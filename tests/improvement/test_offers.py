@@ -132,6 +132,7 @@ def test_a_candidate_computes_what_its_kernel_computes(subjects: dict[str, Subje
     assert measure_loss(candidate.compute, points).digits < 1
 
 
+@pytest.mark.thorough
 def test_what_is_found_is_kept_and_shipped(workshop: Path) -> None:
     derivation = workshop / "derivations" / "gear.py"
     run_in(workshop, "verify")

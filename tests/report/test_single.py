@@ -12,6 +12,8 @@ from typer.testing import CliRunner, Result
 from mechproof.cli import app
 from mechproof.report import join_pages
 
+pytestmark = pytest.mark.xdist_group("report")
+
 
 def run(*arguments: str) -> Result:
     return CliRunner().invoke(app, ["report", *arguments])
