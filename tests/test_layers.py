@@ -1,8 +1,8 @@
 """Who may import whom, as one sentence: each layer what is below it, and no way leads back.
 
 tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < programs < proof,
-roundoff, emission < documents, Coq, FPCore < loading < the runtime that proves < tailoring <
-laboratory, figures < report < pipeline < command line.
+roundoff, emission < documents, Coq, FPCore, comparison < loading < the runtime that proves <
+tailoring < laboratory, figures < report < pipeline < command line.
 """
 
 from __future__ import annotations
@@ -43,7 +43,12 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"latex": ("latex",), "arithmetic": ("arithmetic",)},
     {"programs": ("programs",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
-    {"documents": ("document",), "Coq": ("coq",), "FPCore": ("fpcore",)},
+    {
+        "documents": ("document",),
+        "Coq": ("coq",),
+        "FPCore": ("fpcore",),
+        "comparison": ("comparison",),
+    },
     {"loading": ("chosen", "derivation")},
     {"tolerance": ("tolerance",)},
     {"mechanisms": ("mechanisms",)},
@@ -58,6 +63,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {
         "pipeline": (
             "bounding",
+            "bounds_page",
             "certification",
             "formulas",
             "ledger_cache",

@@ -19,8 +19,10 @@ from mechproof.bounding import (
     read_boundings,
     read_pasted,
 )
+from mechproof.bounds_page import CITED, compare
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.json_file import clear_json, write_json
+from mechproof.files import write_whole
 from mechproof.fpcore.expressions import FPCoreError
 from mechproof.pasted import Pasted, PastedError
 from mechproof.roundoff.boxed import Convention
@@ -74,6 +76,15 @@ def bound(
             "--parts", metavar="N", min=1, help="The most parts that a box is divided in."
         ),
     ] = PARTS,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            "--table",
+            metavar="PAGE.md",
+            help="Write a page instead: these bounds beside those of Gappa and FPTaylor, where "
+            "installed, and of cited.json beside the first file.",
+        ),
+    ] = None,
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the bounds to this file.")
     ] = None,
@@ -100,6 +111,9 @@ def bound(
         boundings = _read(sources, pasted, any((where, values, names, factors)))
         if not 0 < tolerance < 1:
             refuse(f"--tolerance {tolerance}: must be above 0 and below 1")
+        if table:
+            _write_table(table, sources, boundings)
+            return
         bounds = []
         with show_progress("bounding rounding errors") as report:
             for found in bound_all(boundings, convention, tolerance, parts, report):
@@ -114,6 +128,18 @@ def bound(
     write_json(json_file, bounds_to_json(bounds))
     if any(found.open for found in bounds):
         raise typer.Exit(1)
+
+
+def _write_table(page: Path, sources: list[str], boundings: list[Bounding]) -> None:
+    if not sources[0].endswith(FPCORE) or page.suffix != ".md":
+        refuse(f"--table {page}: a page is called .md, and is of files of FPCore")
+    with show_progress("comparing bounds") as report:
+        text = compare(boundings, Path(sources[0]).parent / CITED, report)
+    try:
+        write_whole(page, text)
+    except OSError as error:
+        fail(f"--table {page}: {error.strerror}")
+    say(f"wrote {page}")
 
 
 def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[Bounding]:

@@ -1,0 +1,138 @@
+"""Comparing: in, programs and what is cited of them; out, a page of bounds side by side.
+
+Gappa and FPTaylor are run where they are installed, with the same steps and conventions. Functions
+are taken as rounded to nearest, as FPTaylor takes them; as those of NumPy are not, no worst input
+is looked for there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from mechproof.arithmetic.largest import bound_largest
+from mechproof.bounding import PARTS, TOLERANCE, Bounding
+from mechproof.comparison import fptaylor, gappa
+from mechproof.processes import WorkerError, run_tasks
+from mechproof.roundoff.assumptions import FUNCTIONS
+from mechproof.roundoff.boxed import Convention, put_in_box
+from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.steps import HALF
+
+# Seconds for all programs with one convention.
+LIMIT = 3600.0
+CITED = "cited.json"
+NEAR, BELOW, NEAR_CITED = 1.02, 0.99, 1.1
+HEADS = {
+    "doubles": "Inputs are doubles",
+    "rounded": "Inputs are real numbers, which are rounded first",
+}
+_TITLE = """# Bounds of rounding errors
+
+`mechproof bound docs/fpbench/benchmarks.fpcore --table docs/bounds.md` writes this page: absolute
+errors in doubles of programs of [FPBench](fpbench/benchmarks.fpcore), as they are proved here, and
+by Gappa and FPTaylor, which are run on the same steps with the same conventions (Gappa plainly and
+with the box cut into some 256 parts, of which the better bound counts). What is *cited* is the
+lowest bound that others publish. *found* is the error at the worst input that a search of fixed
+budget found. A dash means: none, not run, or not published. Functions are taken as rounded to
+nearest, as FPTaylor takes them.
+"""
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A program's bounds: ours, the worst error found, those of others and the best cited."""
+
+    name: str
+    proved: float
+    found: float | None
+    gappa: float | None
+    fptaylor: float | None
+    cited: tuple[float, str] | None
+
+    @property
+    def others(self) -> list[float]:
+        """List the bounds of the programs that were run."""
+        return [bound for bound in (self.gappa, self.fptaylor) if bound is not None]
+
+
+def compare(
+    boundings: Sequence[Bounding], cited: Path, report: Callable[[str], None] = lambda text: None
+) -> str:
+    """Return the page; ValueError for a program that is not bounded or takes too long."""
+    known = json.loads(cited.read_text("utf-8")) if cited.is_file() else {}
+    parts = [_TITLE]
+    for inputs, head in HEADS.items():
+        report(head)
+        tasks = [(bounding, inputs, known.get(inputs, {})) for bounding in boundings]
+        found: dict[int, Compared] = {}
+        for number, row in run_tasks(_compare, tasks, limit=LIMIT):
+            if isinstance(row, WorkerError):
+                raise ValueError(f"{boundings[number].name}: {row}")
+            found[number] = row
+        parts.append("\n".join(_write_table(head, [found[n] for n in range(len(tasks))])))
+    sources = [f"- {name}: {text}." for name, text in known.get("sources", {}).items() if text]
+    parts.append("\n".join(("## Sources of what is cited", "", *sources)))
+    return "\n".join(parts) + "\n"
+
+
+def _compare(task: tuple[Bounding, str, Mapping[str, Any]]) -> Compared:
+    bounding, inputs, cited = task
+    convention = Convention(rounded_inputs=inputs == "rounded", ulps=HALF)
+    program = put_in_box(bounding.straight, bounding.ranges, convention)
+    largest = bound_largest(program.bound, program.box, TOLERANCE, PARTS)
+    has_functions = any(step.kind in FUNCTIONS for step in program.straight.steps)
+    boxes = (program.box, *largest.highest)
+    worst = None if has_functions else find_worst_input(program, boxes)
+    if worst and worst.error > largest.bound:
+        raise ArithmeticError(f"{worst.error} at {worst.at}, where {largest.bound} is proved")
+    published = ((bound, name) for name, bound in cited.get(bounding.name, {}).items())
+    return Compared(
+        bounding.name,
+        largest.bound,
+        worst.error if worst else None,
+        gappa.find_bound(program) if gappa.is_installed() else None,
+        fptaylor.find_bound(program) if fptaylor.is_installed() else None,
+        min(published, default=None),
+    )
+
+
+def _write_table(head: str, rows: Sequence[Compared]) -> Iterator[str]:
+    yield f"## {head}"
+    yield ""
+    yield "| program | proved | found | Gappa | FPTaylor | ours/best run | cited | ours/cited |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for row in rows:
+        others, cited = row.others, row.cited
+        run = _write_ratio(row.proved / min(others)) if others else "-"
+        told = f"{cited[0]:.3g} ({cited[1]})" if cited else "-"
+        share = _write_ratio(row.proved / cited[0]) if cited else "-"
+        bounds = (_write(b) for b in (row.proved, row.found, row.gappa, row.fptaylor))
+        yield f"| {row.name} | {' | '.join(bounds)} | {run} | {told} | {share} |"
+    yield ""
+    yield _count(rows)
+    yield ""
+
+
+def _count(rows: Sequence[Compared]) -> str:
+    run = [row.proved / min(row.others) for row in rows if row.others]
+    cited = [row.proved / row.cited[0] for row in rows if row.cited]
+    also = [row.gappa / row.proved for row in rows if row.gappa]
+    return (
+        f"Others were run on {len(run)}: {sum(r <= NEAR for r in run)} bounds are within {NEAR} of "
+        f"the best of theirs, {sum(r <= BELOW for r in run)} at least 1 % below all. Of "
+        f"{len(cited)} with a cited bound {sum(r <= NEAR_CITED for r in cited)} are within "
+        f"{NEAR_CITED} of the best. Gappa proves {sum(r <= NEAR for r in also)} within {NEAR} of "
+        "ours."
+    )
+
+
+def _write(bound: float | None) -> str:
+    return "-" if bound is None else f"{bound:.4g}"
+
+
+def _write_ratio(ratio: float) -> str:
+    return f"{ratio:.3f}" if ratio >= 0.001 else "< 0.001"

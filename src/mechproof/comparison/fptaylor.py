@@ -1,0 +1,115 @@
+"""FPTaylor: in, a boxed program; out, a task for it, and the absolute error that it bounds.
+
+FPTaylor (Solovyev et al. 2018) is run with the improved model of rounding and with the whole
+optimisation problem, which is what its authors call configuration b. Functions are off by as many
+ulps as here.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import isfinite
+from pathlib import Path
+from shutil import which
+from tempfile import TemporaryDirectory
+from types import MappingProxyType
+
+from mechproof.programs.program import Operand
+from mechproof.roundoff.boxed import BoxedProgram
+from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step
+
+COMMAND = "fptaylor"
+LIMIT = 600.0
+OPTIONS = {
+    **{"opt": "bb", "opt-approx": "false", "opt-exact": "true", "find-bounds": "false"},
+    **{"fp-power2-model": "true", "const-approx-real-vars": "false", "rel-error": "false"},
+}
+_TEXTS: Mapping[str, str] = MappingProxyType(
+    {
+        **{"add": "{} + {}", "subtract": "{} - {}", "multiply": "{} * {}", "divide": "{} / {}"},
+        **{"negate": "-({})", "absolute": "abs({})", "sqrt": "sqrt({})", "fma": "{} * {} + {}"},
+        **{"sin": "sin({})", "cos": "cos({})", "tan": "tan({})", "arctan": "atan({})"},
+        **{"exp": "exp({})", "log": "log({})", "copy": "{}"},
+    }
+)
+_FOUND = re.compile(r"Absolute error \(exact\): (\S+)")
+_PI = Fraction("3.14159265358979323846264338327950288419716939937511")
+_NUMBERS = {"#pi": f"{_PI.numerator} / {_PI.denominator}"}
+
+
+def is_installed() -> bool:
+    """Say whether the command is there."""
+    return which(COMMAND) is not None
+
+
+def find_bound(program: BoxedProgram) -> float | None:
+    """Return the bound that FPTaylor finds; None where it finds none in time."""
+    kinds = {step.kind for step in program.straight.steps} - {CONSTANT}
+    if program.convention.relative or not kinds <= _TEXTS.keys():
+        return None
+    with TemporaryDirectory() as folder:
+        (Path(folder) / "task.txt").write_text(write_task(program), encoding="utf-8")
+        said = "".join(f"{key} = {value}\n" for key, value in OPTIONS.items())
+        (Path(folder) / "options.cfg").write_text(said, encoding="utf-8")
+        try:
+            done = subprocess.run(
+                [COMMAND, "-c", "options.cfg", "task.txt"],
+                cwd=folder,
+                capture_output=True,
+                text=True,
+                timeout=LIMIT,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return None
+    found = _FOUND.findall(done.stdout)
+    bound = float(found[-1]) if found else float("nan")
+    return bound if isfinite(bound) else None
+
+
+def write_task(program: BoxedProgram) -> str:
+    """Return the task of a program, each step with its own rounding."""
+    results = (*program.straight.inputs, *(step.result for step in program.straight.steps))
+    names = {name: f"v{number}" for number, name in enumerate(results)}
+    kind = "real" if program.convention.rounded_inputs else "float64"
+    inputs = zip(program.straight.inputs, program.box, strict=True)
+    lines = [
+        "Variables",
+        *(f"  {kind} {names[n]} in [{_write(low)}, {_write(high)}];" for n, (low, high) in inputs),
+        "Definitions",
+        *(f"  {line};" for line in _list_steps(program, names)),
+        "Expressions",
+        f"  result = {names[str(program.straight.outputs[0])]};",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _list_steps(program: BoxedProgram, names: Mapping[str, str]) -> Iterator[str]:
+    for step in program.straight.steps:
+        yield f"{names[step.result]} = {_round(step, _fill(step, names))}"
+
+
+def _fill(step: Step, names: Mapping[str, str]) -> str:
+    if step.kind == CONSTANT:
+        return _NUMBERS.get(str(step.operands[0]), str(step.operands[0]))
+    return _TEXTS[step.kind].format(*(_find(o, names) for o in step.operands))
+
+
+def _round(step: Step, text: str) -> str:
+    if step.ulps == EXACT:
+        return text
+    # The error in half ulps.
+    return f"rnd[64, ne, {step.ulps / HALF:g}]({text})"
+
+
+def _find(operand: Operand, names: Mapping[str, str]) -> str:
+    return names[operand] if isinstance(operand, str) else f"({_write(operand)})"
+
+
+def _write(number: float | Fraction) -> str:
+    exact = Fraction(number)
+    sign = "0 - " if exact < 0 else ""
+    return f"{sign}{abs(exact.numerator)} / {exact.denominator}"
