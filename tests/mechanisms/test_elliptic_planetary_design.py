@@ -85,6 +85,8 @@ def test_with_k_alone_the_small_wheel_has_1_mm() -> None:
         ({"quotient": 0.9, "k": 3}, ValueError, "quotient = 0.9: must be at least 1"),
         ({"non_uniformity": -1, "k": 3}, ValueError, "non_uniformity = -1.0: must not be neg"),
         ({"largest_ratio": 1e30, "k": 3}, ValueError, "so near to 1"),
+        ({"quotient": 1e200, "k": 3}, ValueError, "so near to 1"),
+        ({"non_uniformity": 1e308, "k": 1e5}, ValueError, "so near to 1"),
         ({"largest_ratio": 5, "k": 1}, ValueError, "k = 1: must be above 1"),
         ({"largest_ratio": 5, "k": -3}, ValueError, "k = -3.0: must be positive"),
         ({"largest_ratio": 5, "R1": 3, "R2": 3}, ValueError, "R2 = 3.0: must be below R1 = 3.0"),

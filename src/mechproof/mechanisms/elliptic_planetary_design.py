@@ -6,14 +6,13 @@ from the monotony that is proved with them.
 
 from __future__ import annotations
 
-import math
-
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import elliptic_planetary as kernels
 
 __all__ = ["find_sizes"]
 
 Sizes = tuple[float, float, float]
+EPS = 2.0**-52
 
 
 def find_sizes(wanted: dict[str, object], k: object, radius_1: object, radius_2: object) -> Sizes:
@@ -78,8 +77,12 @@ def _find_eccentricity(name: str, value: float, r1: float, r2: float) -> float:
     require(holds, name, value, allowed)
     kernel = getattr(kernels, f"eccentricity_of_{name}")
     e = float(kernel(value, r1, r2))
-    # A wish next to 1 + k may lie outside the kernel's domain by a rounding.
-    return 0.0 if math.isnan(e) else _check_below_one(name, value, e)
+    if not e > 0:
+        # A wish next to that of e = 0 may lie outside the kernel's domain by a rounding; squares
+        # of one far away leave the range of doubles, as e nears 1.
+        plain = {"quotient": 1.0, "non_uniformity": 0.0}.get(name, uniform)
+        e = 0.0 if abs(value - plain) <= 4 * EPS * uniform else 1.0
+    return _check_below_one(name, value, e)
 
 
 def _check_below_one(name: str, value: float, e: float) -> float:
