@@ -10,9 +10,10 @@ import pytest
 from mechproof import derivation, verification
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab.subject import find_subjects
+from mechproof.opening import Opened, open_paper
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.verification import Opened, find_ledgers, open_paper
+from mechproof.verification import find_ledgers
 
 SYSTEMS = find_systems(packaged_directory())
 

@@ -62,7 +62,7 @@ def test_what_the_forms_refuse_is_charged_to_the_derivation(
     def refuse(paper: object) -> None:
         raise NotImplementedError("no such rewrite")
 
-    monkeypatch.setattr("mechproof.verification.form_rows", refuse)
+    monkeypatch.setattr("mechproof.opening.form_rows", refuse)
     with pytest.raises(DerivationError, match=r"mine\.py: no such rewrite"):
         judge_derivations([file])
 

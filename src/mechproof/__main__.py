@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -72,6 +73,9 @@ def _run() -> None:
         )
         sys.exit(2)
     from mechproof.cli import app
+
+    # SymPy makes many objects that live: garbage is looked for less often.
+    gc.set_threshold(50_000)
 
     app(prog_name="mechproof")
 

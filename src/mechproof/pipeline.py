@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mechproof.certification import certify_derivations
+from mechproof.codegen.forms import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
@@ -121,6 +122,8 @@ def _render(
 ) -> dict[str, str]:
     pairs = zip((ledger.paper for ledger in ledgers), certificates, strict=True)
     papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
+    for paper in papers:
+        read_derivatives_back(paper)
     # Nobody else has all of our systems.
     is_own = {paper.system for paper in papers} >= set(find_systems(packaged_directory()))
     return {

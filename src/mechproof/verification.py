@@ -5,24 +5,23 @@ A paper is a derivation, or its own source as LaTeX or Markdown.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from mechproof.codegen.forms import derivative_rows, form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
 from mechproof.document import checking, judging
 from mechproof.document.sources import BESIDE, SUFFIXES
 from mechproof.ledger_cache import LedgerCache
+from mechproof.opening import Opened, open_derivation
 from mechproof.processes import START, WorkerError, run_batches
-from mechproof.proof.findings import follower_rows, list_findings
+from mechproof.proof.findings import list_findings
 from mechproof.proof.judge import judge
 from mechproof.proof.ledger import JudgedPaper, Ledger, Origin
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.proof.verdict_cache import VerdictCache, row_keys
+from mechproof.proof.verdict_cache import VerdictCache, make_keys
 from mechproof.reads import digest_files, note_reads
 from mechproof.record import Paper, Row
 
@@ -35,45 +34,8 @@ class VerificationError(RuntimeError):
     """What was judged is inconsistent: a derivation changed meanwhile."""
 
 
-@dataclass(frozen=True)
-class Opened:
-    """A derivation that is loaded: its paper, all rows, and what of the paper a verdict sees."""
-
-    location: Path
-    paper: Paper
-    rows: tuple[Row, ...]
-    domain: Paper
-    kernels: frozenset[str]
-
-
 # What a process has opened; one that was forked finds here what its parent had.
 _opened: dict[Path, Opened] = {}
-
-
-def open_derivation(location: Path) -> Opened:
-    """Load a derivation and state the rows of its forms.
-
-    Raises `DerivationError` naming the place.
-    """
-    return open_paper(location, load_paper(location))
-
-
-def open_paper(location: Path, paper: Paper) -> Opened:
-    """State the rows of the forms of a paper that was loaded from a place."""
-    try:
-        derivatives = derivative_rows(paper)
-        rows = (*paper.rows, *follower_rows(paper), *form_rows(paper), *derivatives)
-    except (ValueError, NotImplementedError) as error:
-        raise DerivationError(f"{location}: {error}") from error
-    counted = Counter(row.number for row in rows)
-    if twice := [number for number, count in counted.items() if count > 1]:
-        raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
-    variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
-    domain = Paper(
-        paper.system, "", variables, (), paper.where, published=paper.published, usual=paper.usual
-    )
-    shipped = number_shipped(paper).union(row.number for row in derivatives)
-    return Opened(location, paper, rows, domain, shipped)
 
 
 def find_ledgers(
@@ -240,30 +202,32 @@ class _Progress:
         only_kernels: bool,
         read: Mapping[str, str],
     ) -> None:
-        """Take what is kept of its rows, if ledgers are kept (`whole`)."""
+        """Take what is kept of its tasks, if ledgers are kept (`whole`)."""
         self.opened = opened
         self.whole = whole
         self.only_kernels = only_kernels
         self.read = read
-        rows = enumerate(opened.rows)
-        self.wanted = [n for n, r in rows if not only_kernels or r.number in opened.kernels]
+        self.tasks = opened.tasks
+        numbers = range(len(self.tasks))
+        self.wanted = [n for n in numbers if not only_kernels or opened.is_kernel(n)]
         self.cache = VerdictCache(opened.location)
-        self.keys = row_keys(opened.domain, opened.rows) if whole else [""] * len(opened.rows)
+        sources = opened.list_sources()
+        self.keys = make_keys(opened.domain, sources) if whole else [""] * len(sources)
         self.kept = self.cache.load() if whole else {}
         self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
         self.failed: dict[int, str] = {}
 
     def missing(self) -> Iterator[int]:
-        """Yield the numbers of rows to judge, from the last: forms stand last and take longest."""
+        """Yield the numbers of tasks left, from the last: derivatives stand last, take longest."""
         done = self.found.keys() | self.failed.keys()
         return (n for n in reversed(self.wanted) if n not in done)
 
-    def add(self, number: int, result: Judgement | WorkerError) -> None:
-        """Take the result of a row; a process that read the file anew may have met another."""
-        row = self.opened.rows[number]
+    def add(self, number: int, result: tuple[Judgement, ...] | WorkerError) -> None:
+        """Take the result of a task; a process that read the file anew may have met another."""
+        name = self.tasks[number]
         if isinstance(result, WorkerError):
-            self.failed[number] = f"{self.opened.location}: row {row.number}: {result}"
-        elif result.number != row.number:
+            self.failed[number] = f"{self.opened.location}: row {name}: {result}"
+        elif result[0].number != name:
             raise VerificationError(f"{self.opened.location}: changed while it was judged")
         else:
             self.found[number] = result
@@ -277,11 +241,12 @@ class _Progress:
     def finish(self, limit: float, report: Callable[[str], None]) -> JudgedPaper:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
         paper = self.opened.paper
+        found = [(n, judgement) for n in sorted(self.found) for judgement in self.found[n]]
         ledger = JudgedPaper(
             paper.system,
             paper.reference,
-            tuple(self.found[number] for number in sorted(self.found)),
-            shipped=self.opened.kernels,
+            tuple(judgement for _, judgement in found),
+            shipped=frozenset(j.number for n, j in found if self.opened.is_kernel(n)),
             failures=tuple(self.failed[number] for number in sorted(self.failed)),
             origin=Origin.of(paper),
             paper=paper,
@@ -361,9 +326,9 @@ def _describe_refusal(row: Judgement) -> str:
     return f"{text} At {at}: {values or where.what}."
 
 
-def _judge(task: tuple[Path, int]) -> Judgement:
+def _judge(task: tuple[Path, int]) -> tuple[Judgement, ...]:
     location, number = task
     if location not in _opened:
         _opened[location] = open_derivation(location)
     opened = _opened[location]
-    return judge(opened.rows[number], opened.domain)
+    return tuple(judge(row, opened.domain) for row in opened.state(number))

@@ -17,7 +17,8 @@ from mechproof.cli.paths import (
     read_out,
 )
 from mechproof.made import ForeignFileError
-from mechproof.verification import LIMIT, open_paper
+from mechproof.opening import open_paper
+from mechproof.verification import LIMIT
 
 
 def certify(
@@ -71,7 +72,7 @@ def certify(
     certificates: list[RowScript] = []
     with show_progress("writing scripts") as tell:
         for ledger, paper in zip(ledgers, opened, strict=True):
-            rows = {row.number: row for row in paper.rows}
+            rows = {row.number: row for row in paper.state_all()}
             certificates += write_certificates(ledger, rows, tell)
     try:
         write_folder(out, certificates)

@@ -14,7 +14,7 @@ from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
 from mechproof.programs.derivatives import differentiate
 from mechproof.programs.evaluation import Enclosure, Solved
-from mechproof.programs.kernel import Kernel, build_functions, name_rival
+from mechproof.programs.kernel import Kernel, build_functions, list_functions, name_rival
 from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
     Claim,
@@ -40,6 +40,8 @@ LEGAL = ", legal"
 NEAR_ZERO = ", near 0"
 # Ends the number of the row that says that Newton's steps lead to a root.
 CONVERGES = ", converges"
+# Begins the number of each row on derivatives.
+OF_DERIVATIVES = "derivatives of "
 _ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
 # Where an iterate is, in widths of the bracket from its lower end.
 _PLACE = sp.Symbol("place", real=True)
@@ -66,9 +68,7 @@ def form_rows(paper: Paper) -> tuple[Row, ...]:
 def derivative_rows(paper: Paper) -> tuple[Row, ...]:
     """Return the rows of the derivatives: what their source computes. It is read back first."""
     derived = differentiate(paper)
-    kernels = build_functions(derived).kernels
-    for source in render_derivatives(paper).values():
-        check_module(source, kernels, f"derivatives of {paper.system}.")
+    kernels = read_derivatives_back(paper)
     rows = (
         row for kernel in kernels for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
     )
@@ -79,7 +79,12 @@ def _tell_derivatives(row: Row) -> Row:
     """Say of a row on the source of a kernel that it is on that of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "what the chain rule makes of the definition")
-    return replace(row, number=f"derivatives of {row.number}", printed_latex=latex)
+    return replace(row, number=f"{OF_DERIVATIVES}{row.number}", printed_latex=latex)
+
+
+def number_derivative(quantity: Quantity) -> str:
+    """Return the number of the row that says what the source of derivatives computes."""
+    return f"{OF_DERIVATIVES}{number_form(quantity, quantity.shipped[-1])}"
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
@@ -102,11 +107,22 @@ def _show(name: str) -> str:
 def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
     """Read the emitted modules of a paper back and compare them with what is meant.
 
-    Raises `ReadingError`.
+    Raises `SourceError`.
     """
     for name, source in render_modules(paper).items():
         own = [kernel for kernel in kernels if kernel.is_shipped != name.startswith(FORMS)]
         check_module(source, own, f"{paper.system}.")
+
+
+def read_derivatives_back(paper: Paper) -> tuple[Kernel, ...]:
+    """Return the kernels of the derivatives of a paper; the emitted module is compared with them.
+
+    Raises `SourceError`.
+    """
+    kernels = list_functions(differentiate(paper))
+    for source in render_derivatives(paper).values():
+        check_module(source, kernels, f"derivatives of {paper.system}.")
+    return kernels
 
 
 def number_form(quantity: Quantity, form: Form) -> str:

@@ -34,12 +34,29 @@ def differentiate(paper: Paper) -> Paper:
     for known, derived in _known:
         if known is paper:
             return derived
-    quantities = paper.quantities if paper.derivatives else ()
-    wanted = (q for q in quantities if q.slopes and is_scalar(q))
-    quantities = tuple(_differentiate(quantity, paper) for quantity in wanted)
+    quantities = tuple(_differentiate(quantity, paper) for quantity in select_wanted(paper))
     derived = replace(paper, rows=(), findings=(), one_pass=(), quantities=quantities)
     _known[:] = [*_known[1 - MOST_KNOWN :], (paper, derived)]
     return derived
+
+
+def select_wanted(paper: Paper) -> tuple[Quantity, ...]:
+    """Return the quantities whose derivatives are wanted, with no more than these are made from.
+
+    The definition of each is what the derivatives are those of, its form what they are computed by.
+    """
+    quantities = paper.quantities if paper.derivatives else ()
+    return tuple(_strip(q) for q in quantities if q.slopes and is_scalar(q))
+
+
+def _strip(quantity: Quantity) -> Quantity:
+    form = quantity.shipped[-1]
+    # Where its row says in words of its own that the form is the definition, it stands for it.
+    exact = quantity.definition if form.states is None else form.expression
+    bare = Form(form.name, form.expression, form.rewrites)
+    return replace(
+        quantity, definition=exact, forms=(bare,), singular=(), period=None, periodicity=None
+    )
 
 
 def is_scalar(quantity: Quantity) -> bool:
@@ -60,13 +77,11 @@ def _differentiate(quantity: Quantity, paper: Paper) -> Quantity:
     form, own, slopes = quantity.shipped[-1], quantity.accuracy, quantity.slopes
     assert slopes is not None
     within = (*(own.within if own else ()), *slopes.within)
-    # Where its row says in words of its own that the form is the definition, it stands for it.
-    exact = quantity.definition if form.states is None else form.expression
     return Quantity(
         quantity.name,
         f"Differentiate `{quantity.name}` by its arguments, in their order.",
         quantity.arguments,
-        sp.ImmutableDenseMatrix(chain(exact, symbols, given)),
+        sp.ImmutableDenseMatrix(chain(quantity.definition, symbols, given)),
         (Form("backward pass", _go_back(form.expression, symbols, given), form.rewrites),),
         quantity.source,
         unit=quantity.unit,

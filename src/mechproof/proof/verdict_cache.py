@@ -16,7 +16,7 @@ from sympy.external.gmpy import GROUND_TYPES
 from mechproof.cache import Store, make_key, name_place
 from mechproof.proof.fingerprint import Fingerprint, NoFingerprintError
 from mechproof.proof.verdict import Evidence, Judgement, Place, Verdict
-from mechproof.record import Paper, Row
+from mechproof.record import Paper
 
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"
@@ -30,39 +30,53 @@ def prover_sources() -> list[Path]:
     return [path for name in LAYERS for path in sorted((package / name).rglob("*.py"))]
 
 
-def row_keys(paper: Paper, rows: Sequence[Row]) -> list[str]:
-    """Return the key of each row of a paper; empty for a row that has none and is not kept."""
+def make_keys(paper: Paper, sources: Sequence[object]) -> list[str]:
+    """Return a key of each row of a paper, or of what rows are stated from.
+
+    It is empty for what has none and is not kept.
+    """
     prover = make_key(prover_sources(), PACKAGES, GROUND_TYPES)
     try:
         domain = Fingerprint()
         start = domain.visit((prover, paper))
     except NoFingerprintError:
-        return [""] * len(rows)
-    return [_row_key(domain.copy(), start, row) for row in rows]
+        return [""] * len(sources)
+    return [_make_key(domain.copy(), start, source) for source in sources]
 
 
-def _row_key(domain: Fingerprint, start: str, row: Row) -> str:
+def _make_key(domain: Fingerprint, start: str, source: object) -> str:
     try:
-        return domain.visit((start, row))
+        return domain.visit((start, source))
     except NoFingerprintError:
         return ""
 
 
 class VerdictCache:
-    """The judgements of one derivation by the keys of its rows."""
+    """The judgements of one derivation by the keys of its rows, or of what these come from."""
 
     def __init__(self, location: Path) -> None:
         self.store = Store(f"{name_place(location)}.json")
 
-    def load(self) -> dict[str, Judgement]:
+    def load(self) -> dict[str, tuple[Judgement, ...]]:
         """Return what is kept; entries that cannot be read are as good as absent."""
         entries = self.store.read().items()
-        return {key: found for key, entry in entries if (found := read_judgement(entry))}
+        return {key: found for key, entry in entries if (found := _read_all(entry))}
 
-    def save(self, judgements: Mapping[str, Judgement]) -> None:
+    def save(self, judgements: Mapping[str, tuple[Judgement, ...]]) -> None:
         """Keep these instead."""
-        kept = {k: asdict(j) for k, j in judgements.items() if k and j.rung != UNREAD}
-        self.store.write(kept)
+        readable = {k: found for k, found in judgements.items() if all(map(_is_read, found))}
+        self.store.write({k: list(map(asdict, found)) for k, found in readable.items() if k})
+
+
+def _is_read(judgement: Judgement) -> bool:
+    return judgement.rung != UNREAD
+
+
+def _read_all(entry: Any) -> tuple[Judgement, ...]:
+    """Read the judgements of one key; none if one of them cannot be read."""
+    found = tuple(map(read_judgement, entry)) if isinstance(entry, list) else ()
+    read = tuple(judgement for judgement in found if judgement)
+    return read if len(read) == len(found) else ()
 
 
 def read_judgement(entry: Any) -> Judgement | None:

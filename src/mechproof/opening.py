@@ -1,0 +1,85 @@
+"""Opening: in, the place of a derivation; out, its paper and what is to be judged of it.
+
+The rows of derivatives are stated when they are judged: what they say takes as long as the proof.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from mechproof.codegen.forms import derivative_rows, form_rows, number_derivative, number_shipped
+from mechproof.derivation import DerivationError, load_paper
+from mechproof.programs.derivatives import select_wanted
+from mechproof.proof.findings import follower_rows
+from mechproof.reads import digest_program
+from mechproof.record import Paper, Quantity, Row
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A derivation that is loaded: its paper, all rows, and what of the paper a verdict sees.
+
+    Its tasks are its rows, then the `derivatives` of each of these quantities. On `kernels`, the
+    numbers of rows, what is shipped rests.
+    """
+
+    location: Path
+    paper: Paper
+    rows: tuple[Row, ...]
+    derivatives: tuple[Quantity, ...]
+    domain: Paper
+    kernels: frozenset[str]
+
+    @property
+    def tasks(self) -> tuple[str, ...]:
+        """Return the names of what is judged: the numbers of rows, of several by the first."""
+        own = (row.number for row in self.rows)
+        return (*own, *map(number_derivative, self.derivatives))
+
+    def is_kernel(self, task: int) -> bool:
+        """Return whether something that is shipped rests on a task."""
+        return task >= len(self.rows) or self.rows[task].number in self.kernels
+
+    def state(self, task: int) -> tuple[Row, ...]:
+        """State the rows of a task."""
+        if task < len(self.rows):
+            return (self.rows[task],)
+        one = self.derivatives[task - len(self.rows)]
+        return derivative_rows(replace(self.paper, quantities=(one,), one_pass=()))
+
+    def state_all(self) -> tuple[Row, ...]:
+        """State the rows of all tasks."""
+        return tuple(row for task in range(len(self.tasks)) for row in self.state(task))
+
+    def list_sources(self) -> tuple[object, ...]:
+        """List what the rows of each task are stated from."""
+        made = (digest_program(), self.paper.given)
+        return (*self.rows, *((*made, quantity) for quantity in self.derivatives))
+
+
+def open_derivation(location: Path) -> Opened:
+    """Load a derivation and state the rows of its forms.
+
+    Raises `DerivationError` naming the place.
+    """
+    return open_paper(location, load_paper(location))
+
+
+def open_paper(location: Path, paper: Paper) -> Opened:
+    """State the rows of the forms of a paper that was loaded from a place."""
+    try:
+        rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
+    except (ValueError, NotImplementedError) as error:
+        raise DerivationError(f"{location}: {error}") from error
+    variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
+    domain = Paper(
+        paper.system, "", variables, (), paper.where, published=paper.published, usual=paper.usual
+    )
+    shipped = number_shipped(paper)
+    opened = Opened(location, paper, rows, select_wanted(paper), domain, shipped)
+    counted = Counter(opened.tasks)
+    if twice := [number for number, count in counted.items() if count > 1]:
+        raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
+    return opened
