@@ -67,6 +67,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
             "certification",
             "formulas",
             "ledger_cache",
+            "opening",
             "pasted",
             "pipeline",
             "validation",

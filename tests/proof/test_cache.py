@@ -203,8 +203,8 @@ def test_a_corrupt_entry_is_judged_anew(judged: Callable[..., list[str]], folder
     judged(*ROWS)
     (file,) = (folder / "cache").glob("*.json")
     entries = json.loads(file.read_text())
-    spoilt = next(key for key, entry in entries.items() if entry["number"] == "(2)")
-    del entries[spoilt]["rung"]
+    spoilt = next(key for key, entry in entries.items() if entry[0]["number"] == "(2)")
+    del entries[spoilt][0]["rung"]
     file.write_text(json.dumps(entries))
     assert judged(*ROWS) == ["(2)"]
     assert judged(*ROWS) == []

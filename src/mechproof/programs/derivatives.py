@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import factor
 from mechproof.programs.evaluation import KeepsShape
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
-from mechproof.record.parts import find_free
+from mechproof.record.parts import find_free, find_parts
 
 Given = Mapping[sp.Symbol, sp.Expr]
 # In place of the sine and the cosine of an angle.
@@ -100,16 +102,36 @@ def chain(
     """Return the derivatives by the symbols; `tidy` writes each in other words."""
 
     def differentiate_step(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        slope = _choose_sides(sp.diff(value, symbol))
+        slope = _choose_sides(_diff(value, symbol))
         return min((slope, tidy(slope)), key=sp.count_ops)
 
     steps = _order_steps(expression, given)
     slopes = {s: differentiate_step(expression, s) for s in (*steps, *symbols)}
     for step in reversed(steps):
         value = given[step]
-        for s in sorted(value.free_symbols, key=str) if slopes[step] != 0 else ():
+        for s in sorted(find_free(value), key=str) if slopes[step] != 0 else ():
             slopes[s] += slopes[step] * differentiate_step(value, s)
     return [min((slopes[s], tidy(slopes[s])), key=sp.count_ops) for s in symbols]
+
+
+@lru_cache(maxsize=1 << 14)
+def _diff(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """Differentiate as SymPy does, but each part once, and none without the symbol."""
+    if symbol not in find_free(node):
+        return sp.S.Zero
+    if node.is_Add:
+        return sp.Add(*(_diff(term, symbol) for term in node.args))
+    if node.is_Mul:
+        slopes = [_diff(factor, symbol) for factor in node.args]
+        changed = [n for n, slope in enumerate(slopes) if slope]
+        return sp.Add(*(sp.Mul(*_put(node.args, n, slopes[n])) for n in changed))
+    if node.is_Pow and node.exp.is_Rational:
+        return node * (_diff(node.base, symbol) * node.exp / node.base)
+    return sp.diff(node, symbol)
+
+
+def _put(factors: Sequence[sp.Expr], place: int, factor: sp.Expr) -> tuple[sp.Expr, ...]:
+    return (*factors[:place], factor, *factors[place + 1 :])
 
 
 def _go_back(
@@ -181,12 +203,17 @@ def _choose(number: sp.Expr, below: sp.Expr) -> sp.Piecewise:
 
 
 def _factor(expression: sp.Expr) -> sp.Expr:
-    if expression.has(sp.Piecewise):
+    if expression.has(sp.Piecewise) or not _divides_by_angles(expression):
         return expression
     above, below = map(_spare_sines, sp.fraction(sp.together(expression)))
     if not below.has(sp.sin, sp.cos):
         return expression
-    return sp.factor(sp.cancel(above / below))
+    return factor(above / below)
+
+
+def _divides_by_angles(expression: sp.Expr) -> bool:
+    powers = (p for p in find_parts(expression, sp.Pow) if p.exp.could_extract_minus_sign())
+    return any(power.base.has(sp.sin, sp.cos) for power in powers)
 
 
 def _spare_sines(polynomial: sp.Expr) -> sp.Expr:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.programs.evaluation import Evaluation, entries, map_entries
 from mechproof.programs.names import suggest_name
-from mechproof.record.parts import replace_parts
+from mechproof.record.parts import find_free, replace_parts
 
 
 def share_subexpressions(evaluation: Evaluation) -> Evaluation:
@@ -61,7 +61,7 @@ def _count_operations(expression: sp.Expr) -> int:
 @lru_cache(maxsize=1 << 14)
 def _is_worth_naming(expression: sp.Basic) -> bool:
     """Accept sums, products, powers, functions; not -x, 1/x, 2*x, cheap where they stand."""
-    if not isinstance(expression, sp.Expr) or expression.is_Atom or not expression.free_symbols:
+    if not isinstance(expression, sp.Expr) or expression.is_Atom or not find_free(expression):
         return False
     number, rest = expression.as_coeff_Mul()
     if number == -1:

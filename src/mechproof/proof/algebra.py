@@ -14,9 +14,9 @@ from math import comb, lcm
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import factorise, is_zero, reduce_polynomial, split
 from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
-from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
 from mechproof.proof.sums import canonicalise
 from mechproof.record.parts import find_parts
@@ -279,7 +279,7 @@ class UnknownSignError(ArithmeticError):
 def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung that proves left = right wherever both are defined, or None."""
     difference = left - right
-    kinds = (False, True) if difference.has(*_EXPONENTIALS) else (False,)
+    kinds = (False, True) if find_parts(difference, *_EXPONENTIALS) else (False,)
     return next(filter(None, (_find_rung(Field(domain, k), difference) for k in kinds)), None)
 
 

@@ -21,6 +21,7 @@ from mechproof.record import (
     Statement,
     Variable,
 )
+from mechproof.record.parts import find_free
 
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
@@ -92,7 +93,7 @@ def _write(formula: sp.Basic, names: _NAMED) -> str:
 
 def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
     """Find the numbers that SymPy would compute to put the terms around them in order."""
-    if isinstance(formula, sp.Expr) and not formula.free_symbols:
+    if isinstance(formula, sp.Expr) and not find_free(formula):
         whole = list(islice(sp.preorder_traversal(formula), _LONGEST_NUMBER))
         if isinstance(formula, ExprWithLimits) or len(whole) == _LONGEST_NUMBER:
             yield formula

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.proof.normal_form import reduce_polynomial, split
+from mechproof.arithmetic.polynomials import reduce_polynomial, split
 from mechproof.proof.set_values import COUNTS
 
 ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)

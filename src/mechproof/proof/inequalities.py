@@ -13,6 +13,7 @@ from itertools import permutations
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import expand, split
 from mechproof.proof import monotonicity
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import (
@@ -20,7 +21,6 @@ from mechproof.proof.half_angles import (
     is_negative_somewhere,
     is_shown_there,
 )
-from mechproof.proof.normal_form import expand, split
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
 

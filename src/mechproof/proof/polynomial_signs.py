@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.arithmetic.polynomials import expand, factorise, split
 from mechproof.proof.coordinates import Coordinates
-from mechproof.proof.normal_form import expand, factorise, split
 
 # Points at which a polynomial is tried, and the sizes of their coordinates.
 TRIED = 12

@@ -8,6 +8,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.record import ValueWhere
+from mechproof.record.parts import find_parts
 from mechproof.record.substitution import write_sums_out
 
 # Work limit: so many factors are written out between two factorials.
@@ -26,7 +27,7 @@ def take_values(expression: Any) -> Any:
 def prepare(expression: Any) -> Any:
     """Return an expression that is equal wherever both have values."""
     plain = write_sums_out(take_values(expression))
-    shifts = {node: node.args[0].as_coeff_Add() for node in plain.atoms(sp.factorial)}
+    shifts = {node: node.args[0].as_coeff_Add() for node in find_parts(plain, sp.factorial)}
     return plain.xreplace(
         {
             node: _extend(rest, int(shift))

@@ -64,7 +64,7 @@ def check_statement(
         _check_dimension(name, side, known)
     if isinstance(statement, Equality | Distinct) and ours and not (printed and mended):
         _check_likeness(prints + ours, known)
-    if isinstance(statement, PrintedNumber) and domain.resolve(statement.value).free_symbols:
+    if isinstance(statement, PrintedNumber) and find_free(domain.resolve(statement.value)):
         raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is no number")
 
 

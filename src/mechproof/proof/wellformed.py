@@ -35,6 +35,7 @@ from mechproof.record import (
     IntegralWithoutDifferential,
     Statement,
 )
+from mechproof.record.parts import find_free, find_parts
 
 # As from metres to millimetres.
 UNIT_CHANGE = 1000
@@ -90,11 +91,11 @@ def _find_in_side(
 
 
 def _find_missing_differential(printed: sp.Basic) -> Fault | None:
-    integrals = printed.atoms(IntegralWithoutDifferential)
+    integrals = find_parts(printed, IntegralWithoutDifferential)
     if not integrals:
         return None
     integrand = next(iter(integrals)).args[0]
-    names = ", ".join(sorted(map(str, integrand.free_symbols)))
+    names = ", ".join(sorted(map(str, find_free(integrand))))
     witness = Evidence(
         f"no differential after the integrand {integrand}; it has the symbols {names}"
     )
@@ -102,7 +103,7 @@ def _find_missing_differential(printed: sp.Basic) -> Fault | None:
 
 
 def _find_missing_argument(printed: sp.Basic) -> Fault | None:
-    functions = printed.atoms(FunctionWithoutArgument)
+    functions = find_parts(printed, FunctionWithoutArgument)
     if not functions:
         return None
     names = ", ".join(sorted(str(function.args[0]) for function in functions))
@@ -113,8 +114,8 @@ def _find_missing_argument(printed: sp.Basic) -> Fault | None:
 def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Fault | None:
     symbols = {*known, *domain.within, *domain.given}
     declared = {getattr(s, "label", s) for s in symbols} | symbols
-    functions = {node.args[0] for node in printed.atoms(FunctionWithoutArgument)}
-    unbound = sorted(map(str, printed.free_symbols - _indexed(printed) - declared - functions))
+    functions = {node.args[0] for node in find_parts(printed, FunctionWithoutArgument)}
+    unbound = sorted(map(str, find_free(printed) - _indexed(printed) - declared - functions))
     if not unbound:
         return None
     names = ", ".join(unbound)
@@ -127,7 +128,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
 
 
 def _indexed(printed: sp.Basic) -> set[sp.Basic]:
-    return set(printed.atoms(sp.Indexed))
+    return find_parts(printed, sp.Indexed)
 
 
 def _find_mixture(
@@ -138,7 +139,7 @@ def _find_mixture(
     mended: bool = False,
 ) -> Fault | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
-    if printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
+    if find_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
     other = _other_side(statement)
     compared = mended or isinstance(statement, Definition) or _has_two_prints(statement)

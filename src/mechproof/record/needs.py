@@ -5,7 +5,7 @@ Denominators are no matter here: a statement is judged where none of them is zer
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -24,21 +24,32 @@ _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
 
 
-def list_partial(expression: sp.Basic) -> Iterator[sp.Expr]:
-    """Yield the parts that have a value in places only; none inside sums, integrals and cases."""
-    if isinstance(expression, ExprWithLimits | sp.Limit):
-        yield expression
-    if isinstance(expression, ExprWithLimits | sp.Limit | sp.Piecewise):
-        return
-    for part in expression.args:
-        yield from list_partial(part)
-    if (
-        expression is sp.I
-        or isinstance(expression, ValueWhere)
-        or list_needs(expression)
-        or _is_kinked(expression)
-    ):
-        yield expression
+def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
+    """List the parts with a value in places only, once each; none in sums, integrals and cases."""
+    found: dict[sp.Expr, None] = {}
+    seen: set[sp.Basic] = set()
+
+    def visit(node: sp.Basic) -> None:
+        if node in seen:
+            return
+        seen.add(node)
+        if not isinstance(node, ExprWithLimits | sp.Limit | sp.Piecewise):
+            for part in node.args:
+                visit(part)
+        if _is_partial(node):
+            found[node] = None
+
+    visit(expression)
+    return tuple(found)
+
+
+def _is_partial(node: sp.Basic) -> bool:
+    return bool(
+        node is sp.I
+        or isinstance(node, ExprWithLimits | sp.Limit | ValueWhere)
+        or list_needs(node)
+        or _is_kinked(node)
+    )
 
 
 def list_needs(node: sp.Basic) -> tuple[Slack, ...]:

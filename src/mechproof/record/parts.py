@@ -54,6 +54,8 @@ def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> 
 @lru_cache(maxsize=1 << 15)
 def find_free(expression: sp.Basic) -> frozenset[sp.Basic]:
     """Return the free symbols, as SymPy's `free_symbols`."""
+    if isinstance(expression, sp.MatrixBase):
+        return frozenset[sp.Basic]().union(*map(find_free, expression.flat()))
     if not _has_those_of_its_parts(expression.__class__):
         return frozenset(expression.free_symbols)
     return frozenset[sp.Basic]().union(*map(find_free, expression.args))

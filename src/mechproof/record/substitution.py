@@ -62,7 +62,7 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
 def write_steps(expression: sp.Basic) -> sp.Basic:
     """Write what jumps by floors and by pieces."""
     for kind, write in STEPS.items():
-        if expression.has(kind):
+        if find_parts(expression, kind):
             expression = expression.replace(kind, write)
     return expression
 

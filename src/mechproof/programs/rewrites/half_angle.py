@@ -10,6 +10,7 @@ from functools import partial
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import cancel
 from mechproof.programs.error_free import SmallArctan, SmallTangent, TangentQuotient
 from mechproof.programs.evaluation import Evaluation, Step
 from mechproof.programs.names import suggest_name
@@ -69,7 +70,7 @@ def _to_tangent(
     if expression.is_Add or not inner.is_rational_function(*sides):
         converted = (_to_tangent(a, angle, opposite, adjacent, factors) for a in expression.args)
         return expression.func(*converted)
-    above, below = (factors.by_powers(p, *sides) for p in sp.fraction(sp.cancel(inner)))
+    above, below = (factors.by_powers(p, *sides) for p in cancel(inner))
     return -above / -below if _is_negative_sum(below) else above / below
 
 

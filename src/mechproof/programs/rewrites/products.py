@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import factor_list
 from mechproof.programs.evaluation import Evaluation, Step
 from mechproof.programs.names import suggest_name
 
@@ -47,7 +48,7 @@ class Factors:
         Raises ValueError for what is no polynomial.
         """
         try:
-            number, factors = sp.factor_list(polynomial)
+            number, factors = factor_list(polynomial)
         except sp.PolynomialError as error:
             raise ValueError(f"factors: {polynomial} is no polynomial") from error
         # The number is multiplied last: 2*(1 - e) with one sum only would become 2 - 2*e in SymPy.

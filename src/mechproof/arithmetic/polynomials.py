@@ -1,7 +1,8 @@
-"""Normal form: a polynomial with every related generator to at most its first power.
+"""Polynomials by flint: their normal form, their factors, and what quotients have in common.
 
-The relations r**2 = f are a Groebner basis as they stand, their leading powers having no factor in
-common (Buchberger's first criterion), so that putting them in gives the one normal form there is.
+In the normal form every related generator has at most its first power. The relations
+r**2 = f are a Groebner basis as they stand, their leading powers having no factor in common
+(Buchberger's first criterion), so that putting them in gives the one normal form there is.
 SymPy's expressions go to flint's sparse polynomials over the rationals, and back where asked for.
 """
 
@@ -10,10 +11,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping
 from functools import reduce
+from math import gcd, lcm
 from operator import add, mul
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from sympy.core.mul import _keep_coeff as keep_coefficient
+from sympy.polys.polyutils import _sort_gens as sort_generators
 
 from mechproof.record.parts import find_free, find_parts
 
@@ -64,6 +68,98 @@ def factorise(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
     return _to_rational(number), [(ring.write(part), int(power)) for part, power in factors]
 
 
+def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
+    """Factor as SymPy's function of that name: in its order and with its signs, but sooner.
+
+    Functions count as symbols. Raises `sympy.PolynomialError` for what is no polynomial.
+    """
+    above, below = sp.together(polynomial).as_numer_denom()
+    parts = [argument.as_base_exp() for argument in sp.Mul.make_args(above)]
+    found: dict[sp.Poly, int] = {}
+    number = sp.S.One
+    try:
+        for base, power in parts:
+            coefficient, factors = _factor_part(base)
+            number *= coefficient**power
+            for factor, times in factors:
+                found[factor] = found.get(factor, 0) + times * _to_integer(power)
+    except sp.PolynomialError:
+        # Of roots, say, or over other numbers than the rationals.
+        constant, others = sp.factor_list(polynomial)
+        return constant, others
+    if not below.is_Rational:
+        raise sp.PolynomialError(f"no polynomial: {polynomial}")
+    return number / below, [(f.as_expr(), n) for f, n in sorted(found.items(), key=_sort_key)]
+
+
+def _to_integer(power: sp.Expr) -> int:
+    if not power.is_Integer:
+        raise sp.PolynomialError(f"no power of a polynomial: {power}")
+    return int(power)
+
+
+def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
+    """Factor what is no product; the factors' leading coefficients are positive."""
+    ring = _Ring(base, functions=True)
+    value = ring.read(base)
+    number, factors = value.factor()
+    generators = ring.sort_generators(value)
+    coefficient, signed = _to_rational(number), []
+    for part, power in factors:
+        factor = sp.Poly(ring.write(part), *generators)
+        if factor.LC() < 0:
+            factor, coefficient = -factor, coefficient * (-1) ** int(power)
+        signed.append((factor, int(power)))
+    return coefficient, signed
+
+
+def _sort_key(item: tuple[sp.Poly, int]) -> tuple[object, ...]:
+    """Return what SymPy sorts factors by."""
+    factor, power = item
+    written = factor.rep.to_list()
+    return len(written), len(factor.gens), power, str(factor.domain), written
+
+
+def cancel(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return numerator and denominator as SymPy's function of that name, but sooner.
+
+    Both have integer coefficients and no factor in common; the denominator's leading coefficient
+    is positive. Functions count as symbols. Raises `sympy.PolynomialError` for other quotients.
+    """
+    ring = _Ring(quotient, functions=True)
+    try:
+        above, below = ring.read_quotient(quotient)
+    except sp.PolynomialError:
+        # Of roots, say.
+        above, below = sp.fraction(sp.cancel(quotient))
+        return above, below
+    if below.is_zero():
+        raise sp.PolynomialError(f"divides by zero: {quotient}")
+    common = above.gcd(below)
+    (left, above), (right, below) = _take_content(above / common), _take_content(below / common)
+    if ring.is_negative(below):
+        above, below = -above, -below
+    number = left / right
+    return number.p * ring.write(above), number.q * ring.write(below)
+
+
+def factor(quotient: sp.Expr) -> sp.Expr:
+    """Cancel and factor a quotient, as SymPy's functions of those names one after the other."""
+    (left, above), (right, below) = map(factor_list, cancel(quotient))
+    product = sp.Mul(*(f**n for f, n in above), *(f**-n for f, n in below))
+    # A number is not multiplied into a sum.
+    return keep_coefficient(left / right, product)
+
+
+def _take_content(value: fmpq_mpoly) -> tuple[sp.Rational, fmpq_mpoly]:
+    """Return a polynomial as a positive number times one of coprime integers."""
+    coefficients = value.coeffs()
+    content = sp.Rational(
+        gcd(*(int(c.p) for c in coefficients)), lcm(*(int(c.q) for c in coefficients))
+    )
+    return content, value / fmpq(content.p, content.q) if content else value
+
+
 def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return numerator and denominator over the least common one; roots stay as they are."""
     if quotient.has(sp.pi):
@@ -89,8 +185,9 @@ def _split_by_sympy(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 class _Ring:
     """The polynomials in the symbols of expressions, and in pi, of which none with it is zero."""
 
-    def __init__(self, *expressions: sp.Expr) -> None:
-        symbols = {s for e in expressions for s in (*find_free(e), *find_parts(e, type(sp.pi)))}
+    def __init__(self, *expressions: sp.Expr, functions: bool = False) -> None:
+        kinds = (type(sp.pi), sp.Function) if functions else (type(sp.pi),)
+        symbols = {s for e in expressions for s in (*find_free(e), *find_parts(e, *kinds))}
         self.symbols = sorted(symbols, key=sp.default_sort_key)
         # A ring of flint's has a generator, needed or not.
         names = [f"x{n}" for n in range(max(1, len(symbols)))]
@@ -105,7 +202,7 @@ class _Ring:
         """Return the polynomial of an expression."""
         if node.is_Rational:
             return self.context.constant(fmpq(int(node.p), int(node.q)))
-        if node.is_Symbol or node is sp.pi:
+        if node in self.generators:
             return self.generators[node]
         if isinstance(node, sp.Add | sp.Mul):
             combine = add if node.is_Add else mul
@@ -131,6 +228,18 @@ class _Ring:
             above, below = above**power, below**power
             return (above, below) if node.exp > 0 else (below, above)
         return self.read(node), one
+
+    def sort_generators(self, *values: fmpq_mpoly) -> list[sp.Expr]:
+        """Return the generators that occur, in SymPy's order."""
+        degrees = [value.degrees() for value in values]
+        occurring = (s for s, *n in zip(self.symbols, *degrees, strict=False) if any(n))
+        return list(sort_generators(occurring))
+
+    def is_negative(self, value: fmpq_mpoly) -> bool:
+        """Return whether the leading coefficient is, the generators in SymPy's order."""
+        order = [self.symbols.index(s) for s in self.sort_generators(value)]
+        terms = value.to_dict()
+        return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
 
     def lower(self, value: fmpq_mpoly, generator: sp.Symbol, square: sp.Expr) -> fmpq_mpoly:
         """Put `square` in place of the generator's square, as often as it is there."""

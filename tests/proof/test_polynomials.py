@@ -1,11 +1,19 @@
-"""The normal form of polynomials with related generators."""
+"""Polynomials by flint: normal forms with related generators, factors, quotients."""
 
 from __future__ import annotations
 
 import pytest
 import sympy as sp
 
-from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
+from mechproof.arithmetic.polynomials import (
+    cancel,
+    factor,
+    factor_list,
+    factorise,
+    is_zero,
+    reduce_polynomial,
+    split,
+)
 
 c, s, r, x = sp.symbols("c s r x", real=True)
 CIRCLE = {s: 1 - c**2}
@@ -99,3 +107,45 @@ def test_factors_multiply_to_the_polynomial(polynomial: sp.Expr, powers: set[int
     number, factors = factorise(polynomial)
     assert sp.expand(number * sp.Mul(*(f**p for f, p in factors)) - polynomial) == 0
     assert {power for _, power in factors} == powers
+
+
+QUOTIENTS = [
+    (x**2 - c**2) / (x - c),
+    (c - x) * (1 - x) / (2 * x - 2 * c) + x,
+    (1 - sp.sin(x) ** 2) / (3 - 3 * sp.sin(x)),
+    sp.Rational(2, 3) * (x - 1) / (4 * c - 4 * r),
+    (x + sp.sqrt(1 + x)) / sp.sqrt(1 + x),
+    -1 / (1 - x) - sp.pi / (x - 1),
+    sp.Integer(0),
+]
+
+
+@pytest.mark.parametrize("quotient", QUOTIENTS)
+def test_quotients_are_cancelled_and_factored_as_by_sympy(quotient: sp.Expr) -> None:
+    above, below = cancel(quotient)
+    expected = sp.fraction(sp.cancel(quotient))
+    assert (above, below) == expected or sp.expand(above / below - expected[0]) == 0
+    assert factor(quotient) == sp.factor(sp.cancel(quotient))
+
+
+@pytest.mark.parametrize(
+    "polynomial",
+    [
+        (c - x) ** 2 * (1 - x) / 6,
+        x * (x - r * c) * (r - 1) - c * (x - r * c) * (r - 1),
+        (2 * x - 2 * c) * (3 * c - 3 * x) ** 3,
+        sp.sin(x) ** 2 - sp.cos(x) ** 2,
+        sp.sqrt(x) * (x - 1),
+        x**2 - sp.pi**2,
+        sp.Integer(12),
+    ],
+)
+def test_factors_are_those_of_sympy_in_its_order(polynomial: sp.Expr) -> None:
+    assert factor_list(polynomial) == sp.factor_list(polynomial)
+
+
+def test_a_quotient_has_no_list_of_factors_and_none_is_by_zero() -> None:
+    with pytest.raises(sp.PolynomialError):
+        factor_list(x / (x + c))
+    with pytest.raises(sp.PolynomialError, match="divides by zero"):
+        cancel(1 / sp.Add(x * (c + 1), -c * x, -x, evaluate=False))
