@@ -20,7 +20,9 @@ from flint import arb
 
 from mechproof.arithmetic import slopes
 from mechproof.arithmetic.slopes import GradientTape
-from mechproof.codegen.forms import derivative_rows
+from mechproof.codegen import forms
+from mechproof.codegen.forms import derivative_rows, read_derivatives_back
+from mechproof.codegen.reading import SourceError
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.kernels import elliptic_planetary as kernels, wedge_linkage
@@ -169,6 +171,23 @@ def test_a_wrong_derivative_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(derivatives, "_go_back", double)
     (row,) = derivative_rows(paper)
     assert judge(row, derivatives.differentiate(paper)).verdict is Verdict.REFUTED
+
+
+def test_derivatives_whose_source_says_something_else_are_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    whole = elliptic_planetary.PAPER
+    one = next(q for q in whole.quantities if q.name == "largest_ratio")
+    paper = replace(whole, quantities=(one,), one_pass=())
+    read_derivatives_back(paper)
+    render = forms.render_derivatives
+    monkeypatch.setattr(
+        forms,
+        "render_derivatives",
+        lambda paper: {n: text.replace("1.0 + e", "1.0 - e") for n, text in render(paper).items()},
+    )
+    with pytest.raises(SourceError):
+        read_derivatives_back(paper)
 
 
 def test_the_chain_of_the_wedge_agrees_with_its_velocity_and_sensitivities() -> None:

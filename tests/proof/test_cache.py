@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from weights import first_of
 
-from mechproof import verification
+from mechproof import opening, verification
 from mechproof.cache import VARIABLE
 from mechproof.proof import verdict_cache
 from mechproof.proof.verdict import Verdict
@@ -25,9 +25,15 @@ from mechproof.record import *
 x, y = symbols("x y", real=True)
 class Own(Function):
     pass
-def paper(*rows, **words):
+def paper(*rows, kernel=None, slopes=SLOPES, **words):
     variables = (Variable(x, "a number", **words), Variable(y, "another"))
-    return Paper("mine", "my notes", variables, rows)
+    arguments = Argument("x", (x,), "a number"), Argument("y", (y,), "another")
+    quantities = kernel is not None and (
+        Quantity("area", "Area.", arguments, kernel, (Form("as it stands", kernel),), "mine", slopes=slopes),
+    )
+    return Paper(
+        "mine", "my notes", variables, rows, quantities=quantities or (), derivatives=True
+    )
 """
 ROWS = (
     'Equation("(1)", "1", Equality(sin(x)**2 + cos(x)**2, S.One))',
@@ -51,11 +57,11 @@ def judged(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[
         add = verification._Progress.add
 
         def note(paper: verification._Progress, number: int, result: object) -> None:
-            numbers.append(paper.opened.rows[number].number)
+            numbers.append(paper.tasks[number])
             add(paper, number, result)
 
         file = folder / "mine.py"
-        text = f"{HEAD}\nPAPER = paper({', '.join(rows)}, {words})\n"
+        text = f"{HEAD}\nPAPER = paper({', '.join((*rows, words))})\n"
         file.write_text(text, encoding="utf-8")
         with monkeypatch.context() as patch:
             patch.setattr(verification._Progress, "add", note)
@@ -197,6 +203,25 @@ def test_a_corrupt_cache_is_ignored_and_rewritten(
     file.write_bytes(text)
     assert len(judged(*ROWS)) == 3
     assert json.loads(file.read_text()) == good
+
+
+def test_derivatives_are_kept_by_what_they_are_made_from(
+    judged: Callable[..., list[str]],
+) -> None:
+    slopes = "derivatives of kernel area"
+    assert judged(words="kernel=x**2*sin(y)") == [slopes, "kernel area"]
+    assert judged(words="kernel=x**2*sin(y)") == []
+    assert judged(words="kernel=x**3*sin(y)") == [slopes, "kernel area"]
+    assert judged(words="kernel=x**3*sin(y), slopes=Accuracy(5)") == [slopes]
+    assert judged(words="kernel=x**3*sin(y), slopes=None") == []
+
+
+def test_derivatives_are_made_anew_by_another_program(
+    judged: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judged(words="kernel=x**2*sin(y)")
+    monkeypatch.setattr(opening, "digest_program", lambda: "another")
+    assert judged(words="kernel=x**2*sin(y)") == ["derivatives of kernel area"]
 
 
 def test_a_corrupt_entry_is_judged_anew(judged: Callable[..., list[str]], folder: Path) -> None:
