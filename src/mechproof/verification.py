@@ -104,8 +104,11 @@ def judge_derivations(
         with note_reads() as read, stop_after(limit, location):
             _opened[location] = opened = open_derivation(location)
         check_names(places, opened.paper.system, location)
-        progress[location] = _Progress(opened, whole, only_kernels, read)
-        return progress[location]
+        progress[location] = paper = _Progress(opened, whole, only_kernels, read)
+        if opened.paper.print and not only_kernels:
+            # Here, where other processes judge meanwhile.
+            paper.rest = _check_rest(opened.paper, limit, report)
+        return paper
 
     derivations = [location for location in locations if location.suffix not in SUFFIXES]
     try:
@@ -114,7 +117,7 @@ def judge_derivations(
         _opened.clear()
         for paper in progress.values() if use_cache else ():
             paper.save()
-    found = {location: paper.finish(limit, report) for location, paper in progress.items()}
+    found = {location: paper.finish() for location, paper in progress.items()}
     for location in locations:
         if location not in found:
             found[location] = _check_source(location, limit, report, use_cache=use_cache)
@@ -136,9 +139,8 @@ def _restore(
     return JudgedPaper(**vars(kept), paper=paper)
 
 
-def _add_rest(ledger: JudgedPaper, limit: float, report: Callable[[str], None]) -> JudgedPaper:
+def _add_rest(ledger: JudgedPaper, checked: checking.CheckedPaper) -> JudgedPaper:
     """Add what the print of a paper has besides its rows, in its order; it needs no mechanics."""
-    checked = _check_rest(ledger.paper, limit, report)
     rest = checked.to_ledger(ledger.system)
     return replace(
         ledger,
@@ -216,6 +218,7 @@ class _Progress:
         self.kept = self.cache.load() if whole else {}
         self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
         self.failed: dict[int, str] = {}
+        self.rest: checking.CheckedPaper | None = None
 
     def missing(self) -> Iterator[int]:
         """Yield the numbers of tasks left, from the last: derivatives stand last, take longest."""
@@ -238,7 +241,7 @@ class _Progress:
         if judged != self.kept:
             self.cache.save(judged)
 
-    def finish(self, limit: float, report: Callable[[str], None]) -> JudgedPaper:
+    def finish(self) -> JudgedPaper:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
         paper = self.opened.paper
         found = [(n, judgement) for n in sorted(self.found) for judgement in self.found[n]]
@@ -257,8 +260,8 @@ class _Progress:
             ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
-        if paper.print:
-            ledger = _add_rest(ledger, limit, report)
+        if self.rest:
+            ledger = _add_rest(ledger, self.rest)
         if self.whole and self.read and all(self.keys):
             self.whole.save(ledger, self.read)
         return ledger

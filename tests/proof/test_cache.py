@@ -28,8 +28,9 @@ class Own(Function):
 def paper(*rows, kernel=None, slopes=SLOPES, **words):
     variables = (Variable(x, "a number", **words), Variable(y, "another"))
     arguments = Argument("x", (x,), "a number"), Argument("y", (y,), "another")
+    forms = (Form("as it stands", kernel),) if kernel else ()
     quantities = kernel is not None and (
-        Quantity("area", "Area.", arguments, kernel, (Form("as it stands", kernel),), "mine", slopes=slopes),
+        Quantity("area", "Area.", arguments, kernel, forms, "mine", slopes=slopes),
     )
     return Paper(
         "mine", "my notes", variables, rows, quantities=quantities or (), derivatives=True

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script
@@ -34,6 +35,8 @@ class Signs:
     groups: tuple[tuple[int, int], ...]
 
 
+# Letters and their other names are looked for in every print.
+@lru_cache(maxsize=1 << 12)
 def tokenize(latex: str) -> tuple[Token, ...]:
     """Return the signs of a print; `ReadingError` for braces that do not match."""
     return tuple(token for token in read_signs(latex).tokens if token.text not in GAPS)
