@@ -17,7 +17,9 @@ from mechproof.cache import VARIABLE
 LONGEST = (
     *("report", "compiled track_wheel", "workshop", "cluster", "verdicts wedge_linkage"),
     *("verdicts track_wheel", "verdicts oval_planetary", "verdicts tooth_thickness"),
-    *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary"),
+    *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary", "coq/test_checker.py"),
+    *("codegen/test_c99.py", "codegen/test_formula_languages.py", "pieces", "roots"),
+    *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
 # What a derivation is made of.
@@ -76,19 +78,24 @@ def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None
 
 
 def _share_papers() -> None:
-    """Run a derivation of the package once in a process, as long as its files stay as they are.
+    """Run a derivation that is ours once in a process, as long as its files stay as they are.
 
     They are read each time: who notes what a paper is read from notes the same.
     """
     from mechproof import derivation
 
-    run, packaged = derivation._run, derivation.packaged_directory().resolve()
+    run = derivation._run
+    # What is installed, and what commands find in the checkout.
+    ours = {
+        derivation.packaged_directory().resolve(),
+        Path(__file__).resolve().parents[1] / "derivations",
+    }
     known: dict[Path, tuple[dict[Path, bytes], Any]] = {}
 
     def run_once(place: Path) -> Any:
-        if place.parent != packaged:
+        if place.parent not in ours:
             return run(place)
-        files = [*packaged.glob("_*"), *(place.rglob("*") if place.is_dir() else [place])]
+        files = [*place.parent.glob("_*"), *(place.rglob("*") if place.is_dir() else [place])]
         read = {file: file.read_bytes() for file in files if file.suffix in DERIVED}
         if known.get(place, ({}, None))[0] != read:
             known[place] = read, run(place)
