@@ -6,6 +6,7 @@ import gc
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import Any
 from zlib import crc32
 
 import pytest
@@ -16,8 +17,13 @@ from mechproof.cache import VARIABLE
 LONGEST = (
     *("report", "compiled track_wheel", "workshop", "cluster", "verdicts wedge_linkage"),
     *("verdicts track_wheel", "verdicts oval_planetary", "verdicts tooth_thickness"),
-    *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary"),
+    *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary", "coq/test_checker.py"),
+    *("codegen/test_c99.py", "codegen/test_formula_languages.py", "pieces", "roots"),
+    *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
+
+# What a derivation is made of.
+DERIVED = (".py", ".tex", ".json")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -33,11 +39,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_collection() -> Iterator[None]:
+def pytest_collection(session: pytest.Session) -> Iterator[None]:
     """Look for no garbage while tests are collected, nor later among what that leaves behind.
 
     Afterwards it is looked for less often: SymPy makes many objects that live.
     """
+    if hasattr(session.config, "workerinput") or not session.config.getoption("tx"):
+        _share_papers()
     gc.disable()
     try:
         return (yield)
@@ -67,6 +75,33 @@ def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None
     kept = {*sorted(items, key=lambda item: crc32(names[item].encode()))[::count]}
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
+
+
+def _share_papers() -> None:
+    """Run a derivation that is ours once in a process, as long as its files stay as they are.
+
+    They are read each time: who notes what a paper is read from notes the same.
+    """
+    from mechproof import derivation
+
+    run = derivation._run
+    # What is installed, and what commands find in the checkout.
+    ours = {
+        derivation.packaged_directory().resolve(),
+        Path(__file__).resolve().parents[1] / "derivations",
+    }
+    known: dict[Path, tuple[dict[Path, bytes], Any]] = {}
+
+    def run_once(place: Path) -> Any:
+        if place.parent not in ours:
+            return run(place)
+        files = [*place.parent.glob("_*"), *(place.rglob("*") if place.is_dir() else [place])]
+        read = {file: file.read_bytes() for file in files if file.suffix in DERIVED}
+        if known.get(place, ({}, None))[0] != read:
+            known[place] = read, run(place)
+        return known[place][1]
+
+    derivation._run = run_once
 
 
 def _find_group(item: pytest.Item) -> str:

@@ -107,6 +107,10 @@ def load_paper(location: Path) -> Paper:
     place = _to_place(location)
     if not place.exists():
         raise DerivationError(f"{location}: does not exist")
+    return _run(place)
+
+
+def _run(place: Path) -> Paper:
     name = _name_module(place)
     _modules[place] = name
     module = _import(name, place)

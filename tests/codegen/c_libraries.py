@@ -55,6 +55,7 @@ def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ct
     return compile_files(folder, render(system, single), flags)
 
 
+@cache
 def render(system: str, single: bool) -> dict[str, str]:
     """Render the kernels of a system, in float without a search for their errors."""
     errors = dict.fromkeys(kernels_of(system), "not searched for")

@@ -4,6 +4,8 @@ import pytest
 
 import mechproof
 
+pytestmark = pytest.mark.usefixtures("judged_here")
+
 BLOCK = r"""%% mechproof
 %% N_1 ; N_2 : loads of the two bearings [N]
 %% W : weight of the shaft [N]

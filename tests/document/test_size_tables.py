@@ -8,6 +8,8 @@ from mechproof.document.cells import find_unit, finds_decimal_commas, read_numer
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.units import read_unit
 
+pytestmark = pytest.mark.usefixtures("judged_here")
+
 LETTERS = r"""%% mechproof
 %% a ; b : sides [mm] {a>0}
 %% h : height [mm]

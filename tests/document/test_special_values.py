@@ -6,6 +6,8 @@ import pytest
 
 from mechproof.document.checking import check
 
+pytestmark = pytest.mark.usefixtures("judged_here")
+
 LETTERS = r"""%% mechproof
 %% a : length [mm] {a>0}
 %% b : length [mm] {b>0}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -124,6 +125,7 @@ def build_names(variables: Sequence[Variable], notation: Notation, row: str = ""
     return Names([*names.values(), *(n for s, n in declared.items() if s not in scoped)])
 
 
+@lru_cache(4096)
 def to_signs(latex: str, is_family: bool = False) -> tuple[str, ...]:
     """Return the signs of a name; a family without a place for its indices gets one."""
     try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from html import unescape
 from itertools import pairwise
 from typing import Literal
@@ -35,6 +36,7 @@ NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 
 
+@lru_cache(4096)
 def write_formula(latex: str, display: Display = "inline") -> Markup:
     """Write a formula as MathML, with its LaTeX for who copies it; as code if it is no LaTeX."""
     plain = DUMMY.sub(_as_letter, UPRIGHT.sub(_as_text, latex).replace(*TWO_ARGUMENTS))
