@@ -102,8 +102,7 @@ def chain(
     """Return the derivatives by the symbols; `tidy` writes each in other words."""
 
     def differentiate_step(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        slope = _choose_sides(_diff(value, symbol))
-        return min((slope, tidy(slope)), key=sp.count_ops)
+        return _choose_shorter(_choose_sides(_diff(value, symbol)), tidy)
 
     steps = _order_steps(expression, given)
     slopes = {s: differentiate_step(expression, s) for s in (*steps, *symbols)}
@@ -111,7 +110,12 @@ def chain(
         value = given[step]
         for s in sorted(find_free(value), key=str) if slopes[step] != 0 else ():
             slopes[s] += slopes[step] * differentiate_step(value, s)
-    return [min((slopes[s], tidy(slopes[s])), key=sp.count_ops) for s in symbols]
+    return [_choose_shorter(slopes[s], tidy) for s in symbols]
+
+
+def _choose_shorter(slope: sp.Expr, tidy: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
+    tidied = tidy(slope)
+    return slope if tidied == slope else min((slope, tidied), key=sp.count_ops)
 
 
 @lru_cache(maxsize=1 << 14)

@@ -115,8 +115,17 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
     def __init__(self, names: _NAMED) -> None:
         super().__init__({"inv_trig_style": "full"})
         self._names = names
+        # A matrix of derivatives repeats its parts.
+        self._written: dict[sp.Basic, str] = {}
 
     def _print(self, part: Any, **settings: Any) -> str:
+        if settings or not isinstance(part, sp.Basic):
+            return self._print_anew(part, **settings)
+        if part not in self._written:
+            self._written[part] = self._print_anew(part)
+        return self._written[part]
+
+    def _print_anew(self, part: Any, **settings: Any) -> str:
         if isinstance(part, sp.Indexed):
             return self._print_element(part)
         if isinstance(part, sp.Basic) and part in self._names:
