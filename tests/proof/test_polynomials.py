@@ -115,6 +115,8 @@ QUOTIENTS = [
     (1 - sp.sin(x) ** 2) / (3 - 3 * sp.sin(x)),
     sp.Rational(2, 3) * (x - 1) / (4 * c - 4 * r),
     (x + sp.sqrt(1 + x)) / sp.sqrt(1 + x),
+    (x * (1 + c) ** sp.Rational(3, 2) - sp.sqrt(1 + c) * r) / (x * sp.sqrt(1 + c) - c * (1 + c)),
+    (x - sp.sqrt(x)) / x,
     -1 / (1 - x) - sp.pi / (x - 1),
     sp.Integer(0),
 ]

@@ -188,6 +188,9 @@ class _Ring:
     def __init__(self, *expressions: sp.Expr, functions: bool = False) -> None:
         kinds = (type(sp.pi), sp.Function) if functions else (type(sp.pi),)
         symbols = {s for e in expressions for s in (*find_free(e), *find_parts(e, *kinds))}
+        if functions:
+            powers = {p for e in expressions for p in find_parts(e, sp.Pow)}
+            symbols |= {_split_power(p)[0] for p in powers if p.base.is_Add and _is_root(p)}
         self.symbols = sorted(symbols, key=sp.default_sort_key)
         # A ring of flint's has a generator, needed or not.
         names = [f"x{n}" for n in range(max(1, len(symbols)))]
@@ -207,8 +210,10 @@ class _Ring:
         if isinstance(node, sp.Add | sp.Mul):
             combine = add if node.is_Add else mul
             return reduce(combine, [self.read(argument) for argument in node.args])
-        if isinstance(node, sp.Pow) and node.exp.is_Integer and node.exp >= 0:
-            return self.read(node.base) ** int(node.exp)
+        if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp >= 0:
+            base, power = _split_power(node)
+            if base != node:
+                return self.read(base) ** power
         raise sp.PolynomialError(f"no polynomial: {node}")
 
     def read_quotient(self, node: sp.Expr) -> _Quotient:
@@ -222,11 +227,11 @@ class _Ring:
         if isinstance(node, sp.Add | sp.Mul):
             combine = _add if node.is_Add else _multiply
             return reduce(combine, [self.read_quotient(argument) for argument in node.args])
-        if isinstance(node, sp.Pow) and node.exp.is_Integer:
-            above, below = self.read_quotient(node.base)
-            power = abs(int(node.exp))
-            above, below = above**power, below**power
-            return (above, below) if node.exp > 0 else (below, above)
+        if isinstance(node, sp.Pow) and node.exp.is_Rational:
+            base, power = _split_power(node)
+            if base != node:
+                above, below = (part ** abs(power) for part in self.read_quotient(base))
+                return (above, below) if power > 0 else (below, above)
         return self.read(node), one
 
     def sort_generators(self, *values: fmpq_mpoly) -> list[sp.Expr]:
@@ -262,6 +267,21 @@ class _Ring:
     def _term(self, powers: tuple[int, ...], coefficient: fmpq) -> sp.Expr:
         factors = (s**power for s, power in zip(self.symbols, powers, strict=False) if power)
         return sp.Mul(_to_rational(coefficient), *factors)
+
+
+def _split_power(power: sp.Pow) -> tuple[sp.Expr, int]:
+    """Write a power by an integer one: of its base, or of a root of that."""
+    exponent = power.exp
+    if exponent.is_Integer:
+        return power.base, int(exponent)
+    if _is_root(power):
+        return sp.Pow(power.base, abs(exponent)), int(sp.sign(exponent))
+    return power, 1
+
+
+def _is_root(power: sp.Pow) -> bool:
+    """Accept roots and their reciprocals; SymPy multiplies out what has other broken powers."""
+    return bool(power.exp.is_Rational and abs(power.exp.p) == 1 and power.exp.q > 1)
 
 
 def _to_rational(number: fmpq) -> sp.Rational:

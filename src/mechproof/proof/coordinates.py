@@ -8,6 +8,7 @@ import sympy as sp
 
 from mechproof.arithmetic.polynomials import reduce_polynomial, split
 from mechproof.proof.set_values import COUNTS
+from mechproof.record.parts import replace_parts
 
 ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
@@ -97,7 +98,7 @@ def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.E
         replacement |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
         squares[s] = 1 - c**2
         cosines[c] = angle
-    above, below = (_lower(part, squares) for part in split(expression.subs(replacement)))
+    above, below = (_lower(part, squares) for part in split(replace_parts(expression, replacement)))
     return above / below, cosines
 
 
