@@ -30,7 +30,7 @@ from mechproof.record import (
     Statement,
     Unwritten,
 )
-from mechproof.record.forms import KERNEL
+from mechproof.record.forms import DERIVATIVES, KERNEL
 from mechproof.record.implicit import LEFT, LastIterate
 from mechproof.record.relations import solve
 
@@ -79,7 +79,7 @@ def _tell_derivatives(row: Row) -> Row:
     """Say of a row on the source of a kernel that it is on that of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "what the chain rule makes of the definition")
-    return replace(row, number=f"derivatives of {row.number}", printed_latex=latex)
+    return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
