@@ -99,6 +99,15 @@ def test_cards_and_filters_count_what_is_printed_and_ours_apart(files: dict[str,
     assert printed["refuted"] > 0 < ours["refuted"]
 
 
+def test_sources_of_kernels_are_counted_apart_from_our_own_rows(files: dict[str, str]) -> None:
+    start, name = files["index.html"], "papers/elliptic_planetary.html"
+    card = start[start.index(f'href="{name}"') :]
+    card = card[card.index("our own rows:") : card.index("</article>")]
+    page = files[name]
+    total = page[page.index("our own rows") : page.index("sources of kernels")]
+    assert re.findall(COUNT, total) == re.findall(COUNT, card) != []
+
+
 def test_the_legend_has_the_marks_and_verdicts_that_the_pages_show(files: dict[str, str]) -> None:
     page = files["index.html"]
     legend = page[page.index('id="legend"') :]

@@ -96,6 +96,7 @@ def _mend(element: Element) -> None:
         _mend(child)
     _space_functions(element)
     _keep_low(element)
+    _close_numbers(element)
 
 
 def _keep_low(row: Element) -> None:
@@ -104,6 +105,13 @@ def _keep_low(row: Element) -> None:
     if fences and not any(part.tag in TALL for part in row.iter()):
         for fence in fences:
             fence.set("stretchy", "false")
+
+
+def _close_numbers(row: Element) -> None:
+    """Leave no gap before a point whose decimals stand apart, as where they are marked."""
+    for number, point in pairwise(list(row)):
+        if number.tag == "mn" and point.tag == "mo" and point.text == ".":
+            point.tag, point.attrib = "mn", {}
 
 
 def _mend_name(element: Element, text: str) -> None:
