@@ -119,8 +119,9 @@ def number_form(quantity: Quantity, form: Form) -> str:
 
 
 def list_form_numbers(quantity: Quantity) -> list[str]:
-    """List the numbers that rows on the forms of a quantity have, if there are any."""
-    return [number for form in quantity.forms for number in _number_rows(quantity, form)]
+    """List the numbers that rows on the forms and the derivatives of a quantity may have."""
+    own = [number for form in quantity.forms for number in _number_rows(quantity, form)]
+    return [*own, *(f"{DERIVATIVES}{number}" for number in own)]
 
 
 def number_shipped(paper: Paper) -> frozenset[str]:
