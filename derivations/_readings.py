@@ -158,7 +158,7 @@ def if_u_is_s(
     away = ",\\ ".join(distances)
     return Claim(
         f"{table}, if u is s",
-        rf"\bar q\pm\tfrac{{2u}}{{\sqrt n}}:\ {intervals};\ |\bar q|\tfrac{{\sqrt n}}u={away}",
+        rf"\bar q\pm\tfrac{{2u}}{{\sqrt n}}:\ {intervals},\quad|\bar q|\tfrac{{\sqrt n}}u={away}",
         Conjunction(
             tuple(
                 statement
@@ -178,11 +178,22 @@ def if_u_is_s(
     )
 
 
-def table_row(table: str, equations: str, cites: tuple[str, ...], **marks: Any) -> Claim:
-    """Say that a table of results cannot be recomputed."""
+def table_row(
+    table: str,
+    equations: str,
+    readings: Mapping[int, Readings],
+    cites: tuple[str, ...],
+    **marks: Any,
+) -> Claim:
+    """Say that a table of results, each n, mean and u of which is shown, cannot be recomputed."""
+    values = ";\\ ".join(
+        rf"{line.count},\ {float(line.mean):g}^\circ,\ {float(line.uncertainty):g}^\circ"
+        for line in readings.values()
+    )
     return Claim(
         f"{table} by {equations}",
-        rf"\text{{applying equations {equations} to the results, we get the values of {table}}}",
+        rf"\text{{applying equations {equations} to the results, we get the values of {table}: }}"
+        rf"n,\ \bar q,\ u=\ {values}",
         NotCheckable("the readings q_k are not in the text at hand"),
         cites=cites,
         **marks,
@@ -243,7 +254,7 @@ def costs_of_interval(
 def check_of_interval(line: Readings) -> Check:
     """Return how many per cent of a normal law are so near its mean."""
     return Check(
-        f"2u = 2s/√n, with n = {line.count} {{0}} s; a table of the normal law has the share {{1}} "
-        "within so many standard deviations, not 0.95.",
+        f"2u = 2s/√n, which is {{0}} s for n = {line.count}; a table of the normal law has the "
+        "share {1} within so many standard deviations, not 0.95.",
         (2 / sqrt(line.count), erf(sqrt(2) / sqrt(line.count))),
     )

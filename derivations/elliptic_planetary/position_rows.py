@@ -48,7 +48,8 @@ EQUATION_12 = PRINT.equation(
     note=(
         "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) takes the "
         "root of that once more. Without it the factor before the arctangent is 2 and the "
-        "quotient inside is (1+e)/(1-e). Besides, the arctangent jumps back after each turn."
+        "quotient inside is (1+e)/(1-e). Besides, the arctangent jumps back after each turn. "
+        "Compared with what (8), which is proved, gives when it is integrated from 0."
     ),
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
@@ -70,7 +71,8 @@ POSITION_ROWS = (
     PRINT.equation(
         "(9)",
         derived={phi3: position},
-        note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
+        note="Compared with the integral of the ratio that (8) is; read from the initial "
+        "conditions phi10 = phi30 = 0; holds over all turns.",
         cites=("S29",),
     ),
     PRINT.equation("before (10), a_1", cites=("S30",)),
@@ -193,7 +195,7 @@ POSITION_CLAIMS = (
         Equality(print_12, position),
         note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
-        cites=("S33",),
+        cites=("S5", "S33"),
     ),
     Claim(
         "Fig. 3, formula used",

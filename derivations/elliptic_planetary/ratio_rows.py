@@ -52,6 +52,7 @@ RATIO_ROWS = (
     PRINT.claim(
         "velocity plan, V_C",
         says=Equality(S.Zero, velocity_c.dot(axis_c)),
+        note="The scalar product of V_C and AC is 0.",
         cites=("S17",),
     ),
     PRINT.claim(

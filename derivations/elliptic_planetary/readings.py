@@ -152,7 +152,7 @@ TABLE_CLAIMS = (
         ),
         cites=("S37", "S58"),
     ),
-    table_row("table 3", "(13)-(16)", ("S52", "S53")),
+    table_row("table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     interval_of_errors(READINGS, ("S7", "S52", "S56")),
     *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
     adequacy_row(("S6", "S45", "S55", "S59", "S60")),

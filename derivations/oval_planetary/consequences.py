@@ -57,8 +57,8 @@ CONSEQUENCES: tuple[Row, ...] = (
     ),
     Claim(
         "table 2, scatter and two encoders",
-        r"u\sqrt n=2.38^\circ,\ 0.55^\circ,\ 1.61^\circ,\ 2.08^\circ;\ "
-        r"u\sqrt n<M\sqrt{\tfrac n{n-1}},\ "
+        r"u\sqrt n=2.38^\circ,\ 0.55^\circ,\ 1.61^\circ,\ 2.08^\circ,\quad "
+        r"u\sqrt n<M\sqrt{\tfrac n{n-1}},\quad "
         r"M=1.08^\circ(1+\max|\varphi_3'|)=2.43^\circ,\ 1.62^\circ,\ 2.43^\circ,\ "
         r"2.88^\circ",
         all_of(

@@ -106,8 +106,9 @@ EQUATION_ROWS: tuple[Row, ...] = (
                     VC: omega_satellite * (sC - sB),
                     VD: -omega_satellite * (sD - sB),
                 },
-                note="Velocities of the satellite are proportional to the distance from B; that of "
-                "D is counted against the carrier.",
+                note="Velocities of the satellite are proportional to the distance from B. Here BD "
+                "and v_D are both counted against the carrier, as in (7); with both counted the "
+                "other way it holds as well.",
                 marks=("rebuilt", "inferred"),
             ),
         },

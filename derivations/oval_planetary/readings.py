@@ -71,7 +71,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         cites=("S46",),
     ),
     encoder_row("table 1", ("S37",)),
-    table_row("table 2", "(12)-(15)", ("S47", "S48"), marks=("rebuilt",)),
+    table_row("table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
     interval_of_errors(READINGS, ("S47", "S51", "S57"), ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
     adequacy_row(("S7", "S41", "S50", "S56")),

@@ -129,6 +129,7 @@ FINDINGS = (
             ),
         ),
         weight=Weight.CONCLUSION,
+        mend="(b), crossovers",
         check=Check(
             "Tip: tg 20°·25 µm/6 = {0}; gauge: √(1 + 0.7279²)·2 µm/3 = {1}",
             RECOMMENDED_SPREADS[::-1],

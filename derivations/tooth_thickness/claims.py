@@ -188,8 +188,9 @@ CLAIM_ROWS = (
     ),
     Claim(
         "(b), crossovers",
-        r",\ ".join(
-            rf"\mathrm{{IT}}{grade}\colon {two}\text{{ to }}{three}~\mu\mathrm{{m}}"
+        r"\text{the instrument has the stronger influence only from a limit error of }"
+        + r"\text{, of }".join(
+            rf"{two}\text{{ to }}{three}~\mu\mathrm{{m}}\text{{ on with IT{grade}}}"
             for grade, (two, three) in CROSSOVERS.items()
         ),
         all_of(

@@ -141,7 +141,9 @@ DESIGN_ROWS = (
             ),
         ),
         corrected=Correction(
-            r"-E_{cs}-T_c<E_{csu}<-E_{cs}", not_above(E_cs, -(-E_cs - T_c * place))
+            r"E_{cs}\text{ is the smallest prescribed decrease of the constant chord; good: }"
+            r"-E_{cs}-T_c<E_{csu}<-E_{cs}",
+            not_above(E_cs, -(-E_cs - T_c * place)),
         ),
         note=(
             "E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "

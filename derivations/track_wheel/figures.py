@@ -88,7 +88,8 @@ FIGURE_ROWS: tuple[Row, ...] = (
             ),
         ),
         corrected=Correction(
-            r"\text{deviations of location of the given profile of the track}",
+            r"\text{The errors on the diagram may be regarded as deviations of location of the"
+            r" given profile of the track}",
             Equality(DISPLACED_DISTANCE, DISTANCE),
         ),
         note="By (15), shift and turn move the part as a rigid body: of a combined deviation of "

@@ -210,7 +210,7 @@ FINDINGS = (
                 4,
                 FIVE,
                 total_of_five(sp.Rational(11, 10)),
-                ("S = 1", "S = 1.1 of the mounting error alone"),
+                ("by (5)", "with a sensitivity of 1.1 to the mounting error"),
             ),
         ),
         weight=Weight.WORDING,
@@ -224,9 +224,8 @@ FINDINGS = (
     ),
     Finding(
         "before (14), product",
-        "Multiplied in the order A B C, the matrices do not give the printed K; only C B A does. "
-        "A B C stands for turns about fixed axes, C B A for turns about axes that turn with the "
-        "part.",
+        "Multiplied in the order ABC, the matrices do not give the printed K; only CBA does. ABC "
+        "stands for turns about fixed axes, CBA for turns about axes that turn with the part.",
         costs=(
             Cost(
                 "farthest point of the track, along Y_0, turns of Table 1",
@@ -240,7 +239,7 @@ FINDINGS = (
         weight=Weight.WORDING,
         check=Check(
             "For gamma = 0 the second element of the first row is sin alpha sin beta in (14) and 0 "
-            "in A B C; 0.00103² times R + A = 45.25 mm is {0}",
+            "in ABC; 0.00103² times R + A = 45.25 mm is {0}",
             (along_y(PRINTED_K).subs(LIKE_TABLE_1),),
             3,
             "µm",

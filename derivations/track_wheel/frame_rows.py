@@ -146,7 +146,7 @@ FRAME_ROWS: tuple[Row, ...] = (
         Equality(product_of("ABC"), PRINTED_K),
         readings=(
             Reading(
-                "the first turn stands on the right: K = C B A",
+                "the first turn stands on the right: K = CBA",
                 Conjunction(
                     (
                         Equality(product_of("CBA"), PRINTED_K),
@@ -155,8 +155,12 @@ FRAME_ROWS: tuple[Row, ...] = (
                 ),
             ),
         ),
-        corrected=Correction("K=CBA", Equality(product_of("CBA"), PRINTED_K)),
-        note="A B C is the matrix of turns about x10, y10 and z10, which stay fixed.",
+        corrected=Correction(
+            r"\text{the matrix }K\text{ of the resulting transformation may be represented by the"
+            r" product of the matrices }C,B,A",
+            Equality(product_of("CBA"), PRINTED_K),
+        ),
+        note="ABC is the matrix of turns about x10, y10 and z10, which stay fixed.",
         cites=("S37",),
     ),
     PRINT.equation(

@@ -36,11 +36,11 @@ RED = LineStyle.WRONG["color"]
 FIELDS = {symbol: float(PRINTED_VALUES[symbol]) for symbol in FIVE_ERRORS}
 THERMAL_SHARE = float(PRINTED_VALUES[share])
 NAMES = {
-    form: "mounting surface Δφ",
-    mounting: "mounting Δy",
-    elastic: "elastic deformations Δδ",
-    setting: "machine setting Δn",
-    wear: "tool wear Δu",
+    form: r"mounting surface $\Delta_\phi$",
+    mounting: r"mounting $\Delta_y$",
+    elastic: r"elastic deformations $\Delta_\delta$",
+    setting: r"machine setting $\Delta_n$",
+    wear: r"tool wear $\Delta_u$",
 }
 # The coefficients K_i are not printed: 1 for normal laws, sqrt(3) for uniform ones.
 NORMAL, UNIFORM = 1.0, float(np.sqrt(3.0))
@@ -142,7 +142,7 @@ def draw_growth(canvas: Any) -> None:
     kinds: Mapping[str, tuple[Callable[[Any], Any], Mapping[str, Any]]] = {
         "(6) as printed, in mm": (lambda f: total_printed(f, 1.0), {**LineStyle.WRONG, "lw": 1.1}),
         "corrected, all Kᵢ = √3": (lambda f: total(collect(Delta_phi=f), UNIFORM), LineStyle.THIRD),
-        "corrected, ΔT systematic": (
+        r"corrected, $\Delta_T$ systematic": (
             lambda f: total_systematic(collect(Delta_phi=f)),
             LineStyle.FOURTH,
         ),
@@ -159,7 +159,7 @@ def draw_growth(canvas: Any) -> None:
         panel.plot(MICROMETRES * forms, MICROMETRES * rule(forms), **look, label=says)
         panel.plot([MICROMETRES * here], [at_table], **{**LineStyle.MARK, "ms": 2.5})
     panel.set_ylim(0, 200)
-    panel.set_xlabel("form error Δφ, µm")
+    panel.set_xlabel(r"form error $\Delta_\phi$, µm")
     panel.set_ylabel("total error, µm")
     text = f"Table 1: {write(MICROMETRES * here)} µm"
     label(panel, text, (MICROMETRES * here, 0.0), (3, 3))
@@ -188,7 +188,7 @@ def draw_gain(canvas: Any) -> None:
     label(panel, f"{write(last, 3)} µm", (0.0, last), (5, -4))
     panel.set_xlim(-2, MICROMETRES * before + 8)
     panel.set_ylim(last - 4, first + 4)
-    panel.set_xlabel("elastic error Δδ that the optimised cut leaves, µm")
+    panel.set_xlabel(r"elastic error $\Delta_\delta$ that the optimised cut leaves, µm")
     panel.set_ylabel("total error, µm")
 
 
@@ -197,7 +197,7 @@ def draw_contributions(canvas: Any) -> None:
     panel = canvas.subplots()
     whole = float(total(collect()))
     fields = {NAMES[symbol]: field for symbol, field in FIELDS.items()}
-    fields["temperature ΔT"] = THERMAL_SHARE * whole
+    fields[r"temperature $\Delta_T$"] = THERMAL_SHARE * whole
     ordered = sorted(fields.items(), key=lambda item: item[1])
     parts = [100 * (field / whole) ** 2 for _, field in ordered]
     panel.barh([name for name, _ in ordered], parts, color="#d5dfec", edgecolor="#000000", lw=0.7)
@@ -302,7 +302,7 @@ FIGURES = (
         "Table 1",
         "Mounting and elastic deformation make most of the total error.",
         "Shares of the errors of Table 1 in the square of their total by the corrected (6), all "
-        f"coefficients 1, ΔT random: the paper's {100 * THERMAL_SHARE:g} % of the total. The "
+        f"coefficients 1, Δ_T random: the paper's {100 * THERMAL_SHARE:g} % of the total. The "
         "symbol of the machine setting is uncertain in print.",
         "Consequences, shares of the errors",
         draw_contributions,

@@ -275,6 +275,23 @@ def test_elements_have_their_indices_where_the_paper_prints_them() -> None:
     assert judged.compared_with == r"\text{x-y\_0} + K_2(t)"
 
 
+def test_letters_of_ours_are_written_by_those_of_the_paper() -> None:
+    k, bound, word = sp.Symbol("k", real=True), sp.Symbol("x", real=True), sp.Symbol("largest")
+    ours = (Variable(k, "ours", given=psi / phi), Variable(word, "a word"))
+    about = Paper("system", "citation", (*VARIABLES, *ours), ())
+
+    def show(right):
+        return judge(row(Equality(e, right)), about).compared_with
+
+    assert show(2 * k) == r"\frac{2 \varphi_3(\varphi_1)}{\varphi_1}"
+    assert show(sp.Integral(k * bound, (bound, 0, e))).count("k") == 0
+    assert show(k + word) == r"\mathrm{largest} + \frac{\varphi_3(\varphi_1)}{\varphi_1}"
+    # A letter that is given by much more is left as it is.
+    much = Variable(k, "ours", given=sum(phi**n for n in range(20)))
+    long = Paper("system", "citation", (*VARIABLES, much), ())
+    assert judge(row(Equality(e, k)), long).compared_with == "k"
+
+
 def test_what_is_long_is_shown_whole() -> None:
     long = sum(phi**k * e ** (k + 1) for k in range(40))
     assert r"e^{40} \varphi_1^{39}" in compared(Equality(psi, long))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from mechproof.proof.cards import make_card
 from mechproof.proof.findings import LedgerFinding, follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.record import (
@@ -19,6 +20,7 @@ from mechproof.record import (
     FollowingRow,
     Holds,
     Paper,
+    Part,
     PrintedNumber,
     Reading,
     Row,
@@ -193,6 +195,15 @@ def test_a_mend_that_is_proved_is_shown_beside_the_correction() -> None:
     first, *_ = find(Finding("(1)", "", mend="true"))
     assert (first.mend_latex, first.corrected_latex) == ("t", "y")
     assert first.mend_by == "sign in positive coordinates"
+
+
+def test_the_card_says_where_a_mend_holds() -> None:
+    on = Part("r > 1", {r: sp.Interval.open(1, sp.oo)})
+    within = Claim("within", "m", Holds(sp.Ge(r, 0, evaluate=False)), on=on)
+    first, *_ = find(Finding("(1)", "", mend="within"), others=(within,))
+    card = make_card(first)
+    assert (card.mend, card.mend_by) == ("m", f"{first.mend_by}; on r > 1")
+    assert (card.general, card.general_by) == ("y", first.corrected_by)
 
 
 def test_the_numbers_of_a_check_are_computed() -> None:

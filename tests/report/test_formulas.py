@@ -119,3 +119,23 @@ def test_lists_of_formulas_stand_below_each_other_and_once() -> None:
     )
     assert written.count('class="formula"') == 1
     assert written.count("too long") == 1
+
+
+def test_marked_words_stand_within_their_sentence() -> None:
+    written = write_print(
+        r"\text{the interval of }{\color{green}{\text{the mean of }}}\text{errors}"
+    )
+    assert '<span class="put">the mean of </span>errors' in written
+    # Only marks of ours are known, and only around words.
+    other = write_print(r"\text{the interval of }{\color{blue}{\text{the mean of }}}\text{errors}")
+    assert "<span" not in other
+
+
+def test_a_comma_between_words_and_a_formula_stays() -> None:
+    long = r"M=1.08^\circ(1+\max\varphi)=10.1^\circ,\ 14.7^\circ"
+    written = write_print(rf"\text{{as in variants 1 and 2}},\ {long}")
+    assert "variants 1 and 2, <" in written
+
+
+def test_marked_decimals_stand_close_to_their_point() -> None:
+    assert shape(r"0.{\color{red}{28}}").startswith("<mrow><mn>0<mn>.<")

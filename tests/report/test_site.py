@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -28,6 +29,7 @@ from mechproof.report.pictures import chart, draw_pictures, list_charts
 pytestmark = pytest.mark.xdist_group("report")
 # WCAG 2.2, AA: text of usual size.
 LEAST_CONTRAST = 4.5
+LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
 # A verdict and how many rows have it.
 COUNT = r'<span class="count v-([\w-]+)"><b>(\d+)</b>'
 
@@ -97,6 +99,28 @@ def test_cards_and_filters_count_what_is_printed_and_ours_apart(files: dict[str,
     filters = dict(re.findall(r'<label for="show-([\w-]+)">[^<]*<small>(\d+)', page))
     assert filters == {k: str(n) for k, n in {**printed, "ours": sum(ours.values())}.items()}
     assert printed["refuted"] > 0 < ours["refuted"]
+
+
+def test_every_row_has_the_anchor_of_its_id(files: dict[str, str]) -> None:
+    rows = json.loads(LEDGER.read_text(encoding="utf-8"))["rows"]
+    about = ("elliptic_planetary", "track_wheel")
+    pages = {s: "".join(text for name, text in files.items() if f"/{s}." in name) for s in about}
+    missing = [
+        row["id"]
+        for row in rows
+        if pages.get(row["system"])
+        and f'id="{row["id"].split("/")[1]}"' not in pages[row["system"]]
+    ]
+    assert missing == []
+
+
+def test_sources_of_kernels_are_counted_apart_from_our_own_rows(files: dict[str, str]) -> None:
+    start, name = files["index.html"], "papers/elliptic_planetary.html"
+    card = start[start.index(f'href="{name}"') :]
+    card = card[card.index("our own rows:") : card.index("</article>")]
+    page = files[name]
+    total = page[page.index("our own rows") : page.index("sources of kernels")]
+    assert re.findall(COUNT, total) == re.findall(COUNT, card) != []
 
 
 def test_the_legend_has_the_marks_and_verdicts_that_the_pages_show(files: dict[str, str]) -> None:

@@ -30,7 +30,7 @@ from mechproof.record import (
     Statement,
     Unwritten,
 )
-from mechproof.record.forms import KERNEL
+from mechproof.record.forms import DERIVATIVES, KERNEL
 from mechproof.record.implicit import LEFT, LastIterate
 from mechproof.record.relations import solve
 
@@ -40,8 +40,6 @@ LEGAL = ", legal"
 NEAR_ZERO = ", near 0"
 # Ends the number of the row that says that Newton's steps lead to a root.
 CONVERGES = ", converges"
-# Begins the number of each row on derivatives.
-OF_DERIVATIVES = "derivatives of "
 _ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
 # Where an iterate is, in widths of the bracket from its lower end.
 _PLACE = sp.Symbol("place", real=True)
@@ -79,12 +77,12 @@ def _tell_derivatives(row: Row) -> Row:
     """Say of a row on the source of a kernel that it is on that of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "what the chain rule makes of the definition")
-    return replace(row, number=f"{OF_DERIVATIVES}{row.number}", printed_latex=latex)
+    return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
 def number_derivative(quantity: Quantity) -> str:
     """Return the number of the row that says what the source of derivatives computes."""
-    return f"{OF_DERIVATIVES}{number_form(quantity, quantity.shipped[-1])}"
+    return f"{DERIVATIVES}{number_form(quantity, quantity.shipped[-1])}"
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
@@ -135,8 +133,9 @@ def number_form(quantity: Quantity, form: Form) -> str:
 
 
 def list_form_numbers(quantity: Quantity) -> list[str]:
-    """List the numbers that rows on the forms of a quantity have, if there are any."""
-    return [number for form in quantity.forms for number in _number_rows(quantity, form)]
+    """List the numbers that rows on the forms and the derivatives of a quantity may have."""
+    own = [number for form in quantity.forms for number in _number_rows(quantity, form)]
+    return [*own, *(f"{DERIVATIVES}{number}" for number in own)]
 
 
 def number_shipped(paper: Paper) -> frozenset[str]:

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from mechproof.latex.changes import Style, mark_changes
+from mechproof.latex.sentence_changes import mark_sentences
 from mechproof.latex.sentences import is_sentence, walk_outside
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.verdict import Verdict
@@ -24,7 +25,7 @@ class Card:
     """The formulas of a finding: the print, the smallest mend, and what holds in general.
 
     Empty are a mend that there is not and a general form that is the mend. `label` is what the mend
-    is called.
+    is called; `mend_by` and `general_by` say how each is proved, and where.
     """
 
     printed: str
@@ -36,18 +37,26 @@ class Card:
 
 
 def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> Card:
-    """Mark what the mend takes out of the print, and what it puts in; sentences are not marked."""
+    """Mark what the mend takes out of the print, and what it puts in."""
     printed, general = found.printed_latex, found.corrected_latex
-    mend, by = found.mend_latex, found.mend_by
+    mend, by = found.mend_latex, _tell_proof(found.mend_by, found.mend_on)
+    corrected_by = _tell_proof(found.corrected_by, found.corrected_on)
     if not mend:
-        mend, by, general = general, found.corrected_by, ""
-    general_by = found.corrected_by if general else ""
-    if mend and not (is_sentence(printed) or is_sentence(mend)):
+        mend, by, general = general, corrected_by, ""
+    general_by = corrected_by if general else ""
+    if mend and (is_sentence(printed) or is_sentence(mend)):
+        printed, mend = mark_sentences(printed, mend, taken, put)
+    elif mend:
         kept, member = _split_member(printed, mend)
         marked, mend = mark_changes(member, mend, taken, put)
         printed = kept + marked
     label = "Shown" if found.verdict in OPEN else "Right"
     return Card(printed, mend, by, general, general_by, label)
+
+
+def _tell_proof(by: str, on: str) -> str:
+    """Say how a formula is proved, and where it holds if not everywhere."""
+    return f"{by}; on {on}" if by and on else by
 
 
 def _split_member(printed: str, mend: str) -> tuple[str, str]:

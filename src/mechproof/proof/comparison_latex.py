@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.logic.boolalg import BooleanAtom
 from sympy.printing.latex import LatexPrinter, translate
 
 from mechproof.arithmetic import balls
@@ -21,7 +23,9 @@ from mechproof.record import (
     Statement,
     Variable,
 )
-from mechproof.record.parts import find_free
+from mechproof.record.parts import find_free, replace_parts
+from mechproof.record.substitution import resolve
+from mechproof.record.variables import list_given
 
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
@@ -31,20 +35,44 @@ _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
 # Numbers with so many parts are written by so many digits.
 _LONGEST_NUMBER, _DIGITS = 200, 15
+# A formula may become so many times longer when our letters are written by the paper's, or have so
+# many parts.
+_MOST_MORE, _FEW = 2, 30
+
+
+@dataclass(frozen=True)
+class _Letters:
+    """How a paper prints its letters, and what those of ours are that it has none for."""
+
+    names: _NAMED
+    ours: Mapping[sp.Basic, sp.Basic]
+
+    def spell_out(self, formula: sp.Basic) -> sp.Basic:
+        """Write our letters by the paper's; as it is, if that makes much more of a formula."""
+        if not find_free(formula) & self.ours.keys():
+            return formula
+        spelt = resolve(formula, self.ours)
+        most = max(_FEW, _MOST_MORE * _weigh(formula))
+        return formula if isinstance(spelt, BooleanAtom) or _weigh(spelt, most) > most else spelt
 
 
 def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
     """Return the LaTeX of what a print was compared with, empty if it was compared with nothing."""
     names = {v.symbol: v.latex[0] for v in variables if v.latex}
-    return _compared(statement, names)
+    ours = list_given(v for v in variables if not v.latex)
+    return _compared(statement, _Letters(names, ours))
 
 
 def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
     """Return a formula in the letters of a paper, however long it is; words stand upright."""
-    words = {s: _write_word(s) for s in formula.free_symbols if _LONG_NAME.match(str(s))}
     printed = {v.symbol: v.latex[0] for v in variables if v.latex}
-    text: str = _Printer({**words, **printed}).doprint(formula)
+    text: str = _Printer({**_write_words(formula), **printed}).doprint(formula)
     return text
+
+
+def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
+    """Write the symbols whose names are words."""
+    return {s: _write_word(s) for s in find_free(formula) if _LONG_NAME.match(str(s))}
 
 
 def _write_word(symbol: sp.Symbol) -> str:
@@ -54,13 +82,13 @@ def _write_word(symbol: sp.Symbol) -> str:
     return f"{shown}_{{{index.translate(_ESCAPES)}}}" if index else shown
 
 
-def _compared(statement: Statement, names: _NAMED) -> str:
+def _compared(statement: Statement, letters: _Letters) -> str:
     if isinstance(statement, Equality):
-        return _write(statement.rebuilt, names)
+        return _write(statement.rebuilt, letters)
     if isinstance(statement, PrintedNumber):
-        return _write(statement.value, names)
+        return _write(statement.value, letters)
     parts = dict.fromkeys(_list_parts(statement))
-    return r",\quad ".join(filter(None, (_write_part(part, names) for part in parts)))
+    return r",\quad ".join(filter(None, (_write_part(part, letters) for part in parts)))
 
 
 def _list_parts(statement: Statement) -> Iterator[Statement]:
@@ -71,24 +99,32 @@ def _list_parts(statement: Statement) -> Iterator[Statement]:
         yield statement
 
 
-def _write_part(statement: Statement, names: _NAMED) -> str:
+def _write_part(statement: Statement, letters: _Letters) -> str:
     """Write a statement whose print is a sentence: both of its sides."""
     if isinstance(statement, Holds):
-        return _write(statement.relation, names)
+        return _write(statement.relation, letters)
     if isinstance(statement, Distinct):
-        return rf"{_write(statement.left, names)}\not\equiv {_write(statement.right, names)}"
+        return rf"{_write(statement.left, letters)}\not\equiv {_write(statement.right, letters)}"
     if isinstance(statement, Equality):
-        return f"{_write(statement.printed, names)}={_write(statement.rebuilt, names)}"
+        return f"{_write(statement.printed, letters)}={_write(statement.rebuilt, letters)}"
     if isinstance(statement, PrintedNumber):
-        return rf"{statement.printed}\approx {_write(statement.value, names)}"
+        return rf"{statement.printed}\approx {_write(statement.value, letters)}"
     return ""
 
 
-def _write(formula: sp.Basic, names: _NAMED) -> str:
+def _write(formula: sp.Basic, letters: _Letters) -> str:
+    formula = letters.spell_out(formula)
     numbers = {part: sp.Dummy() for part in _find_numbers(formula)}
-    shown = {symbol: _write_number(part, names) for part, symbol in numbers.items()}
-    text: str = _Printer({**names, **shown}).doprint(formula.xreplace(numbers))
+    shown = {symbol: _write_number(part, letters.names) for part, symbol in numbers.items()}
+    written = {**_write_words(formula), **letters.names, **shown}
+    text: str = _Printer(written).doprint(replace_parts(formula, numbers))
     return text
+
+
+def _weigh(formula: sp.Basic, most: int | None = None) -> int:
+    """Count the parts of a formula, as often as they are written, to one beyond the most."""
+    beyond = None if most is None else most + 1
+    return sum(1 for _ in islice(sp.preorder_traversal(formula), beyond))
 
 
 def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:

@@ -79,10 +79,12 @@ class LedgerFinding:
     costs: tuple[LedgerCost, ...]
     corrected_latex: str
     corrected_by: str
+    corrected_on: str
     follows: tuple[str, ...]
     weight: Weight
     mend_latex: str
     mend_by: str
+    mend_on: str
     check: str
     figure: str
     place: Place | None = None
@@ -166,10 +168,12 @@ def _describe(
         or tuple(_show_witness(about)),
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
+        corrected_on=about.on if about.corrected_by else "",
         follows=tuple(follower.row for follower in finding.followers),
         weight=finding.weight,
         mend_latex=mend.printed_latex if mend else "",
         mend_by=mend.rung if mend else "",
+        mend_on=mend.on if mend else "",
         check=_write_check(finding.check, Domain.of(paper)) if finding.check else "",
         figure=finding.figure,
         place=about.place,

@@ -18,7 +18,7 @@ from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
 from mechproof.record.findings import WEIGHTS
-from mechproof.record.forms import KERNEL
+from mechproof.record.forms import is_on_kernel
 
 # The `$id` of ledger.schema.json, which lies beside this module.
 SCHEMA = "urn:mechproof:ledger:1"
@@ -26,8 +26,9 @@ PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
+KERNELS = "sources of kernels"
 REBUILT = "rebuilt"
-COUNTED = (*CLASSES.values(), OURS)
+COUNTED = (*CLASSES.values(), OURS, KERNELS)
 SECTIONS = ("the paper, row by row", "consequences", "what the source of its kernels computes")
 # What means something in Markdown, and how it is written as itself.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
@@ -43,7 +44,8 @@ which a row was decided; the last section explains each. The last column says wh
 `mechproof certify` proves a row once more with Coq, or why there is none ([COQ.md](COQ.md)). The
 formulas of what is proved, and what they were compared with, are folded away below each table.
 
-Marks say what a row rests on; rows marked *ours* are counted apart:
+Marks say what a row rests on; rows marked *ours* are counted apart, and of these
+those on the sources of kernels:
 
 """
 
@@ -99,7 +101,9 @@ class JudgedPaper(Ledger, Displayed):
 
 def classify(judgement: Judgement) -> str:
     """Return what a row is counted as."""
-    return OURS if "ours" in judgement.marks else CLASSES[judgement.kind]
+    if "ours" not in judgement.marks:
+        return CLASSES[judgement.kind]
+    return KERNELS if is_on_kernel(judgement.number) else OURS
 
 
 def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
@@ -174,9 +178,9 @@ def _finding(found: LedgerFinding) -> str:
     heading = f"### {found.system} {number}: {found.verdict}{_show_marks(found.marks)}"
     paragraphs = [heading, f"*{WEIGHTS[found.weight]}*", _formula(card.printed)]
     if card.mend:
-        paragraphs += [f"{card.label} (proved: {card.mend_by}):", _formula(card.mend)]
+        paragraphs += [f"{card.label} (proved: {_escape(card.mend_by)}):", _formula(card.mend)]
     if card.general:
-        paragraphs += [f"In general (proved: {card.general_by}):", _formula(card.general)]
+        paragraphs += [f"In general (proved: {_escape(card.general_by)}):", _formula(card.general)]
     paragraphs += [_escape(found.wrong)]
     paragraphs += ["\n".join(f"- {_escape(str(cost))}" for cost in found.costs)]
     paragraphs += [f"Check: {_escape(found.check)}" if found.check else ""]
@@ -200,8 +204,7 @@ def _sort_rows(judgements: Sequence[Judgement]) -> dict[str, list[Judgement]]:
     """Sort the rows of a paper into what each is about, those that there are."""
     sorted_rows: dict[str, list[Judgement]] = {title: [] for title in SECTIONS}
     for row in judgements:
-        is_kernel = row.number.startswith(KERNEL)
-        place = 2 if is_kernel else 1 if "consequence" in row.marks else 0
+        place = 2 if classify(row) == KERNELS else 1 if "consequence" in row.marks else 0
         sorted_rows[SECTIONS[place]].append(row)
     return {title: rows for title, rows in sorted_rows.items() if rows}
 

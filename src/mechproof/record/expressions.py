@@ -10,6 +10,9 @@ import sympy as sp
 class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
     """An integral sign whose differential is missing in print; it has no value."""
 
+    def _latex(self, printer: Any) -> str:
+        return rf"\int{{{printer.doprint(self.args[0])}}}\quad\text{{(without a differential)}}"
+
 
 class ValueWhere(sp.Function):  # type: ignore[misc]
     """A first value where a second has one too, which is printed and cancels.

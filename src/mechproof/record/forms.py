@@ -12,8 +12,14 @@ from mechproof.record.exactness import make_exact
 from mechproof.record.statements import Statement
 from mechproof.record.variables import Part
 
-# Begins the number of each row on the form of a quantity.
+# Begins the number of each row on the form of a quantity; this before it, of one on derivatives.
 KERNEL = "kernel "
+DERIVATIVES = "derivatives of "
+
+
+def is_on_kernel(number: str) -> bool:
+    """Return whether a row by its number is on what the source of a kernel computes."""
+    return number.removeprefix(DERIVATIVES).startswith(KERNEL)
 
 
 class EmittedForm(Protocol):

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import fromstring
 from markupsafe import Markup, escape
 
 from mechproof.latex.sentences import is_sentence, list_parts, walk_outside
-from mechproof.report.mathml import measure, read_text, write_formula
+from mechproof.report.mathml import MARKS, measure, read_text, write_formula
 
 # Formulas within words are broken at their commas if they have more letters than a line.
 LONG = 40
@@ -17,6 +17,10 @@ LONG = 40
 MANY, MOST = 49, 60
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
+# A line does not begin with it.
+TIED_COMMA = "\u2060, "
+# Words that a finding marks within a sentence.
+MARKED = re.compile(r"\{\\color\{(red|green)\}\{(.*)\}\}", re.DOTALL)
 
 
 def write_print(latex: str) -> Markup:
@@ -51,10 +55,16 @@ def write_sentence(latex: str) -> Markup:
 
 
 def _write_within(latex: str) -> Markup:
+    marked = MARKED.fullmatch(latex)
+    if marked and r"\text" in latex and len(list(walk_outside(latex))) == 1:
+        written = Markup('<span class="{}">{}</span>')
+        return written.format(MARKS[marked[1]], write_sentence(marked[2]))
+    if latex.startswith(","):
+        return Markup(",") + _write_within(latex[1:])
     before = " " if re.match(r"\s|\\[ ,;]|~", latex) else ""
     bare = re.sub(r"^(?:\s|\\[ ,;]|~)+|(?:\s|\\[ ,;]|~)+$", "", latex)
     parts = list(_split(bare, COMMA)) if len(bare) > LONG else [bare]
-    return Markup("{}{}").format(before, Markup(", ").join(map(_write_inline, filter(None, parts))))
+    return before + Markup(TIED_COMMA).join(map(_write_inline, filter(None, parts)))
 
 
 def _write_inline(latex: str) -> Markup:

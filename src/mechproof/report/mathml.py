@@ -13,6 +13,8 @@ from latex2mathml.converter import convert_to_element
 from markupsafe import Markup
 from sympy.printing.latex import translate
 
+from mechproof.report.kept_formulas import FORMULAS
+
 Display = Literal["block", "inline"]
 # What the elements may carry on; others, as links and styles, are dropped.
 ATTRIBUTES = frozenset({
@@ -39,11 +41,15 @@ OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 @lru_cache(4096)
 def write_formula(latex: str, display: Display = "inline") -> Markup:
     """Write a formula as MathML, with its LaTeX for who copies it; as code if it is no LaTeX."""
+    return Markup(FORMULAS.find(latex, display, _convert))
+
+
+def _convert(latex: str, display: str) -> str:
     plain = DUMMY.sub(_as_letter, UPRIGHT.sub(_as_text, latex).replace(*TWO_ARGUMENTS))
     try:
         math = convert_to_element(plain, display=display)
     except Exception:  # The library raises many kinds, which the user's own paper may meet.
-        return Markup('<code class="latex">{}</code>').format(latex)
+        return str(Markup('<code class="latex">{}</code>').format(latex))
     _mend(math)
     row = math[0]
     math.remove(row)
@@ -51,7 +57,8 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
     meaning.append(row)
     source = SubElement(meaning, "annotation", {"encoding": "application/x-tex"})
     source.text = latex
-    return Markup(tostring(math, encoding="unicode"))
+    written: str = tostring(math, encoding="unicode")
+    return written
 
 
 def measure(element: Element) -> float:
@@ -98,6 +105,7 @@ def _mend(element: Element) -> None:
         _mend(child)
     _space_functions(element)
     _keep_low(element)
+    _close_numbers(element)
 
 
 def _keep_low(row: Element) -> None:
@@ -106,6 +114,13 @@ def _keep_low(row: Element) -> None:
     if fences and not any(part.tag in TALL for part in row.iter()):
         for fence in fences:
             fence.set("stretchy", "false")
+
+
+def _close_numbers(row: Element) -> None:
+    """Leave no gap before a point whose decimals stand apart, as where they are marked."""
+    for number, point in pairwise(list(row)):
+        if number.tag == "mn" and point.tag == "mo" and point.text == ".":
+            point.tag, point.attrib = "mn", {}
 
 
 def _mend_name(element: Element, text: str) -> None:

@@ -44,10 +44,10 @@ class FindingView:
     printed: Markup
     weight: Weight
     mend: Markup
-    mend_by: str
+    mend_by: Markup
     label: str
     general: Markup
-    general_by: str
+    general_by: Markup
     wrong: Markup
     costs: tuple[Markup, ...]
     check: Markup
@@ -117,7 +117,7 @@ class Section:
 
 @dataclass(frozen=True)
 class PaperView:
-    """The page of a paper; `loose` are figures that stand after no row.
+    """The page of a paper; of its `figures` the `loose` stand after no row.
 
     `found` counts the verdicts of what is printed, `ours` those of our own rows on the page (those
     of kernels stand on the pages of their quantities), `left` the rows of a paper's own source that
@@ -135,6 +135,7 @@ class PaperView:
     failures: tuple[str, ...]
     index: tuple[EquationLink, ...]
     sections: tuple[Section, ...]
+    figures: tuple[str, ...]
     loose: tuple[str, ...]
     symbols: tuple[SymbolView, ...]
     quantities: tuple[tuple[str, str], ...]
@@ -154,13 +155,14 @@ def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> Pape
         citation=paper.reference,
         conventions=paper.conventions,
         totals=tuple(count_totals(ledger.judgements)),
-        found=count_verdicts([row for row in ledger.judgements if classify(row) != OURS]),
+        found=count_verdicts([row for row in ledger.judgements if "ours" not in row.marks]),
         ours=count_verdicts([row for row in shown_rows if classify(row) == OURS]),
         left=count_left(ledger.left),
         findings=tuple(describe_finding(found, anchors) for found in ledger.findings),
         failures=tuple(_strip_failures(source)),
         index=tuple(_index_equations(sections[0].entries)),
         sections=tuple(section for section in sections if section.entries),
+        figures=tuple(figures),
         loose=tuple(name for name in figures if name not in shown),
         symbols=tuple(_describe_symbol(v, paper) for v in paper.variables),
         quantities=tuple((quantity.name, quantity.summary) for quantity in paper.quantities),
@@ -185,10 +187,10 @@ def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> Findin
         printed=write_print(card.printed),
         weight=found.weight,
         mend=write_print(card.mend),
-        mend_by=card.mend_by,
+        mend_by=set_prose(card.mend_by),
         label=card.label,
         general=write_print(card.general),
-        general_by=card.general_by,
+        general_by=set_prose(card.general_by),
         wrong=set_prose(found.wrong),
         costs=tuple(set_prose(str(cost)) for cost in found.costs),
         check=set_prose(found.check),

@@ -61,6 +61,7 @@ POWER = re.compile(r"(\d)e([+-]?\d+)\b")
 CARET = re.compile(r"(?<=[\w)])\^(\d+)\b")
 TIMES = re.compile(r"(?<=[\w)\]])\*(?=[\w(|])")
 UNIT = re.compile(r"(?<=\d )um\b")
+DEGREES = re.compile(r"(?<=\d) deg\b")
 GREEK = {
     name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
     for case, names in (
@@ -108,6 +109,7 @@ def set_prose(text: str) -> Markup:
     The text is escaped first.
     """
     plain = TIMES.sub("·", UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text))))
+    plain = DEGREES.sub("°", plain.replace("+-", "±"))
     return Markup(NAME.sub(_set_name, str(escape(plain))))
 
 

@@ -171,7 +171,7 @@ def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
 
 
 def _list_rows(quantity: Quantity, source: JudgedDerivation) -> Iterator[RowView]:
-    """View the rows that say what the source of its forms computes."""
+    """View the rows that say what the sources of its forms and derivatives compute."""
     judged = {j.number: j for j in source.ledger.judgements}
     anchors, symbols = name_anchors(judged), name_symbols(source.ledger.paper)
     for number in list_form_numbers(quantity):

@@ -10,6 +10,7 @@ from mechproof.made import STAGED, ForeignFileError, Made
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.rungs import RUNGS
 from mechproof.report.judged_derivations import JudgedDerivation, find_source
+from mechproof.report.kept_formulas import FORMULAS
 from mechproof.report.pages import STYLESHEET, read_font, read_stylesheet, render
 from mechproof.report.papers import FindingView, PaperView, count_totals, describe_paper
 from mechproof.report.phrases import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
@@ -76,6 +77,7 @@ def build_site(
             found[f"quantities/{quantity.system}.{quantity.name}.html"] = render(
                 "quantity", **about, is_paper=False, quantity=quantity, glossary=f"../{INDEX}"
             )
+    FORMULAS.keep()
     failures = (
         f"{name}: {picture.failure}" for name, picture in pictures.items() if picture.failure
     )
