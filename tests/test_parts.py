@@ -2,8 +2,9 @@
 
 import pytest
 import sympy as sp
+from sympy.core.cache import clear_cache
 
-from mechproof.record.parts import find_free, find_parts, list_parts
+from mechproof.record.parts import find_free, find_parts, list_parts, replace_parts
 
 X, Y, N = sp.symbols("x y n")
 K = sp.Symbol("k", integer=True)
@@ -34,3 +35,13 @@ def test_a_part_that_is_repeated_is_listed_once() -> None:
     for _ in range(40):
         nested = sp.sin(nested) + sp.cos(nested)
     assert len(list_parts(nested)) == 121
+
+
+def test_a_relation_left_as_it_stands_is_not_decided_by_what_is_put_beside_it() -> None:
+    one = 2 + sp.sin(1)
+    clear_cache()
+    again = 2 + sp.sin(1)
+    relation = sp.Lt(again, 3, evaluate=False)
+    assert one is not again
+    found = replace_parts(sp.Tuple(one, relation, X), {X: sp.S.One})
+    assert found.args[1] is relation

@@ -19,7 +19,7 @@ from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
 from mechproof.proof.sums import canonicalise
-from mechproof.record.parts import find_parts
+from mechproof.record.parts import find_parts, has_parts
 
 _HALF = sp.Rational(1, 2)
 _ARGUMENTS = (sp.atan, sp.atan2, sp.asin, sp.acos)
@@ -52,7 +52,7 @@ class Field:
         """Decide whether the expression is identically zero; False means "not shown"."""
         if not is_workable(expression):
             raise NotImplementedError(f"a power above {MOST_MULTIPLIED} is not multiplied out")
-        self.used_sums = self.used_sums or expression.has(sp.Sum)
+        self.used_sums = self.used_sums or has_parts(expression, sp.Sum)
         expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
         self._translated.clear()

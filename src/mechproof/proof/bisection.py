@@ -15,6 +15,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
+from mechproof.record.parts import has_parts
 from mechproof.record.relations import find_slack
 
 RUNG = "bisection and derivatives"
@@ -51,7 +52,7 @@ def _is_smooth(expression: sp.Expr) -> bool:
     return (
         all(isinstance(f, _SMOOTH) for f in functions)
         and all(p.exp.is_Rational for p in powers)
-        and not expression.has(sp.Integral, sp.Sum, sp.Piecewise)
+        and not has_parts(expression, sp.Integral, sp.Sum, sp.Piecewise)
     )
 
 

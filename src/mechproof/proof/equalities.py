@@ -18,6 +18,7 @@ from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.preparation import prepare, take_values
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument
+from mechproof.record.parts import has_parts
 from mechproof.record.substitution import write_steps
 
 IDENTICAL = "identical"
@@ -36,7 +37,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     printed, rebuilt = (write_steps(take_values(side)) for side in (printed, rebuilt))
     if printed == rebuilt:
         return IDENTICAL
-    if printed.has(sp.Piecewise) or rebuilt.has(sp.Piecewise):
+    if has_parts(printed, sp.Piecewise) or has_parts(rebuilt, sp.Piecewise):
         return decide_by_pieces((printed, rebuilt), domain, prove_equal)
     printed, rebuilt = prepare(printed), prepare(rebuilt)
     sides = printed, rebuilt

@@ -20,6 +20,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_workable
 from mechproof.record import RecordError, Root, Slack
+from mechproof.record.parts import has_parts
 
 _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
     sp.asin: sp.Interval(-sp.pi / 2, sp.pi / 2),
@@ -53,9 +54,9 @@ def is_negative_somewhere(value: sp.Expr, domain: Domain) -> bool:
 def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of an expression on a domain, or None if it is not shown."""
     expression = domain.resolve(expression)
-    if not expression.has(*ANGULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
+    if not has_parts(expression, *ANGULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
         return None
-    if expression.has(sp.Sum, sp.Integral, Root) or not is_workable(expression):
+    if has_parts(expression, sp.Sum, sp.Integral, Root) or not is_workable(expression):
         return None
     if len(expression.free_symbols) > _MOST_SYMBOLS or expression.count_ops() > _LARGEST:
         return None

@@ -23,6 +23,7 @@ from mechproof.proof.half_angles import (
 )
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
+from mechproof.record.parts import has_parts
 
 SQUARES = "squares of roots and moduli"
 HALF_ANGLES = "signs in half-angle tangents"
@@ -38,7 +39,7 @@ _UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.Kroneck
 
 def show_sign(slack: Slack, domain: Domain) -> str | None:
     """Return the rung that proves a number to be positive, or not negative; None for none."""
-    if slack.value.has(*_UNREAD) or slack.value.count_ops() > _LARGEST:
+    if has_parts(slack.value, *_UNREAD) or slack.value.count_ops() > _LARGEST:
         return None
     if is_negative_somewhere(slack.value, domain):
         return None

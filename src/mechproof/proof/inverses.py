@@ -20,6 +20,7 @@ from mechproof.proof.inequalities import isolate_root, show_sign
 from mechproof.proof.polynomial_signs import sign_of_number
 from mechproof.proof.signs import is_shown
 from mechproof.record import Slack
+from mechproof.record.parts import has_parts
 
 INVERSE = "inverse function: value and range"
 ROOT = "square of a root and its sign"
@@ -53,7 +54,7 @@ _INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., l
 def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if left = right says what an inverse function or a root is, else None."""
     difference = domain.resolve(left - right)
-    if difference.has(sp.Sum, sp.Product, sp.Integral, sp.Limit, sp.Indexed):
+    if has_parts(difference, sp.Sum, sp.Product, sp.Integral, sp.Limit, sp.Indexed):
         return None
     powers = (p.exp for p in difference.atoms(sp.Pow) if p.exp.is_Integer)
     if difference.count_ops() > _LARGEST or any(abs(power) > _MOST_TIMES for power in powers):

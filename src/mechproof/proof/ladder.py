@@ -46,7 +46,7 @@ from mechproof.record import (
     Statement,
     Unwritten,
 )
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
 
@@ -132,7 +132,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     if rung := prove_equal(printed, rebuilt, domain):
         return _report_equal(sides, domain, rung)
     if rung := prove_where_defined(printed, rebuilt, domain):
-        if not any(side.has(sp.Integral, sp.Sum, sp.Product) for side in sides):
+        if not any(has_parts(side, sp.Integral, sp.Sum, sp.Product) for side in sides):
             return _report_equal(sides, domain, rung)
         needed = _tell_needs([list_unshown(side, domain) for side in sides])
         reason = f"both sides agree where {needed}, which is not said"
@@ -149,7 +149,7 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
     """Answer for sides that are equal where both have values: PROVED if they have them alike."""
     needs = [list_unshown(side, domain) for side in sides]
     needed = _tell_needs(needs)
-    if any(side.has(DerivativeWhere) for side in sides):
+    if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
     undefined = _find_break(sides, needs, domain)
     if undefined:
@@ -209,7 +209,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
         return Answer(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
-    if relation.has(sp.Limit):
+    if has_parts(relation, sp.Limit):
         return Answer(Verdict.UNDECIDED, "none", _clip(f"{relation}: a limit is not worked out"))
     if isinstance(statement.relation, sp.And):
         parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))

@@ -21,6 +21,7 @@ from mechproof.proof.half_angles import (
     is_shown_there,
 )
 from mechproof.record import Slack
+from mechproof.record.parts import has_parts
 
 RUNG = "monotonicity"
 _KINKED = (sp.Abs, sp.Max, sp.Min, sp.sign, sp.floor, sp.ceiling, sp.Piecewise, sp.Heaviside)
@@ -38,7 +39,7 @@ _MOST_VARIABLES = 2
 def holds_by_slope(slack: Slack, domain: Domain) -> bool:
     """Tell whether a number is shown to be positive, or not negative, by its slope."""
     value = domain.resolve(slack.value)
-    if value.has(*_KINKED, sp.Sum, sp.Product, sp.Integral):
+    if has_parts(value, *_KINKED, sp.Sum, sp.Product, sp.Integral):
         return False
     powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}

@@ -11,6 +11,7 @@ import sympy as sp
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_positive
+from mechproof.record.parts import has_parts
 
 RUNG = "logarithms and powers"
 _JUMPING = (
@@ -34,7 +35,7 @@ def split_powers(expression: sp.Expr) -> sp.Expr:
     Where it is zero both sides of an identity go on as they are near it: b is zero on no interval,
     and nothing jumps there.
     """
-    if expression.has(*_JUMPING):
+    if has_parts(expression, *_JUMPING):
         return expression
     names: dict[tuple[sp.Expr, sp.Expr], sp.Symbol] = {}
     return expression.replace(
@@ -46,7 +47,7 @@ def split_powers(expression: sp.Expr) -> sp.Expr:
 def is_analytic(expression: sp.Expr) -> bool:
     """Tell whether an expression, unless it is zero itself, is zero on no interval."""
     roots = (power for power in expression.atoms(sp.Pow) if not power.exp.is_integer)
-    return not expression.has(*_JUMPING, sp.Abs, sp.Max, sp.Min) and not any(
+    return not has_parts(expression, *_JUMPING, sp.Abs, sp.Max, sp.Min) and not any(
         root.base.free_symbols for root in roots
     )
 

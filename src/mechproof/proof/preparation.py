@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.record import ValueWhere
-from mechproof.record.parts import find_parts
+from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.substitution import write_sums_out
 
 # Work limit: so many factors are written out between two factorials.
@@ -17,7 +17,7 @@ _FARTHEST = 20
 
 def take_values(expression: Any) -> Any:
     """Return an expression without what its parts need to have values."""
-    if not expression.has(ValueWhere):
+    if not has_parts(expression, ValueWhere):
         return expression
     if isinstance(expression, Relational):
         return expression.func(*map(take_values, expression.args), evaluate=False)

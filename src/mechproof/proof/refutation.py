@@ -23,7 +23,7 @@ from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
 POINTS = 40
@@ -64,7 +64,7 @@ def compare(
     agreeing = undecided = 0
     undefined = ""
     widest = balls.to_ball(0)
-    has_integrals = printed.has(sp.Integral) or rebuilt.has(sp.Integral)
+    has_integrals = has_parts(printed, sp.Integral) or has_parts(rebuilt, sp.Integral)
     for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
         # Where integrals have no value at one point after another, each takes long.
         if has_integrals and undecided >= FEW:
@@ -108,7 +108,7 @@ def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
 
     Of sums, each of which is written out for every number of terms, few points are tried.
     """
-    has_sums = any(side.has(sp.Sum, sp.Product) for side in sides)
+    has_sums = any(has_parts(side, sp.Sum, sp.Product) for side in sides)
     count = FEW if has_sums else POINTS
     return _find_point(sides, domain, count, lambda have_values: len(set(have_values)) > 1)
 
@@ -128,7 +128,7 @@ def _find_point(
 
 def _has_value(side: sp.Basic, point: Point) -> bool:
     """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
-    if not side.has(sp.Sum, sp.Product) and balls.evaluate(side, point).is_finite():
+    if not has_parts(side, sp.Sum, sp.Product) and balls.evaluate(side, point).is_finite():
         return True
     return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
 
@@ -163,7 +163,7 @@ def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
 
     None where counts say how many terms or elements there are.
     """
-    if any(e.has(sp.Sum, sp.Product, sp.Indexed) for e in expressions):
+    if any(has_parts(e, sp.Sum, sp.Product, sp.Indexed) for e in expressions):
         return []
     named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
     sizes = [f * c for c in (*sorted(named), *_FAR) for f in (1, 2)]
@@ -207,7 +207,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_sums = expression.has(sp.Sum, sp.Product)
+    has_sums = has_parts(expression, sp.Sum, sp.Product)
     exact = {
         s: v
         for s, v in point.items()

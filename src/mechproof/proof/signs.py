@@ -28,7 +28,7 @@ from mechproof.proof.coordinates import (
 )
 from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
-from mechproof.record.parts import find_parts
+from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.relations import Slack, find_slack
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
@@ -127,7 +127,7 @@ def is_shown(slack: Slack, domain: Domain) -> bool:
 def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     if not expression.free_symbols:
         return sign_of_number(expression)
-    if expression.has(sp.Sum, sp.Integral) or not is_workable(expression):
+    if has_parts(expression, sp.Sum, sp.Integral) or not is_workable(expression):
         return None
     sign = _sign_in_coordinates(expression, domain)
     for symbol, end in _closed_right_ends(expression, domain) if sign else []:

@@ -20,6 +20,7 @@ import sympy as sp
 from mechproof.arithmetic.ball_evaluation import MOST_TERMS
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_nonnegative
+from mechproof.record.parts import has_parts
 from mechproof.record.substitution import substitute
 
 # Work limits: terms written beside a sum, and powers of an index (Faulhaber) in sums.
@@ -34,7 +35,7 @@ def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
     Raises `NotImplementedError` for a Sum whose limits are not shown to be integers, the upper
     no less than the lower less one, or whose upper limit depends on another index.
     """
-    if not expression.has(sp.Sum):
+    if not has_parts(expression, sp.Sum):
         return expression
     if isinstance(expression, sp.Sum):
         return _canonical_sum(expression, domain)
@@ -43,7 +44,7 @@ def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
 
 def write_out(expression: sp.Basic) -> sp.Basic:
     """Write sums and products between integers out; one that ends before it begins has no value."""
-    if not expression.has(sp.Sum, sp.Product):
+    if not has_parts(expression, sp.Sum, sp.Product):
         return expression
     if isinstance(expression, sp.Sum | sp.Product):
         return _write_out(expression)
@@ -121,7 +122,7 @@ def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
 
 def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
     """Draw the inner sums of a summand, products and whole powers of sums included, out of it."""
-    if not node.has(sp.Sum):
+    if not has_parts(node, sp.Sum):
         return node
     if isinstance(node, sp.Mul):
         return sp.Mul(*(_flatten(argument, limits, domain) for argument in node.args))

@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import sympy as sp
 
+from mechproof.record.parts import has_parts
+
 
 class RecordError(ValueError):
     """A record that says something it cannot mean: a fault of the derivation, not of the paper."""
@@ -22,7 +24,7 @@ def make_exact(record: object, *names: str) -> None:
         if not isinstance(value, sp.Expr | sp.MatrixBase):
             where = f"{type(record).__name__}: {name} = {value!r}"
             raise RecordError(f"{where}: allowed are SymPy expressions, integers and fractions")
-        if value.has(sp.Float):
+        if has_parts(value, sp.Float):
             where = f"{type(record).__name__}: {name} = {value}"
             raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
         object.__setattr__(record, name, value)

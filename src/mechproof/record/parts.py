@@ -32,6 +32,11 @@ def find_parts(expression: sp.Basic, *kinds: Any) -> set[Any]:
     return {part for part in list_parts(expression) if isinstance(part, kinds)}
 
 
+def has_parts(expression: sp.Basic, *kinds: Any) -> bool:
+    """Return whether there are parts of some kinds."""
+    return any(isinstance(part, kinds) for part in list_parts(expression))
+
+
 def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Put values for parts, as SymPy's `xreplace`, which rebuilds a part as often as it occurs."""
     known: dict[Any, Any] = dict(values)
@@ -41,7 +46,11 @@ def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> 
             return node
         if node not in known:
             parts = [visit(part) for part in node.args]
-            is_kept = all(new is old for new, old in zip(parts, node.args, strict=True))
+            # What is equal was met elsewhere: rebuilt, a relation that is left as it stands would
+            # be decided.
+            is_kept = all(
+                new is old or new == old for new, old in zip(parts, node.args, strict=True)
+            )
             known[node] = node if is_kept else node.func(*parts)
         return known[node]
 
