@@ -72,9 +72,9 @@ LOADED = {
     },
     "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
-    "programs": {"sympy", "mpmath", "flint", "mechproof.programs", "mechproof.record"},
-    "programs.taylor": {
-        *("sympy", "flint", "mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
+    "programs": {
+        *("sympy", "mpmath", "flint"),
+        *("mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
     },
     "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
@@ -121,6 +121,7 @@ INSIDE = {
         "mechproof.record",
     },
     "mechanisms": {"scipy", "flint", "mechproof.executors", "mechproof.tolerance"},
+    "codegen": {"ruff"},
     "exports": {"ezdxf", "matplotlib", "ncgears", "sympy"},
 }
 

@@ -66,7 +66,7 @@ def find_limit(
 ) -> sp.Expr | None:
     """Return the limit as x comes to a point from above (1) or below (-1), None if not shown."""
     written = _write_far_out(expression, x, point, side)
-    return None if has_parts(written, *_UNREAD) else _find(written, domain, _DEEPEST)
+    return None if written.has(*_UNREAD) else _find(written, domain, _DEEPEST)
 
 
 def is_defined_near(
@@ -74,7 +74,7 @@ def is_defined_near(
 ) -> bool | None:
     """Tell whether roots, logarithms and so on have values near a point; None if not shown."""
     written = _write_far_out(expression, x, point, side)
-    if has_parts(written, *_UNREAD):
+    if written.has(*_UNREAD):
         return None
     needs = [need for part in list_partial(written) for need in list_needs(part)]
     signs = [_find_direction_far_out(need.value, domain) for need in needs]
