@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 
 import sympy as sp
 
@@ -18,6 +17,7 @@ from mechproof.arithmetic.polynomials import factor
 from mechproof.programs.evaluation import KeepsShape
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
 from mechproof.record.parts import find_free, find_parts
+from mechproof.record.slopes import differentiate as differentiate_part
 
 Given = Mapping[sp.Symbol, sp.Expr]
 # In place of the sine and the cosine of an angle.
@@ -102,7 +102,7 @@ def chain(
     """Return the derivatives by the symbols; `tidy` writes each in other words."""
 
     def differentiate_step(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        return _choose_shorter(_choose_sides(_diff(value, symbol)), tidy)
+        return _choose_shorter(_choose_sides(differentiate_part(value, symbol)), tidy)
 
     steps = _order_steps(expression, given)
     slopes = {s: differentiate_step(expression, s) for s in (*steps, *symbols)}
@@ -116,26 +116,6 @@ def chain(
 def _choose_shorter(slope: sp.Expr, tidy: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
     tidied = tidy(slope)
     return slope if tidied == slope else min((slope, tidied), key=sp.count_ops)
-
-
-@lru_cache(maxsize=1 << 14)
-def _diff(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """Differentiate as SymPy does, but each part once, and none without the symbol."""
-    if symbol not in find_free(node):
-        return sp.S.Zero
-    if node.is_Add:
-        return sp.Add(*(_diff(term, symbol) for term in node.args))
-    if node.is_Mul:
-        slopes = [_diff(factor, symbol) for factor in node.args]
-        changed = [n for n, slope in enumerate(slopes) if slope]
-        return sp.Add(*(sp.Mul(*_put(node.args, n, slopes[n])) for n in changed))
-    if node.is_Pow and node.exp.is_Rational:
-        return node * (_diff(node.base, symbol) * node.exp / node.base)
-    return sp.diff(node, symbol)
-
-
-def _put(factors: Sequence[sp.Expr], place: int, factor: sp.Expr) -> tuple[sp.Expr, ...]:
-    return (*factors[:place], factor, *factors[place + 1 :])
 
 
 def _go_back(

@@ -12,6 +12,7 @@ import sympy as sp
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break, has_pole
 from mechproof.proof.domain import Domain
+from mechproof.record.slopes import differentiate
 
 RUNG = "derivative, constant, continuity"
 _TRANSCENDENTAL = (
@@ -66,7 +67,7 @@ def _rank(where: sp.Interval) -> int:
 
 def _agrees(left: sp.Expr, right: sp.Expr, variable: sp.Symbol, domain: Domain) -> bool:
     start = _base_point(domain.set_of(variable))
-    slope = sp.diff(left - right, variable)
+    slope = differentiate(left - right, variable)
     return (
         decide_equal(slope, sp.Integer(0), domain) is not None
         and decide_equal(_at(left, variable, start), _at(right, variable, start), domain)

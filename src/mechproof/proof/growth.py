@@ -16,7 +16,6 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 from mechproof.record import list_needs, list_partial
-from mechproof.record.parts import has_parts
 
 _Y = sp.Dummy("y", positive=True)
 # Work limit: parts of parts.
