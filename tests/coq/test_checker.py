@@ -15,12 +15,15 @@ from sympy import (
     Eq,
     Ge,
     Gt,
+    IndexedBase,
     Integer,
     Integral,
+    KroneckerDelta,
     Le,
     Lt,
     Ne,
     Rational,
+    Sum,
     atan,
     atan2,
     cos,
@@ -33,6 +36,7 @@ from sympy import (
 
 from mechproof.coq import checker
 from mechproof.coq.checker import check_files, find_assumptions
+from mechproof.coq.families import give_laws, list_letters
 from mechproof.coq.libraries import LIBRARIES, read_library
 from mechproof.coq.scripts import PLAIN, write_script
 from mechproof.coq.theorems import Theorem
@@ -56,6 +60,10 @@ HALF_TURN = (Gt(x, -pi, evaluate=False), Lt(x, pi, evaluate=False), Ne(cos(x / 2
 ROOTS = sqrt(sqrt(2) + sqrt(3) + atan2(1, -2, evaluate=False))
 FROM_ZERO = (Ge(x, 0, evaluate=False), Le(x, 1, evaluate=False))
 VECTOR = (Ne(x**2 + y**2, 0),)
+q = IndexedBase("q")
+i, j, n = symbols("i j n", integer=True)
+PICKED = Sum(KroneckerDelta(i, j) * q[i] * q[j], (i, 1, n), (j, 1, n))
+WITHIN = (Lt(0, x, evaluate=False), Lt(0, y, evaluate=False), *SHARE)
 TURN = (Lt(x, 1, evaluate=False), Lt(0, x, evaluate=False))
 
 
@@ -63,6 +71,12 @@ def state(conclusion: object, *hypotheses: object) -> Theorem:
     met = set().union(*(part.free_symbols for part in (conclusion, *hypotheses)))
     letters = tuple(sorted(met, key=str))
     return Theorem(letters, hypotheses, conclusion, {s: POINT[s] for s in letters})
+
+
+def state_sums(conclusion: object, of_all: bool = True) -> Theorem:
+    letters = list_letters(conclusion)
+    point = {n: Integer(2), **give_laws(letters, [conclusion], 1)}
+    return Theorem(letters, (), conclusion, point, of_all)
 
 
 def equal(left: object, right: object) -> object:
@@ -175,6 +189,60 @@ PAIRS = {
         replace(state(Lt(sin(x), cos(x), evaluate=False)), of_all=False),
         replace(state(Lt(cos(x), sin(x), evaluate=False)), of_all=False),
     ),
+    "sums": (
+        state_sums(equal(PICKED, Sum(q[i] ** 2, (i, 1, n)))),
+        state_sums(equal(PICKED, Sum(q[i], (i, 1, n)) ** 2)),
+    ),
+    "order of sums": (
+        state_sums(
+            equal(
+                Sum(q[i] * sin(q[j]), (i, 1, n), (j, 1, n)),
+                Sum(q[j] * sin(q[i]), (i, 1, n), (j, 1, n)),
+            )
+        ),
+        state_sums(
+            equal(
+                Sum(q[i] * sin(q[j]), (i, 1, n), (j, 1, n)),
+                Sum(q[j] * sin(q[j]), (i, 1, n), (j, 1, n)),
+            )
+        ),
+    ),
+    "sums at a point": (
+        state_sums(Ne(PICKED, Sum(q[i], (i, 1, n)) ** 2), of_all=False),
+        state_sums(equal(PICKED, Sum(q[i], (i, 1, n)) ** 2), of_all=False),
+    ),
+    "distances from bounds": (
+        state(Lt(0, x + y + (y - x) * e**2, evaluate=False), *WITHIN),
+        state(Lt(0, x - y + (y - x) * e**2, evaluate=False), *WITHIN),
+    ),
+    "size": (
+        state(Le(x**2, y**2, evaluate=False), Le(abs(x), y, evaluate=False)),
+        state(Le(x**2, y**2, evaluate=False), Le(x, y, evaluate=False)),
+    ),
+    "two roots": (
+        state(equal(sqrt(x) * sqrt(1 - e), sqrt(x * (1 - e))), *WITHIN),
+        state(equal(sqrt(x) * sqrt(1 + e), sqrt(x * (1 - e))), *WITHIN),
+    ),
+    "root of a quotient": (
+        state(equal(sqrt(1 + x**2 / y**2) * y, sqrt(x**2 + y**2)), *WITHIN),
+        state(equal(sqrt(1 + x**2 / y**2) * x, sqrt(x**2 + y**2)), *WITHIN),
+    ),
+    "square of a cosine": (
+        state(Le(sin(x) ** 2, 1 + e**2 - 2 * e * cos(x), evaluate=False), *SHARE),
+        state(Le(1 + e**2 - 2 * e * cos(x), sin(x) ** 2, evaluate=False), *SHARE),
+    ),
+    "twice an arctangent": (
+        state(equal(cos(2 * atan(x) + y) * (1 + x**2), cos(y) * (1 - x**2) - 2 * x * sin(y))),
+        state(equal(cos(2 * atan(x) + y) * (1 + x**2), cos(y) * (1 - x**2) + 2 * x * sin(y))),
+    ),
+    "opposite arctangents": (
+        state(
+            equal(atan((x - e) / (1 + x * e)), atan(x) - atan(e)), Ge(x, 0, evaluate=False), *SHARE
+        ),
+        state(
+            equal(atan((x - e) / (1 + x * e)), atan(x) + atan(e)), Ge(x, 0, evaluate=False), *SHARE
+        ),
+    ),
     "witness": (
         state(Lt(0, 1 + x**2, evaluate=False), *SHARE, Le(e, x, evaluate=False)),
         state(Lt(0, 1 + x**2, evaluate=False), *SHARE, Lt(x, e, evaluate=False)),
@@ -267,7 +335,7 @@ def test_the_command_writes_a_folder_and_refuses_another(tmp_path: Path) -> None
     result = run("certify", str(file), "--out", str(out))
     assert result.exit_code == 0, result.output
     assert "1 scripts of 1 rows" in result.output.replace("\n", " ")
-    assert sorted(path.suffix for path in out.iterdir()) == ["", ".sha256", ".v", ".v", ".v", ".v"]
+    assert sorted(path.suffix for path in out.iterdir()) == ["", ".sha256", *[".v"] * 5]
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "notes.txt").write_text("mine")
     assert run("certify", str(file), "--out", str(tmp_path / "other")).exit_code == 1

@@ -7,6 +7,7 @@ import sympy as sp
 from sympy import Eq, Interval, Rational, S, cos, sin, sqrt, symbols
 
 from mechproof.coq.comparison import ReadBackError, compare_script
+from mechproof.coq.pieces import list_cases
 from mechproof.coq.scripts import write_script
 from mechproof.coq.terms import UnwritableError, list_needs, name_symbols, write_term
 from mechproof.coq.theorems import build_theorems
@@ -79,6 +80,80 @@ def test_a_changed_definition_is_refused(old: str, new: str) -> None:
     assert old in text
     with pytest.raises(ReadBackError):
         compare_script(text.replace(old, new), theorems)
+
+
+q, n, i, j = sp.IndexedBase("q"), *symbols("n i j", integer=True)
+SUMS = Equality(
+    sp.Sum(sp.KroneckerDelta(i, j) * q[i] * q[j] / n, (i, 1, n), (j, 1, n)),
+    sp.Sum(q[i] ** 2, (i, 1, n)) / n,
+)
+
+
+def write_sums() -> tuple[str, list]:
+    family = Variable(n, "how many", within=S.Naturals), Variable(q, "numbers")
+    row = Equation("(1)", "1", SUMS)
+    theorems = build_theorems(
+        row, Verdict.PROVED, Domain.of(Paper("mine", "notes", family, (row,)))
+    )
+    return write_script("mine", theorems), theorems
+
+
+def test_sums_are_read_back() -> None:
+    text, theorems = write_sums()
+    assert "forall (n : nat) (q : nat -> R), ((INR n) >= 1) -> " in text
+    compare_script(text, theorems)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("forall (n : nat) (q : nat -> R)", "forall (q : nat -> R) (n : nat)"),
+        ("(q : nat -> R)", "(q : nat -> nat -> R)"),
+        ("forall (n : nat)", "forall (n : R)"),
+        ("(kronecker i j)", "(kronecker i i)"),
+        ("(q j)", "((q j) * (q j))"),
+        ("((q i) ^ 2)", "((q i) ^ 3)"),
+        ("(INR n)", "(INR i)"),
+    ],
+)
+def test_a_changed_sum_is_refused(old: str, new: str) -> None:
+    text, theorems = write_sums()
+    assert old in text
+    with pytest.raises(ReadBackError):
+        compare_script(text.replace(old, new), theorems)
+
+
+LAW = Equality(sp.Piecewise((x, x > e), (e, True)), sp.Max(e, x))
+
+
+def test_a_law_by_pieces_is_a_theorem_for_each() -> None:
+    text, theorems = write(LAW)
+    assert [theorem.conclusion.lhs for theorem in theorems] == [x, e]
+    assert sp.Lt(e, x, evaluate=False) in theorems[0].hypotheses
+    assert sp.Le(x, e, evaluate=False) in theorems[1].hypotheses
+    compare_script(text, theorems)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [(" -> (e < x)", ""), ("(e < x)", "(x < e)"), ("(x <= e)", "(x < e)"), ("= (Rmax", "= (Rmin")],
+)
+def test_a_changed_piece_is_refused(old: str, new: str) -> None:
+    text, theorems = write(LAW)
+    assert old in text
+    with pytest.raises(ReadBackError):
+        compare_script(text.replace(old, new), theorems)
+
+
+def test_pieces_that_contradict_each_other_are_no_case() -> None:
+    same = sp.Piecewise((x, x > e), (e, True))
+    cases = list(list_cases(sp.Eq(same, sp.Piecewise((x, e < x), (e, True)), evaluate=False)))
+    assert len(cases) == 2
+
+
+def test_a_piece_under_what_is_no_comparison_has_no_theorem() -> None:
+    with pytest.raises(UnwritableError, match="condition"):
+        write(Equality(sp.Piecewise((x, (x > e) & (x < 2)), (e, True)), x))
 
 
 def test_a_statement_over_no_point_is_not_written() -> None:

@@ -30,6 +30,34 @@ Proof.
     destruct (Rlt_dec (k * y) 0), (Rlt_dec y 0); try (exfalso; nra); reflexivity.
 Qed.
 
+Lemma double_arctangent_turned (t : R) :
+  cos (2 * atan t) = (1 - t * t) / (1 + t * t) /\ sin (2 * atan t) = 2 * t / (1 + t * t).
+Proof.
+  assert (C : 0 < cos (atan t)) by (apply cos_gt_0; pose proof (atan_bound t); lra).
+  assert (T : sin (atan t) = t * cos (atan t)).
+  { pose proof (tan_atan t) as E. unfold tan in E. rewrite <- E at 2. field. lra. }
+  pose proof (square_of_sine (atan t)) as S. rewrite T in S.
+  assert (P : 0 < 1 + t * t) by nra.
+  assert (Q : cos (atan t) * cos (atan t) = / (1 + t * t)).
+  { apply (Rmult_eq_reg_l (1 + t * t)); [ | lra ]. rewrite Rinv_r by lra. lra. }
+  replace (2 * atan t) with (atan t + atan t) by ring.
+  rewrite cos_plus, sin_plus, T. split.
+  - transitivity ((1 - t * t) * (cos (atan t) * cos (atan t))); [ ring | rewrite Q; reflexivity ].
+  - transitivity (2 * t * (cos (atan t) * cos (atan t))); [ ring | rewrite Q; reflexivity ].
+Qed.
+
+Lemma cosine_with_arctangent (a t : R) :
+  cos (a + 2 * atan t) = (cos a * (1 - t * t) - sin a * (2 * t)) / (1 + t * t).
+Proof.
+  destruct (double_arctangent_turned t) as [C S]. rewrite cos_plus, C, S. field. nra.
+Qed.
+
+Lemma sine_with_arctangent (a t : R) :
+  sin (a + 2 * atan t) = (sin a * (1 - t * t) + cos a * (2 * t)) / (1 + t * t).
+Proof.
+  destruct (double_arctangent_turned t) as [C S]. rewrite sin_plus, C, S. field. nra.
+Qed.
+
 (* Angles of vectors of numbers, whose half planes are seen by enclosures. *)
 Ltac turn_vectors :=
   let known := solve [ interval with (i_prec 60) | interval with (i_prec 120) | lra ] in
@@ -144,6 +172,19 @@ Ltac at_zero :=
         replace (cos u) with 1 by (symmetry; replace u with 0 by zero; apply cos_0)
     | |- context [atan ?u] =>
         replace (atan u) with 0 by (symmetry; replace u with 0 by zero; apply atan_0)
+    end.
+
+(* An arctangent of the opposite of what another one is of. *)
+Ltac odd_arctangents :=
+  repeat
+    match goal with
+    | |- context [atan ?u] =>
+        match goal with
+        | |- context [atan ?v] =>
+            tryif constr_eq u v then fail
+            else replace (atan u) with (- atan v) by
+                (rewrite <- atan_opp; apply f_equal; zero)
+        end
     end.
 
 (* Angles that are equal to one are written as it is. *)

@@ -23,6 +23,24 @@ Proof. lra. Qed.
 Lemma root_of_product (a m b : R) : 0 <= m -> 0 <= b -> a = m * m * b -> sqrt a = m * sqrt b.
 Proof. intros P N E. rewrite E, sqrt_mult_alt by nra. now rewrite sqrt_square. Qed.
 
+Lemma root_of_two (a m b c : R) :
+  0 <= m -> 0 <= b -> 0 <= c -> a = m * m * (b * c) -> sqrt a = m * (sqrt b * sqrt c).
+Proof.
+  intros P N O E. rewrite <- sqrt_mult_alt by exact N.
+  apply root_of_product; [ exact P | apply Rmult_le_pos; assumption | exact E ].
+Qed.
+
+Lemma positive_unless_zero (x : R) : x >= 0 -> x <> 0 -> 0 < x.
+Proof. lra. Qed.
+
+Lemma within_size (x : R) : - Rabs x <= x <= Rabs x.
+Proof. pose proof (Rle_abs x) as A. pose proof (Rle_abs (- x)) as B. rewrite Rabs_Ropp in B. lra. Qed.
+
+Lemma root_over (a n d : R) : 0 < d -> 0 <= n -> a = n / (d * d) -> sqrt a = sqrt n / d.
+Proof.
+  intros P N ->. rewrite sqrt_div_alt by nra. now rewrite sqrt_square by lra.
+Qed.
+
 Lemma sine_of_right_angle : sin (1 / 2 * PI) = 1.
 Proof. replace (1 / 2 * PI) with (PI / 2) by field. apply sin_PI2. Qed.
 
@@ -42,6 +60,32 @@ Proof.
   - apply Rgt_not_eq, cos_gt_0; lra.
   - rewrite tan_atan. nra.
 Qed.
+
+(* What is made of parts whose signs are known has its own sign. *)
+Ltac structure :=
+  first
+    [ assumption
+    | match goal with
+      | H : ?a >= 0 |- 0 <= ?a => exact (Rge_le _ _ H)
+      | H : ?a >= 0, N : ?a <> 0 |- 0 < ?a => exact (positive_unless_zero _ H N)
+      | |- 0 <= _ ^ 2 => apply pow2_ge_0
+      | |- 0 <= sqrt _ => apply sqrt_pos
+      | |- 0 <= Rabs _ => apply Rabs_pos
+      | |- 0 < exp _ => apply exp_pos
+      | |- 0 < sqrt _ => apply sqrt_lt_R0; structure
+      | |- 0 < _ ^ _ => apply pow_lt; structure
+      | |- 0 <= _ ^ _ => apply pow_le; structure
+      | |- 0 < _ * _ => apply Rmult_lt_0_compat; structure
+      | |- 0 <= _ * _ => apply Rmult_le_pos; structure
+      | |- 0 < _ / _ => apply Rdiv_lt_0_compat; structure
+      | |- 0 <= _ / _ => apply Rle_mult_inv_pos; structure
+      | |- 0 < / _ => apply Rinv_0_lt_compat; structure
+      | |- 0 <= / _ => apply Rlt_le, Rinv_0_lt_compat; structure
+      | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; structure
+      | |- 0 < _ + _ => apply Rplus_lt_le_0_compat; structure
+      | |- 0 < _ + _ => apply Rplus_le_lt_0_compat; structure
+      end
+    | lra ].
 
 (* A number differs from zero if another form of it does, which `same` shows, or by its size. *)
 Ltac differs same :=
@@ -63,6 +107,7 @@ Ltac differs same :=
             | transitivity (E / 2); [ same | rewrite F; field ]
             | transitivity (- E / 2); [ same | rewrite F; field ] ]
       end
+    | apply Rgt_not_eq; unfold Rgt; structure
     | nra
     | apply Rgt_not_eq; interval with (i_prec 80)
     | apply Rlt_not_eq; interval with (i_prec 80) ].

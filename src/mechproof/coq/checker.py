@@ -14,8 +14,8 @@ from mechproof.coq.scripts import write_assumptions
 from mechproof.processes import count_processors
 
 # Seconds of a processor for a file; what is recorded as accepted took a third of it at most.
-LIMIT = 120.0
-RECORD_LIMIT = 40.0
+LIMIT = 150.0
+RECORD_LIMIT = 50.0
 # Files whose assumptions Coq prints at once; the time grows faster than their number beyond.
 BATCH = 64
 # What Coq's real numbers rest on, by name, and the modules of the machine integers and floats with

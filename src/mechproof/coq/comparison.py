@@ -11,14 +11,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.arithmetic import balls
+from mechproof.coq.families import find_ranks, find_wholes
 from mechproof.coq.reading import Joined, Read, ReadStatement, read_script
-from mechproof.coq.terms import name_symbols
-from mechproof.coq.theorems import Theorem
+from mechproof.coq.terms import Names, name_symbols
+from mechproof.coq.theorems import Theorem, is_true
 from mechproof.proof.domain import Point
 
-# Sides that differ do so in more than 2^-200 of their size, or are the same for every reader.
-_BITS = 256
 _JOINTS = {"/\\": sp.And, "\\/": sp.Or}
 
 
@@ -63,15 +61,31 @@ def _compare(read: ReadStatement, wanted: _Wanted) -> None:
     theorem = wanted.theorem
     names = name_symbols(theorem.symbols)
     quantifier = wanted.quantifier if names else ""
-    if (read.quantifier, list(read.variables)) != (quantifier, list(names.values())):
-        raise ReadBackError(f"{read.name}: {read.quantifier} {' '.join(read.variables)}")
-    back = {sp.Symbol(name): symbol for symbol, name in names.items()}
+    kinds = dict(_list_kinds(theorem, names))
+    if (read.quantifier, dict(read.variables)) != (quantifier, kinds):
+        raise ReadBackError(f"{read.name}: {read.quantifier} {read.variables}")
+    if [name for name, _ in read.variables] != list(kinds):
+        raise ReadBackError(f"{read.name}: variables in the order {read.variables}")
+    back = {_read_as(symbol, name): symbol for symbol, name in names.items()}
     pairs = [(read.hypotheses, wanted.hypotheses), (read.conclusions, wanted.conclusions)]
     for ours, theirs in pairs:
         if len(ours) != len(theirs):
             raise ReadBackError(f"{read.name}: {len(ours)} relations where {len(theirs)} are meant")
         for one, other in zip(ours, theirs, strict=True):
             _compare_relations(read.name, one, other, back, theorem.points)
+
+
+def _list_kinds(theorem: Theorem, names: Names) -> Iterator[tuple[str, str]]:
+    """Yield the letters with their kinds in Coq."""
+    whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
+    wholes, ranks = find_wholes(whole), find_ranks(whole)
+    for symbol in theorem.symbols:
+        kind = "nat" if symbol in wholes else "nat -> " * ranks.get(symbol, 0) + "R"
+        yield names[symbol], kind
+
+
+def _read_as(symbol: sp.Basic, name: str) -> sp.Basic:
+    return sp.IndexedBase(name) if isinstance(symbol, sp.IndexedBase) else sp.Symbol(name)
 
 
 def _compare_relations(
@@ -89,5 +103,5 @@ def _compare_relations(
     for side, meant in zip(one.args, other.args, strict=True):
         told = side.xreplace(back)
         for point in points:
-            if balls.truth(sp.Ne(told, meant, evaluate=False), point, _BITS):
+            if is_true(sp.Ne(told, meant, evaluate=False), point):
                 raise ReadBackError(f"{name}: a side is not what is meant at {point}: {side}")

@@ -23,8 +23,10 @@ Rows of the ledger that are PROVED or REFUTED, written as theorems of Coq {versi
 once more: `mechproof certify --out FOLDER --check` writes the files and runs Coq. A theorem states
 the whole row in the letters of the paper, with the domain as its hypotheses and with what every
 quotient, root and tangent needs to have a value; a point that satisfies all hypotheses is proved to
-exist beside it. Of a refuted row a point is proved at which it fails. Each file is read back from
-its text by a reader of its own and compared with the row before it is written.
+exist beside it. Of a refuted row a point is proved at which it fails. A law by pieces is a theorem
+for each piece, under its condition; sums go to any whole number, over families of any numbers. Each
+file is read back from its text by a reader of its own and compared with the row before it is
+written.
 
 No file has an axiom of its own. What the theorems rest on is what Coq's real numbers rest on
 ({assumed}) and, where numbers are computed, the machine integers and floats of coq-interval

@@ -151,7 +151,9 @@ class _Proof:
     def _state_joined(self, left: str, right: str) -> Iterator[str]:
         """State the sides with the roots joined, whose factors may have another order then."""
         if not self.roots.joined:
-            yield f"change ({left} = {right})."
+            known = "by_depth ltac:(zero)"
+            other = f"transitivity {left}; [ {known} | transitivity {right}; [ | {known} ] ]"
+            yield f"first [ change ({left} = {right}) | {other} ]."
             return
         yield f"transitivity {left}; [ by_depth ltac:(ring) | ]."
         yield f"transitivity {right}; [ | by_depth ltac:(ring) ]."
@@ -216,7 +218,7 @@ class _Proof:
         for known in self.known:
             derivative = f"(fun x : R => {known.name} x) _ _ (D{known.name[1:]} _)"
             yield f"rewrite ?(is_derive_unique {derivative})."
-        for angle in facts.angles:
+        for angle in (*facts.angles, *facts.turned):
             yield f"angles_as {write_term(angle, self.inner)}."
         yield from facts.lines
         yield f"{facts.closing}."
@@ -262,8 +264,10 @@ class _Proof:
         angles = {node.args[0].subs(self.variable, 0) for node in nodes if self._is_outside(node)}
         for angle in sorted(angles - {sp.S.Zero}, key=sp.default_sort_key):
             yield f"angles_as {write_term(angle, self.names)}."
+        if any(angle.is_number for angle in angles - {sp.S.Zero}):
+            yield "rewrite ?sin_2PI, ?cos_2PI, ?sin_PI, ?cos_PI. at_zero."
         yield from facts.lines
-        yield f"{facts.closing}."
+        yield f"odd_arctangents. {facts.closing}."
 
 
 def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
-from itertools import chain
+from itertools import chain, combinations
 from math import gcd
 
 import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.coq.signs import BITS, find_factors, show_sign, turn_positive
+from mechproof.coq.coordinates import find_box
+from mechproof.coq.signs import BITS, find_factors, reduce_squares, show_sign, turn_positive
 from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
 from mechproof.proof.domain import Point
@@ -22,7 +23,8 @@ from mechproof.record.parts import find_parts
 def introduce(theorem: Theorem, names: Names) -> str:
     """Write the first tactic: letters by their names, and hypotheses by their numbers."""
     facts = [f"H{number}" for number in range(1, len(theorem.hypotheses) + 1)]
-    return " ".join(["intros", *(names[s] for s in theorem.symbols), *facts]) + "."
+    letters = (names.get(sp.Tuple(s)) or names[s] for s in theorem.symbols)
+    return " ".join(["intros", *letters, *facts]) + "."
 
 
 def turn_right(theorem: Theorem, names: Names) -> Iterator[str]:
@@ -35,7 +37,7 @@ def turn_right(theorem: Theorem, names: Names) -> Iterator[str]:
         for angle in _list_angles(along, names):
             yield f"pose proof (COS_bound {angle}). pose proof (SIN_bound {angle})."
         texts = [write_term(part, names) for part in (above, along)]
-        proof = show_sign(along, theorem.witness, names)
+        proof = show_sign(along, theorem.witness, names, find_box(theorem.hypotheses))
         yield f"try assert (V{number} : 0 < {texts[1]}) by {proof}."
         yield (
             f"try (rewrite (atan2_right {' '.join(texts)} V{number}); "
@@ -69,15 +71,20 @@ class Facts:
             self.lines.append("unfold tan in *.")
         for size in sorted(find_parts(whole, sp.Abs), key=sp.default_sort_key):
             inner = write_term(size.args[0], names)
+            self.lines.append(f"pose proof (within_size {inner}).")
             self.lines.append(
                 f"try (first [ rewrite (Rabs_right {inner}) in * by (apply Rle_ge; sign) "
                 f"| rewrite (Rabs_left1 {inner}) in * by sign ])."
             )
-        whole = self._take_turns_off(whole)
+        # Angles beyond whole turns; SymPy may cancel what is written for them.
+        self.turned: list[sp.Basic] = []
+        rests: list[sp.Basic] = []
+        whole = self._take_turns_off(whole, rests)
         self.rules: list[str] = []
         # The terms that are written for roots of expressions.
         self.joined: dict[Root, str] = {}
-        self.angles = _find_bases({n.args[0] for n in find_parts(whole, sp.sin, sp.cos, sp.tan)})
+        turned = [*find_parts(whole, sp.sin, sp.cos, sp.tan), *rests]
+        self.angles = _find_bases({node.args[0] for node in turned})
         self._open()
         self._note_squares(whole)
 
@@ -97,8 +104,11 @@ class Facts:
         simplified = f"field_simplify_eq{by}; [ ring{by} | {conditions}.. ]"
         return f"first [ ring{by} | field{by}; {conditions} | {simplified} ]"
 
-    def _take_turns_off(self, whole: sp.Basic) -> sp.Basic:
-        """Write sines and cosines of angles beyond whole turns by those of the rest."""
+    def _take_turns_off(self, whole: sp.Basic, rests: list[sp.Basic]) -> sp.Basic:
+        """Write sines and cosines of angles beyond whole turns by those of the rest.
+
+        These are listed as `rests`.
+        """
         # A relation with equal sides would become true.
         sides = [relation.args for relation in find_parts(whole, Relational)]
         whole = sp.Tuple(*chain(*sorted(sides, key=sp.default_sort_key))) if sides else whole
@@ -117,6 +127,8 @@ class Facts:
                 f"({period}; f_equal; simpl; field; conditions ltac:(ring))."
             )
             whole = whole.xreplace({node: rest})
+            self.turned.append(node.args[0])
+            rests += [rest] if isinstance(rest, sp.sin | sp.cos) else []
         return whole
 
     def _open(self) -> None:
@@ -151,30 +163,47 @@ class Facts:
         for number, base in enumerate(sorted(roots, key=sp.default_sort_key), start=1):
             text = write_term(base, self.names)
             square = f"sqrt {text} * sqrt {text} = {text}"
-            self.lines.append(f"assert (Q{number} : {square}) by (apply sqrt_sqrt; close).")
+            self.lines.append(
+                f"assert (Q{number} : {square}) by (apply sqrt_sqrt; first [ structure | close ])."
+            )
             self.rules.append(f"Q{number}")
         self._join_roots(sorted(roots, key=sp.default_sort_key))
 
     def _join_roots(self, roots: Sequence[sp.Expr]) -> None:
-        """Write a root that is a rational multiple of another, or rational, by it."""
+        """Write a root by others: none, one before it, or two that are not written so."""
+        joined: set[sp.Expr] = set()
         for number, root in enumerate(roots):
-            for other in (sp.Integer(1), *roots[:number]):
-                scale = _find_scale(root, other, self.witness)
-                if scale is None:
-                    continue
-                texts = [write_term(part, self.names) for part in (root, scale, other)]
-                known = f"sqrt {texts[2]}" if other != 1 else "sqrt 1"
-                self.lines.append(
-                    f"try assert (M{number} : sqrt {texts[0]} = {texts[1]} * {known}) by "
-                    f"(apply root_of_product; [ scale_sign | close | "
-                    f"field{self.modulo}; conditions ltac:(ring{self.modulo}) ])."
-                )
-                term = f"({texts[1]} * {'1' if other == 1 else known})"
-                self.joined[Root(root)] = term
-                self.lines.append(f"try rewrite M{number} in *.")
-                if other == 1:
-                    self.lines.append("try rewrite sqrt_1 in *.")
+            self._join_first(root, [(), *((other,) for other in roots[:number])], joined)
+        for root in sorted(roots, key=sp.count_ops, reverse=True):
+            left = [other for other in roots if other not in (*joined, root)]
+            self._join_first(root, combinations(left, 2), joined)
+
+    def _join_first(
+        self, root: sp.Expr, choices: Iterable[Sequence[sp.Expr]], joined: set[sp.Expr]
+    ) -> None:
+        """Write a root by the first of some choices that serves."""
+        for others in () if root in joined else choices:
+            scale = _find_scale(root, sp.Mul(*others), self.witness)
+            if scale is not None:
+                joined.add(root)
+                self._join(len(joined), root, scale, others)
                 break
+
+    def _join(self, number: int, root: sp.Expr, scale: sp.Expr, others: Sequence[sp.Expr]) -> None:
+        text, size = (write_term(part, self.names) for part in (root, scale))
+        known = [f"sqrt {write_term(other, self.names)}" for other in others] or ["sqrt 1"]
+        lemma, closing = "root_of_product", " | ".join(["close"] * len(known))
+        if len(known) == 2:
+            lemma, known = "root_of_two", [f"({' * '.join(known)})"]
+        self.lines.append(
+            f"try assert (M{number} : sqrt {text} = {size} * {known[0]}) by "
+            f"(apply {lemma}; [ scale_sign | {closing} | "
+            f"field{self.modulo}; conditions ltac:(ring{self.modulo}) ])."
+        )
+        self.joined[Root(root)] = f"({size} * {known[0] if others else '1'})"
+        self.lines.append(f"try rewrite M{number} in *.")
+        if not others:
+            self.lines.append("try rewrite sqrt_1 in *.")
 
 
 def is_square(base: sp.Expr, witness: Point) -> bool:
@@ -187,6 +216,8 @@ def _find_scale(root: sp.Expr, other: sp.Expr, witness: Point) -> sp.Expr | None
 
     Each factor of it is positive at the witness.
     """
+    if reduce_squares(root - other) == 0:
+        return sp.Integer(1)
     factors = find_factors(root / other)
     if factors is None:
         return None

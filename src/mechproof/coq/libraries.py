@@ -8,7 +8,7 @@ from hashlib import sha256
 from importlib.resources import files
 
 # From what all scripts require to what few do.
-LIBRARIES = ("Mechproof", "Calculus")
+LIBRARIES = ("Mechproof", "Calculus", "Sums")
 _NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
 # What a library takes from others and scripts use by its name.
 _EXPORTED = {"Calculus": ("RInt",)}

@@ -14,7 +14,9 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.coq.derivatives import find_variable, prove_by_derivative
 from mechproof.coq.facts import Facts, introduce, turn_right
+from mechproof.coq.families import has_families
 from mechproof.coq.monotone import is_rising, prove_by_rise
+from mechproof.coq.roots import clear_roots, open_arctangents
 from mechproof.coq.signs import BITS, ORDERED, find_factors, prove_order, write_product
 from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
@@ -24,6 +26,8 @@ from mechproof.record.parts import find_parts
 
 def prove_at_point(relations: Sequence[sp.Basic]) -> str:
     """Write the tactic for relations between numbers."""
+    if has_families(*relations):
+        return "at_few."
     return "evaluate." if find_parts(sp.Tuple(*relations), sp.Integral, sp.atan2) else "at_point."
 
 
@@ -31,24 +35,37 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
     """Write the tactics that prove a theorem of all values, a line each."""
     if not theorem.symbols:
         return [prove_at_point((theorem.conclusion, *theorem.hypotheses))]
-    if find_parts(theorem.conclusion, sp.Integral) or _has_other_angles(theorem):
+    if is_the_same(theorem.conclusion, names):
+        return [introduce(theorem, names), "reflexivity."]
+    theorem, opened = open_arctangents(theorem, names)
+    if not opened and (find_parts(theorem.conclusion, sp.Integral) or _has_other_angles(theorem)):
         return prove_by_derivative(theorem, names)
     if is_rising(theorem):
         return prove_by_rise(theorem, names)
+    theorem, cleared = clear_roots(theorem, names)
     whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
     facts = Facts(whole, theorem.witness, names)
     # Vectors on both sides may be equal as they are.
     has_arctangents = bool(find_parts(theorem.conclusion, sp.atan))
     vectors = list(turn_right(theorem, names)) if has_arctangents else []
-    lines = [introduce(theorem, names), *vectors, *facts.lines]
+    lines = [introduce(theorem, names), *opened, *cleared, *vectors, *facts.lines]
     if isinstance(theorem.conclusion, sp.Eq):
         lines += _prepare_equality(theorem, facts)
         scaled = list(_scale_vectors(theorem, facts))
-        return [*lines, *scaled, _compare_angles(facts) if vectors or scaled else _compare(facts)]
+        deep = has_arctangents or scaled
+        return [*lines, *scaled, _compare_angles(facts) if deep else _compare(facts)]
     if theorem.conclusion.func in (*ORDERED, sp.Ne):
-        about = (facts.bases, facts.modulo, theorem.witness, names)
+        about = (facts.bases, facts.modulo, theorem.witness, names, theorem.hypotheses)
         return [*lines, *prove_order(theorem.conclusion, *about)]
     return [*lines, "close."]
+
+
+def is_the_same(conclusion: sp.Basic, names: Names) -> bool:
+    """Return whether both sides of an equality are written alike."""
+    if not isinstance(conclusion, sp.Eq):
+        return False
+    left, right = (write_term(side, names) for side in conclusion.args)
+    return left == right
 
 
 def _has_other_angles(theorem: Theorem) -> bool:

@@ -6,7 +6,7 @@ The reader knows the terms and the precedences of Coq's real numbers; nothing of
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -15,6 +15,7 @@ import sympy as sp
 _TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
 _STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : (.*)\.\nProof\.", re.MULTILINE)
 _DEFINITION = re.compile(r"^Definition (shared_\d+) : R := (.*)\.$", re.MULTILINE)
+_GROUP = r"[\w' ]+ : [\w>\- ]+"
 _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin,
     "cos": sp.cos,
@@ -58,11 +59,11 @@ Read: TypeAlias = sp.Basic | Joined
 
 @dataclass(frozen=True)
 class ReadStatement:
-    """A statement as its text says: quantifier, variables, hypotheses, conclusions."""
+    """A statement as its text says: quantifier, variables with kinds, hypotheses, conclusions."""
 
     name: str
     quantifier: str
-    variables: tuple[str, ...]
+    variables: tuple[tuple[str, str], ...]
     hypotheses: tuple[Read, ...]
     conclusions: tuple[Read, ...]
 
@@ -86,10 +87,13 @@ def _read_term(text: str, letters: Mapping[str, sp.Expr]) -> sp.Expr:
 
 
 def _read(name: str, body: str, defined: Mapping[str, sp.Expr]) -> ReadStatement:
-    found = re.fullmatch(r"(forall|exists) ([\w' ]+) : R, (.*)", body)
-    quantifier, names, rest = found.groups() if found else ("", "", body)
-    variables = tuple(names.split())
-    parser = _Parser(rest, {**defined, **{letter: sp.Symbol(letter) for letter in variables}})
+    found = re.match(rf"(forall|exists) ({_GROUP}|\({_GROUP}\)(?: \({_GROUP}\))*), ", body)
+    quantifier, binders = found.groups() if found else ("", "")
+    variables = tuple(_read_binders(binders))
+    letters = {letter: sp.Symbol(letter) for letter, kind in variables if kind == "R"}
+    parser = _Parser(body[found.end() :] if found else body, {**defined, **letters})
+    parser.wholes = {letter: sp.Symbol(letter) for letter, kind in variables if kind == "nat"}
+    parser.ranks = {letter: kind.count("nat") for letter, kind in variables if "->" in kind}
     *hypotheses, conclusion = parser.implications()
     parser.end()
     parts: tuple[Read, ...] = (conclusion,)
@@ -98,11 +102,21 @@ def _read(name: str, body: str, defined: Mapping[str, sp.Expr]) -> ReadStatement
     return ReadStatement(name, quantifier, variables, tuple(hypotheses), parts)
 
 
+def _read_binders(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the letters of groups, each with the kind of its group."""
+    for letters, kind in re.findall(r"([\w' ]+) : ([^():]+)", text):
+        for letter in letters.split():
+            yield letter, kind.strip()
+
+
 class _Parser:
     """Recursive descent, a method for each level of precedence."""
 
     def __init__(self, text: str, letters: Mapping[str, sp.Expr]) -> None:
         self.letters = letters
+        # Letters of whole numbers, and families of numbers with how many indices they have.
+        self.wholes: Mapping[str, sp.Symbol] = {}
+        self.ranks: Mapping[str, int] = {}
         self.tokens = _TOKENS.findall(text)
         if "".join(self.tokens) != re.sub(r"\s+", "", text):
             raise ValueError(f"Coq text: a sign that is not known in {text[:60]!r}")
@@ -198,6 +212,8 @@ class _Parser:
         """Read a function with its arguments, or an atom."""
         if self.next == "RInt":
             return self.integral()
+        if self.next in ("sum_to", "kronecker", "INR") or self.next in self.ranks:
+            return self.indexed()
         if self.next not in _FUNCTIONS or self.next in self.letters:
             return self.atom()
         name = self.take()
@@ -218,6 +234,40 @@ class _Parser:
         self.letters = outside
         self.take(")")
         return sp.Integral(body, (sp.Symbol(name), self.atom(), self.atom()))
+
+    def indexed(self) -> sp.Expr:
+        """Read a sum, the sign of equal indices, a whole number, or a number of a family."""
+        name = self.take()
+        if name == "sum_to":
+            return self.total()
+        if name == "INR":
+            return self.whole()
+        if name == "kronecker":
+            return sp.KroneckerDelta(self.whole(), self.whole())
+        indices = [self.whole() for _ in range(self.ranks[name])]
+        return sp.Indexed(sp.IndexedBase(name), *indices)
+
+    def whole(self) -> sp.Symbol:
+        """Read the letter of a whole number."""
+        token = self.take()
+        if token not in self.wholes:
+            raise ValueError(f"Coq text: {token!r} where a whole number was expected")
+        return self.wholes[token]
+
+    def total(self) -> sp.Expr:
+        """Read a sum from 1 on: its end, and a function of an index of its own."""
+        end = self.whole()
+        self.take("(")
+        self.take("fun")
+        name = self.take()
+        for expected in (":", "nat", "=>"):
+            self.take(expected)
+        outside = self.wholes
+        self.wholes = {**outside, name: sp.Symbol(name)}
+        body = self.sum()
+        self.wholes = outside
+        self.take(")")
+        return sp.Sum(body, (sp.Symbol(name), 1, end))
 
     def atom(self) -> sp.Expr:
         """Read a letter, a number, or a term in parentheses."""

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from mechproof.coq.families import has_families, name_letters, write_binders, write_value
 from mechproof.coq.libraries import find_library
-from mechproof.coq.proofs import prove, prove_at_point
+from mechproof.coq.proofs import is_the_same, prove, prove_at_point
 from mechproof.coq.shared import settle, share_parts, write_definitions
-from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation, write_term
+from mechproof.coq.sums import SumProof
+from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation
 from mechproof.coq.theorems import Theorem
 
 # Statements of numbers share their parts in longer scripts.
@@ -61,12 +63,13 @@ def write_theorem(theorem: Theorem, name: str, shared: Names) -> str:
 
     Numbers that are `shared` are written by their names.
     """
-    names = name_symbols(theorem.symbols, shared)
+    listed = _list(theorem)
+    names = {**shared, **name_letters(theorem.symbols, *listed)} if theorem.symbols else shared
     hypotheses = [write_relation(h, names) for h in theorem.hypotheses]
     conclusion = write_relation(theorem.conclusion, names)
-    values = [write_term(theorem.witness[s], {}) for s in theorem.symbols]
-    binders = " ".join(names[s] for s in theorem.symbols)
-    exists = f"exists {binders} : R, " if binders else ""
+    values = [write_value(s, theorem.witness[s], names) for s in theorem.symbols]
+    binders = write_binders(theorem.symbols, names, *listed)
+    exists = f"exists {binders}, " if binders else ""
     reach = "".join(f"exists {value}. " for value in values)
     if not theorem.of_all:
         facts = " /\\ ".join([*hypotheses, conclusion])
@@ -77,8 +80,31 @@ def write_theorem(theorem: Theorem, name: str, shared: Names) -> str:
         facts = " /\\ ".join(hypotheses)
         shown = settle(facts) if shared else prove_at_point(theorem.hypotheses)
         inhabited = f"Lemma {name}_inhabited : {exists}{facts}.\nProof. {reach}{shown} Qed.\n\n"
-    variables = f"forall {binders} : R, " if binders else ""
+    variables = f"forall {binders}, " if binders else ""
     implied = "".join(f"{h} -> " for h in hypotheses)
-    lines = [settle(f"{implied}{conclusion}")] if shared else prove(theorem, names)
-    proof = "\n".join(f"  {line}" for line in lines)
-    return f"{inhabited}Theorem {name} : {variables}{implied}{conclusion}.\nProof.\n{proof}\nQed.\n"
+    if shared:
+        lines = [settle(f"{implied}{conclusion}")]
+    elif has_families(*listed) and not is_the_same(theorem.conclusion, names):
+        plain, lines = _prove_sums(theorem, f"{name}_plain")
+        inhabited = f"{inhabited}{plain}\n"
+    else:
+        lines = prove(theorem, names)
+    said = f"Theorem {name} : {variables}{implied}{conclusion}"
+    return f"{inhabited}{said}.\nProof.\n{_indent(lines)}\nQed.\n"
+
+
+def _indent(lines: Sequence[str]) -> str:
+    return "\n".join(f"  {line}" for line in lines)
+
+
+def _prove_sums(theorem: Theorem, name: str) -> tuple[str, list[str]]:
+    """Write the fact about numbers to which an equality with sums comes, and what leads there."""
+    proof = SumProof(theorem)
+    plain = proof.plain
+    names = name_symbols(plain.symbols)
+    implied = "".join(f"{write_relation(h, names)} -> " for h in plain.hypotheses)
+    said = (
+        f"forall {' '.join(names.values())} : R, {implied}{write_relation(plain.conclusion, names)}"
+    )
+    shown = _indent(prove(plain, names))
+    return f"Fact {name} : {said}.\nProof.\n{shown}\nQed.\n", list(proof.write(name))

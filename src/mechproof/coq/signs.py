@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.coq.coordinates import NO_BOX, Box, find_box, spread_out
 from mechproof.coq.terms import Names, write_term
 from mechproof.proof.domain import Point
 from mechproof.record.parts import find_parts
@@ -53,6 +54,10 @@ def find_factors(expression: sp.Expr) -> Factors | None:
     letters = {atom: sp.Dummy(real=True) for atom in atoms}
     letters[sp.pi] = sp.Dummy(real=True)
     back = {letter: atom for atom, letter in letters.items()}
+    for base, powers in _list_roots(plain).items():
+        root = sp.Dummy(real=True)
+        back[root] = sp.sqrt(base)
+        letters |= {power: root ** (2 * power.exp) for power in powers}
     lettered = plain.xreplace(letters)
     above, below = sp.fraction(sp.together(lettered))
     try:
@@ -63,6 +68,28 @@ def find_factors(expression: sp.Expr) -> Factors | None:
     return Factors(found[0][0] / found[1][0], *parts)
 
 
+def _list_roots(expression: sp.Basic) -> dict[sp.Expr, list[sp.Pow]]:
+    """List the powers with halves by their bases, those that are in no other."""
+    powers = [p for p in find_parts(expression, sp.Pow) if p.exp.is_Rational and p.exp.q == 2]
+    found: dict[sp.Expr, list[sp.Pow]] = {}
+    for power in sorted(powers, key=sp.default_sort_key):
+        if find_parts(power.base, sp.Symbol):
+            found.setdefault(power.base, []).append(power)
+    return found
+
+
+def reduce_squares(expression: sp.Expr) -> sp.Expr:
+    """Write squares of sines by cosines, and expand."""
+    sines = {s: sp.Dummy() for s in find_parts(expression, sp.sin)}
+    value = sp.expand(expression.xreplace(sines))
+    for sine, letter in sines.items():
+        if not value.is_polynomial(letter):
+            return value.xreplace({v: k for k, v in sines.items()})
+        rule = letter**2 + sp.cos(sine.args[0]) ** 2 - 1
+        value = sp.rem(value, rule, letter)
+    return sp.expand(value).xreplace({letter: sine for sine, letter in sines.items()})
+
+
 def _list_powers(expression: sp.Basic) -> list[sp.Pow]:
     """List the powers that are written as exponentials."""
     powers = (p for p in find_parts(expression, sp.Pow) if not p.exp.is_Rational)
@@ -70,7 +97,12 @@ def _list_powers(expression: sp.Basic) -> list[sp.Pow]:
 
 
 def prove_order(
-    relation: sp.Basic, bases: Sequence[sp.Basic], modulo: str, witness: Point, names: Names
+    relation: sp.Basic,
+    bases: Sequence[sp.Basic],
+    modulo: str,
+    witness: Point,
+    names: Names,
+    known: Sequence[sp.Basic] = (),
 ) -> Iterator[str]:
     """Write the tactics for an inequality of quotients, or for one that differs from zero."""
     kind, (left, right) = relation.func, relation.args
@@ -96,10 +128,11 @@ def prove_order(
         yield f"pose proof (exp_pos ({exponent} * (ln {base})))."
     if relation.func is sp.Ge:
         yield "apply Rle_ge."
-    proof = _combine(factors, _is_strict(kind), modulo, witness, names)
+    box = find_box(known)
+    proof = _combine(factors, _is_strict(kind), modulo, witness, names, box)
     if relation.func is sp.Ne:
         proof = f"apply {'Rlt_not_eq' if kind is sp.Lt else 'Rgt_not_eq'}; {proof}"
-    yield f"first [ solve [ close ] | {proof} ]."
+    yield f"first [ solve [ structure ] | solve [ close ] | {proof} ]."
 
 
 def _is_strict(kind: type[sp.Basic]) -> bool:
@@ -133,7 +166,9 @@ def _find_root(difference: sp.Expr, bases: Sequence[sp.Basic]) -> sp.Expr | None
     return sp.Mul(root, *(f ** (power // 2) for f, power in factors)).xreplace(back)
 
 
-def _combine(factors: Factors, is_strict: bool, modulo: str, witness: Point, names: Names) -> str:
+def _combine(
+    factors: Factors, is_strict: bool, modulo: str, witness: Point, names: Names, box: Box
+) -> str:
     """Write the difference as a product of what is shown to be positive."""
     steps: list[str] = []
     above: list[str] = []
@@ -146,7 +181,7 @@ def _combine(factors: Factors, is_strict: bool, modulo: str, witness: Point, nam
             number = -number if positive != factor and power % 2 else number
             texts += [text] * power
             sign = "<" if strict else "<="
-            steps.append(f"assert (0 {sign} {text}) by {show_sign(positive, witness, names)}")
+            steps.append(f"assert (0 {sign} {text}) by {show_sign(positive, witness, names, box)}")
     quotient = f"({write_term(abs(number), names)} * ({' * '.join(above or ['1'])}))"
     quotient = f"({quotient} / ({' * '.join(below or ['1'])}))"
     lemma = "less_by" if is_strict else "at_most_by"
@@ -162,8 +197,32 @@ def turn_positive(factor: sp.Expr, witness: Point) -> sp.Expr:
     return -factor if balls.truth(sp.Lt(factor, 0, evaluate=False), witness, BITS) else factor
 
 
-def show_sign(positive: sp.Expr, witness: Point, names: Names) -> str:
-    """Write the tactic that shows what is positive: it may be linear in one sine or cosine."""
+def show_sign(positive: sp.Expr, witness: Point, names: Names, box: Box = NO_BOX) -> str:
+    """Write the tactic that shows what is positive: it may be linear in one sine or cosine.
+
+    Within a `box` it may have no negative coefficient in the distances from its bounds.
+    """
+    above, below = sp.fraction(positive)
+    if find_parts(below, sp.Symbol) and box:
+        parts = " | ".join(show_sign(part, witness, names, box) for part in (above, below))
+        return f"first [ structure | sign | apply Rdiv_lt_0_compat; [ {parts} ] ]"
+    ways = ["structure", *_rewrite(positive, names, box), "sign", *_turn(positive, witness, names)]
+    return f"first [ {' | '.join(ways)} ]"
+
+
+def _rewrite(positive: sp.Expr, names: Names, box: Box) -> Iterator[str]:
+    """Write the tactics by a sum or a square that it is equal to."""
+    text, spread = write_term(positive, names), spread_out(positive, box)
+    if spread is not None:
+        yield f"replace {text} with {write_term(spread, names)} by field; structure"
+    if (root := _find_square(positive)) is not None:
+        square = f"({write_term(root, names)} ^ 2)"
+        known = " ".join(f"(square_of_sine {write_term(a, names)})" for a in _list_turned(positive))
+        yield f"replace {text} with {square} by ring [{known}]; structure"
+
+
+def _turn(positive: sp.Expr, witness: Point, names: Names) -> Iterator[str]:
+    """Write the tactic for what is linear in one sine or cosine."""
     letter = sp.Dummy()
     for function in sorted(find_parts(positive, sp.sin, sp.cos), key=sp.default_sort_key):
         linear = positive.xreplace({function: letter})
@@ -175,11 +234,32 @@ def show_sign(positive: sp.Expr, witness: Point, names: Names) -> str:
         texts = " ".join((write_term(function, names), *ends))
         bound = "SIN_bound" if isinstance(function, sp.sin) else "COS_bound"
         same = "field; conditions ltac:(ring)" if any(" / (" in end for end in ends) else "field"
-        return (
-            f"first [ sign | apply (linear_positive {texts}); "
-            f"[ apply {bound} | product_sign | product_sign | {same} ] ]"
+        yield (
+            f"apply (linear_positive {texts}); "
+            f"[ apply {bound} | product_sign | product_sign | {same} ]"
         )
-    return "sign"
+        return
+
+
+def _list_turned(expression: sp.Expr) -> list[sp.Expr]:
+    """List the angles of sines, by whose squares those of cosines are known."""
+    angles = {sine.args[0] for sine in find_parts(expression, sp.sin)}
+    return sorted(angles, key=sp.default_sort_key)
+
+
+def _find_square(expression: sp.Expr) -> sp.Expr | None:
+    """Return that of which an expression is the square once no sine is squared."""
+    if not find_parts(expression, sp.sin):
+        return None
+    factors = find_factors(reduce_squares(expression))
+    if factors is None or factors.below or any(k % 2 for k in factors.above.values()):
+        return None
+    number = sp.sqrt(factors.number)
+    return (
+        sp.Mul(number, *(f ** (k // 2) for f, k in factors.above.items()))
+        if number.is_Rational
+        else None
+    )
 
 
 def write_product(positive: sp.Expr, witness: Point, names: Names) -> str:

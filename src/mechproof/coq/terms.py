@@ -19,7 +19,7 @@ _NO_NAMES: Names = MappingProxyType({})
 _TAKEN = re.compile(
     "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|RInt|sinh|cosh|tanh|forall|"
     "exists|fun|in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|"
-    "cofix|IF|E|F|[HKSQNMDIVWZ][0-9]+"
+    "cofix|IF|E|F|INR|nat|sum_to|kronecker|[HKSQNMDIVWZ][0-9]+"
 )
 
 
@@ -192,12 +192,43 @@ def _write_integral(integral: sp.Integral, names: Names) -> str:
     return f"(RInt (fun {inner[letter]} : R => {body}) {limits})"
 
 
+def _write_total(total: sp.Sum, names: Names) -> str:
+    """Write a sum, the last limit outside."""
+    opening, closing, inner = "", "", dict(names)
+    for index, lower, upper in reversed(total.limits):
+        if lower != 1 or sp.Tuple(upper) not in names:
+            raise UnwritableError(f"a sum from {lower} to {upper} has no term")
+        letter = name_symbols([index], {s: n for s, n in inner.items() if s != index})[index]
+        inner |= {index: f"(INR {letter})", sp.Tuple(index): letter}
+        opening += f"(sum_to {names[sp.Tuple(upper)]} (fun {letter} : nat => "
+        closing += "))"
+    return f"{opening}{write_term(total.function, inner)}{closing}"
+
+
+def _write_element(element: sp.Indexed | sp.KroneckerDelta, names: Names) -> str:
+    """Write a number of a family, or the sign that tells equal indices."""
+    is_family = isinstance(element, sp.Indexed)
+    name = names[element.base] if is_family else "kronecker"
+    return f"({name} {' '.join(_write_indices(element, names))})"
+
+
+def _write_indices(element: sp.Basic, names: Names) -> Iterator[str]:
+    indices = element.indices if isinstance(element, sp.Indexed) else element.args
+    for index in indices:
+        if sp.Tuple(index) not in names:
+            raise UnwritableError(f"{element} has an index outside of a sum")
+        yield names[sp.Tuple(index)]
+
+
 _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
     sp.Rational: _write_number,
     sp.Add: _write_sum,
     sp.Mul: _write_product,
     sp.Pow: _write_power,
     sp.Integral: _write_integral,
+    sp.Sum: _write_total,
+    sp.Indexed: _write_element,
+    sp.KroneckerDelta: _write_element,
     type(sp.pi): lambda number, names: "PI",
     type(sp.E): lambda number, names: "(exp 1)",
 }

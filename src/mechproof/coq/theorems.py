@@ -9,6 +9,8 @@ from itertools import chain, islice, product
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
+from mechproof.coq.pieces import list_cases
 from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.preparation import prepare
@@ -23,14 +25,14 @@ from mechproof.record import (
     Row,
     Statement,
 )
-from mechproof.record.parts import find_free
+from mechproof.record.parts import find_free, find_parts
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40
 _COMPARED = 8
 _BITS = 256
 # Work limit: a relation of more parts is not written.
-_LONGEST = 2000
+_LONGEST = 8000
 
 
 @dataclass(frozen=True)
@@ -66,9 +68,11 @@ def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
             theorems.append(_refute(relations, domain))
         else:
             relations = [r for r in _list_relations(part, domain) if r is not sp.true]
+            cases = [case for relation in relations for case in list_cases(relation)]
+            relations = [relation for relation, _ in cases]
             _refuse_unwritable(relations)
             theorems += _state_inner_needs(relations, domain)
-            theorems += (_state(relation, domain) for relation in relations)
+            theorems += (_state(relation, domain, known) for relation, known in cases)
     if not theorems:
         raise UnwritableError("nothing of it is left to be proved once it is written out")
     return theorems
@@ -78,8 +82,8 @@ def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
     """Refuse what is too long or has no term, before points are looked for."""
     _refuse_long(relations)
     for relation in relations:
-        letters = {s: "x" for s in find_free(relation) if not isinstance(s, sp.Indexed)}
-        write_relation(relation, letters)
+        letters = list_letters(relation)
+        write_relation(relation, name_letters(letters, relation))
 
 
 def _refuse_long(relations: Sequence[sp.Basic]) -> None:
@@ -160,10 +164,10 @@ def list_between(integral: sp.Integral) -> tuple[sp.Basic, ...]:
 def _state(relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = ()) -> Theorem:
     hypotheses = _list_hypotheses(relation, domain, between)
     _refuse_long(hypotheses)
-    symbols = _find_symbols((relation, *hypotheses))
-    points = tuple(islice(_list_points(symbols, domain), _POINTS))
+    symbols = list_letters(relation, *hypotheses)
+    points = tuple(islice(_list_points(symbols, domain, (relation, *hypotheses)), _POINTS))
     for point in points:
-        if all(balls.truth(h, point, _BITS) for h in hypotheses):
+        if all(is_true(h, point) for h in hypotheses):
             return Theorem(symbols, hypotheses, relation, point, points=points[:_COMPARED])
     raise UnwritableError("no point of the domain satisfies all hypotheses")
 
@@ -173,19 +177,35 @@ def _refute(relations: Sequence[sp.Basic], domain: Domain) -> Theorem:
     for relation in relations:
         hypotheses = _list_hypotheses(relation, domain)
         _refuse_long(hypotheses)
-        symbols = _find_symbols((relation, *hypotheses))
-        for point in _list_points(symbols, domain):
-            holds = [balls.truth(h, point, _BITS) for h in (*hypotheses, relation)]
+        symbols = list_letters(relation, *hypotheses)
+        for point in _list_points(symbols, domain, (relation, *hypotheses)):
+            holds = [is_true(h, point) for h in (*hypotheses, relation)]
             if all(holds[:-1]) and holds[-1] is False:
                 return Theorem(symbols, hypotheses, _negate(relation), point, False, (point,))
     raise UnwritableError("no point was found at which it fails")
 
 
-def _list_points(symbols: Sequence[sp.Basic], domain: Domain) -> Iterator[Point]:
-    if not symbols:
+def is_true(relation: sp.Basic, point: Point) -> bool | None:
+    """Return whether a relation holds at a point; None where balls do not tell."""
+    numbers = {s: value for s, value in point.items() if not isinstance(value, sp.Lambda)}
+    return balls.truth(write_at(relation, point), numbers, _BITS)
+
+
+def _list_points(
+    symbols: Sequence[sp.Basic], domain: Domain, relations: Sequence[sp.Basic]
+) -> Iterator[Point]:
+    """Yield points: of sums with few terms, at every second one from families that change."""
+    wholes = find_wholes(*relations)
+    for place, point in enumerate(_list_numbers(symbols, domain)):
+        few = dict.fromkeys(wholes & point.keys(), sp.Integer(2 + place % 3))
+        yield {**point, **few, **give_laws(symbols, relations, place % 2)}
+
+
+def _list_numbers(symbols: Sequence[sp.Basic], domain: Domain) -> Iterator[Point]:
+    wanted = [symbol for symbol in symbols if isinstance(symbol, sp.Symbol)]
+    if not wanted:
         yield {}
         return
-    wanted = list(symbols)
     published = (domain.points_at(sizes_of(sizes), wanted) for sizes in domain.published)
     for found in chain(*published, _try_points(wanted, domain)):
         yield {symbol: found[symbol] for symbol in wanted}
@@ -204,10 +224,17 @@ def _list_hypotheses(
     """List the sets of the symbols, what the paper says of them, and what the sides need."""
     met = find_free(relation).union(*map(find_free, between))
     tied = [r for r in domain.where if find_free(r) <= met]
-    sets = chain.from_iterable(_bound(s, domain.set_of(s)) for s in _order(met))
+    met_letters = _order(s for s in met if isinstance(s, sp.Symbol))
+    sets = chain.from_iterable(_bound(s, domain.set_of(s)) for s in met_letters)
     needs = chain.from_iterable(list_needs(side) for side in relation.args)
     listed = dict.fromkeys([*sets, *tied, *between, *needs])
-    return tuple(h for h in listed if h not in (sp.true, relation))
+    return tuple(h for h in listed if h not in (sp.true, relation) and not _is_of_elements(h))
+
+
+def _is_of_elements(hypothesis: sp.Basic) -> bool:
+    """Return whether something is said of single numbers of a family; without, more is proved."""
+    sums = find_parts(hypothesis, sp.Sum)
+    return bool(find_parts(hypothesis.xreplace(dict.fromkeys(sums, sp.S.One)), sp.Indexed))
 
 
 def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
@@ -220,10 +247,6 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
         yield (sp.Ge if values.contains(low) == True else sp.Gt)(symbol, low, evaluate=False)  # noqa: E712
     if high.is_finite:
         yield (sp.Le if values.contains(high) == True else sp.Lt)(symbol, high, evaluate=False)  # noqa: E712
-
-
-def _find_symbols(relations: Sequence[sp.Basic]) -> tuple[sp.Basic, ...]:
-    return _order(chain.from_iterable(map(find_free, relations)))
 
 
 def _order(symbols: Iterable[sp.Basic]) -> tuple[sp.Basic, ...]:
