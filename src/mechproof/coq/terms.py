@@ -131,9 +131,14 @@ def _need(node: sp.Basic) -> Iterator[sp.Basic]:
     elif isinstance(node, sp.log):
         yield _relate(sp.Gt, node.args[0])
     elif isinstance(node, sp.atan2):
-        yield _relate(sp.Ne, sp.Add(*(part**2 for part in node.args)))
+        yield _relate(sp.Ne, sp.Add(*map(_square, node.args)))
     elif isinstance(node, sp.asin | sp.acos):
         yield sp.Le(sp.Abs(node.args[0]), 1)
+
+
+def _square(part: sp.Expr) -> sp.Expr:
+    """Square a part; SymPy would look for long whether a long number is infinite."""
+    return sp.Pow(part, 2, evaluate=not (part.is_number and isinstance(part, sp.Add)))
 
 
 def _relate(relation: Callable[..., sp.Basic], part: sp.Basic) -> sp.Basic:
