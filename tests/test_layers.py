@@ -34,7 +34,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
         "support": ("kernel_support", "compiled_support"),
         "executors": ("executors",),
         "laws": ("laws",),
-        "measured": ("measured",),
+        "measured": ("measured", "measured_ranges"),
     },
     {"kernels": ("kernels",), "choice": ("choice",)},
     {"derivatives": ("derivatives",)},
@@ -70,6 +70,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
             "opening",
             "pasted",
             "pipeline",
+            "row_scripts",
             "validation",
             "verification",
         )

@@ -17,28 +17,21 @@ from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
-from mechproof.arguments.scalars import (
-    check_count,
-    check_items,
-    check_number,
-    refuse,
-    require,
-)
+from mechproof.arguments.scalars import check_count, check_number, refuse, require
 from mechproof.extras import tell_install
 from mechproof.measured import (
     FOLDER as MEASURED,
     KERNELS,
-    Cell,
     MeasuredWay,
     Record,
     Timing,
     find_files,
     read_record,
 )
+from mechproof.measured_ranges import Size, check_ranges, find_cells
 
 __all__ = ["Choice", "choose"]
 
-Size = float | Sequence[float]
 # Ways of these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
@@ -166,8 +159,8 @@ def choose(
     record = _find_record(quantity, measured)
     require(check_number("error", error) > 0, "error", error, "must be positive")
     check_count("size", size)
-    pairs = _as_pairs(record, ranges)
-    cells = list(_overlapping(record, pairs))
+    pairs = check_ranges(record, ranges)
+    cells = list(find_cells(record, pairs))
     home = KERNELS if measured is None else _find_home(Path(measured), record)
     rated = list(_rate_ways(record, cells, size, error, home))
     rated += _rate_tailored(record, pairs, size, error, home)
@@ -253,54 +246,6 @@ def _tell_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
     """Tell the arguments that may have any size measured: one of them may be why."""
     left = [f"{n} {lo:g} to {hi:g}" for n, (lo, hi) in record.ranges.items() if n not in pairs]
     return f" for all sizes of {', '.join(left)}" if left else ""
-
-
-def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[float, float]]:
-    """Check the ranges against what was measured."""
-    pairs = {}
-    for name, given in ranges.items():
-        known = ", ".join(record.ranges)
-        require(name in record.ranges, name, given, f"{record.quantity} has the arguments {known}")
-        low, high = _as_pair(name, given)
-        least, most = record.ranges[name]
-        require(0 <= low <= high, name, given, "must be a size, or two in order")
-        measured = f"measured were sizes from {least!r} to {most!r}"
-        require(least <= low and high <= most, name, given, measured)
-        pairs[name] = low, high
-    return pairs
-
-
-def _as_pair(name: str, given: Size) -> tuple[float, float]:
-    """Return both ends."""
-    if not isinstance(given, Sequence):
-        return (size := abs(check_number(name, given))), size
-    items = check_items(name, given, 2, "must be a size, or two in order")
-    low, high = (check_number(f"{name}[{i}]", item) for i, item in enumerate(items))
-    return low, high
-
-
-def _overlapping(record: Record, pairs: Mapping[str, tuple[float, float]]) -> Iterator[int]:
-    """List the cells, by their places, that share more than an edge with the ranges."""
-    for place, cell in enumerate(record.cells):
-        if _shares(cell, pairs, record.ranges):
-            yield place
-
-
-def _shares(
-    cell: Cell,
-    pairs: Mapping[str, tuple[float, float]],
-    ranges: Mapping[str, tuple[float, float]],
-) -> bool:
-    sides = ((name, edges) for name, edges in cell.sides.items() if name in pairs)
-    return all(_overlap(edges, pairs[name], ranges[name][0]) for name, edges in sides)
-
-
-def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) -> bool:
-    """Say whether they share more than an edge; one size belongs to the cell below an edge."""
-    (lower, upper), (low, high) = edges, pair
-    if low == high:
-        return lower < low <= upper or low == lower == least
-    return low < upper and high > lower
 
 
 def _find_home(folder: Path, record: Record) -> str:

@@ -49,10 +49,6 @@ class Opened:
         one = self.derivatives[task - len(self.rows)]
         return derivative_rows(replace(self.paper, quantities=(one,), one_pass=()))
 
-    def state_all(self) -> tuple[Row, ...]:
-        """State the rows of all tasks."""
-        return tuple(row for task in range(len(self.tasks)) for row in self.state(task))
-
     def list_sources(self) -> tuple[object, ...]:
         """List what the rows of each task are stated from."""
         made = (digest_program(), self.paper.given)

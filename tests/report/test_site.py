@@ -166,6 +166,7 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
         "position(phi1, 66, 16, 0.28)",
         "from mechproof.kernels.compiled.elliptic_planetary import position",
         "double elliptic_planetary_position(",
+        "mechproof.formula(&#34;elliptic_planetary.position&#34;).octave",
         "✗",
     ):
         assert part in page

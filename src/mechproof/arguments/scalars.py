@@ -102,11 +102,15 @@ def check_triple(name: str, value: Any) -> tuple[float, float, float]:
     return x, y, z
 
 
-def choose_one(wanted: Mapping[str, Any]) -> tuple[str, Any]:
-    """Return name and value of the one parameter that is given; TypeError for none or several."""
+def choose_one(wanted: Mapping[str, Any], otherwise: str = "") -> tuple[str, Any]:
+    """Return name and value of the one parameter that is given; TypeError for none or several.
+
+    `otherwise` says what may be given instead of one.
+    """
     given = [name for name, value in wanted.items() if value is not None]
     if len(given) != 1:
-        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: give one of {', '.join(wanted)}")
+        allowed = f"give one of {', '.join(wanted)}{otherwise}"
+        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: {allowed}")
     return given[0], wanted[given[0]]
 
 

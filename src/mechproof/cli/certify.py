@@ -17,7 +17,6 @@ from mechproof.cli.paths import (
     read_out,
 )
 from mechproof.made import ForeignFileError
-from mechproof.opening import open_paper
 from mechproof.verification import LIMIT
 
 
@@ -59,7 +58,8 @@ def certify(
     """
     from mechproof.coq.checker import RECORD_LIMIT, CheckerError
     from mechproof.coq.coverage import check_folder, keep_record, read_known
-    from mechproof.coq.folder import RowScript, write_certificates, write_folder
+    from mechproof.coq.folder import write_folder
+    from mechproof.row_scripts import write_row_scripts
 
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")
@@ -67,14 +67,9 @@ def certify(
     locations = find_locations(papers or (), places)
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     refuse_failures(ledgers)
-    pairs = zip(locations, ledgers, strict=True)
-    opened = [open_paper(location, ledger.paper) for location, ledger in pairs]
-    certificates: list[RowScript] = []
-    with show_progress("writing scripts") as tell:
-        for ledger, paper in zip(ledgers, opened, strict=True):
-            rows = {row.number: row for row in paper.state_all()}
-            certificates += write_certificates(ledger, rows, tell)
     try:
+        with show_progress("writing scripts") as tell:
+            certificates = write_row_scripts(dict(zip(locations, ledgers, strict=True)), tell)
         write_folder(out, certificates)
         written = sum(bool(c.text) for c in certificates)
         say(f"{out}: {written} scripts of {len(certificates)} rows; `make -C {out}` checks them")
@@ -88,7 +83,7 @@ def certify(
                 coverage = check_folder(out, certificates, tell, one_in=one_in)
         if record:
             keep_record(places.generated, coverage)
-    except (CheckerError, ForeignFileError, OSError) as error:
+    except (CheckerError, ForeignFileError, OSError, ValueError) as error:
         fail(str(error))
     say(coverage.count())
     if lost := [] if record else coverage.find_lost(known):

@@ -6,8 +6,8 @@ A row has a file, or a reason why it has none.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -63,28 +63,22 @@ class RowScript:
         return digest_required(self.text) if self.text else ""
 
 
-def write_certificates(
-    ledger: JudgedPaper,
-    rows: Mapping[str, Row],
-    tell: Callable[[str], None] = lambda text: None,
-) -> Iterator[RowScript]:
-    """Yield a certificate for every row of a paper that is proved or refuted, in their order."""
-    for judgement in ledger.judgements:
-        if judgement.verdict in CERTIFIABLE:
-            tell(judgement.id)
-            yield _certify(judgement, rows[judgement.number], ledger)
-
-
-def _certify(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
-    about = (judgement.id, judgement.verdict.value, judgement.rung, classify(judgement))
+def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
+    """Write what Coq is given of a proved or refuted row, read back and compared with the row."""
     name = f"{re.sub(r'[^a-z0-9]+', '_', judgement.id.lower())}.v"
     try:
         theorems = build_theorems(row, judgement.verdict, Domain.of(ledger.paper, row.on))
         text = write_script(judgement.id, theorems)
     except UnwritableError as error:
-        return RowScript(*about, reason=str(error))
+        return withhold(judgement, str(error))
     compare_script(text, theorems)
-    return RowScript(*about, file=name, text=text)
+    return replace(withhold(judgement, ""), file=name, text=text)
+
+
+def withhold(judgement: Judgement, reason: str) -> RowScript:
+    """Say why there is no script of a row."""
+    about = (judgement.id, judgement.verdict.value, judgement.rung, classify(judgement))
+    return RowScript(*about, reason=reason)
 
 
 def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:

@@ -6,7 +6,7 @@ from the monotony that is proved with them.
 
 from __future__ import annotations
 
-from mechproof.arguments.scalars import check_real, refuse, require
+from mechproof.arguments.scalars import check_real, choose_one, refuse, require
 from mechproof.kernels import elliptic_planetary as kernels
 
 __all__ = ["find_sizes"]
@@ -20,12 +20,9 @@ def find_sizes(wanted: dict[str, object], k: object, radius_1: object, radius_2:
     given = {name: check_real(name, value) for name, value in wanted.items() if value is not None}
     if given.keys() == {"largest_ratio", "smallest_ratio"}:
         return _find_all(given["largest_ratio"], given["smallest_ratio"], k, radius_1, radius_2)
-    if len(given) != 1:
-        allowed = f"give one of {', '.join(wanted)}, or the largest and the smallest ratio"
-        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: {allowed}")
+    name, _ = choose_one(wanted, ", or the largest and the smallest ratio")
     r1, r2 = _find_radii(k, radius_1, radius_2)
-    ((name, value),) = given.items()
-    return r1, r2, _find_eccentricity(name, value, r1, r2)
+    return r1, r2, _find_eccentricity(name, given[name], r1, r2)
 
 
 def _find_all(

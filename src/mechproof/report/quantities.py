@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from textwrap import wrap
 
-import sympy as sp
 from markupsafe import Markup
 
-from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.docstrings import (
     TESTED,
     describe_domain,
@@ -26,17 +22,13 @@ from mechproof.programs.kernel import Kernel, build_functions, input_names, shap
 from mechproof.proof.anchors import name_anchors
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
+from mechproof.record import Argument, Form, Paper, Quantity, Variable
+from mechproof.report.calls import list_calls, write_header
 from mechproof.report.formulas import write_lines
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
 from mechproof.report.rows import RowView, describe_row, name_symbols
-
-# Letters of a multiple of pi that is written as such.
-SHORT = 8
-# Letters of a line of code on a wide page.
-LINE = 64
 
 
 @dataclass(frozen=True)
@@ -121,7 +113,7 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
     """Describe every quantity of a paper."""
     paper = source.ledger.paper
     kernels = {kernel.name: kernel for kernel in build_functions(paper).kernels}
-    header = _write_header(paper)
+    header = write_header(paper)
     told = {quantity.name: quantity for quantity in source.told.quantities}
     for quantity in paper.quantities:
         record = next((r for r in source.records if r.quantity == _full(paper, quantity)), None)
@@ -142,7 +134,7 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             proved=tuple(set_prose(form.proved) for form in forms if form.proved),
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
-            calls=tuple(_list_calls(quantity, source, header)),
+            calls=tuple(list_calls(quantity, source, header)),
             charts=tuple(_name_charts(record)) if record else (),
             rows=tuple(_list_rows(quantity, source)),
         )
@@ -310,63 +302,3 @@ def _write_found(value: float | None) -> str:
     if value is None:
         return ""
     return "none right" if value == float("inf") else set_numbers(f"{value:.3g}")
-
-
-def _write_header(paper: Paper) -> str:
-    try:
-        return render_c(paper)[f"{paper.system}.h"]
-    except (ValueError, NotImplementedError):
-        return ""
-
-
-def _list_calls(
-    quantity: Quantity, source: JudgedDerivation, header: str
-) -> Iterator[tuple[str, str, str]]:
-    """Yield language, code and a remark for each way to call the kernel."""
-    if not (quantity.forms and source.home):
-        return
-    system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
-    call = _break_lines(f"{quantity.name}({arguments})")
-    for language, package, remark in (
-        ("NumPy", source.home, "Arrays of any shape that broadcast; takes out=."),
-        (
-            "numba",
-            f"{source.home}.compiled",
-            "The same as one compiled loop; with numbers also inside your own compiled loops.",
-        ),
-    ):
-        needed = "import numpy as np\n\n" if "np." in call else ""
-        code = f"{needed}from {package}.{system} import {quantity.name}\n\n{call}"
-        yield language, code, remark
-    pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
-    if found := re.findall(pattern, header, re.MULTILINE):
-        remark = f"Written by mechproof emit c {system} --out c; link with -lm."
-        yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
-
-
-def _break_lines(call: str) -> str:
-    """Break a call that is longer than a line, behind commas."""
-    lines = wrap(
-        call, LINE, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
-    )
-    return "\n".join(lines)
-
-
-def _wrap(prototype: str) -> str:
-    return prototype.replace(", ", ",\n    ").replace("(", "(\n    ", 1)
-
-
-def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
-    """Write the first published sizes where they are numbers, else the names of arguments."""
-    sizes = paper.published[0].sizes if paper.published else {}
-    for number, argument in enumerate(quantity.arguments):
-        size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
-        nominal = size.nominal if isinstance(size, Toleranced) else size
-        yield argument.name if nominal is None else _write_number(sp.sympify(nominal))
-
-
-def _write_number(size: sp.Expr) -> str:
-    """Write a size as code: a short multiple of pi as such."""
-    text = str(size)
-    is_short = size.has(sp.pi) and len(text) <= SHORT
-    return text.replace("pi", "np.pi") if is_short else f"{float(size):.12g}"

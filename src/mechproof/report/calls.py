@@ -1,0 +1,87 @@
+"""Calls: how a quantity is computed in several languages, as its page shows it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from textwrap import wrap
+
+import sympy as sp
+
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.measured import KERNELS
+from mechproof.record import Paper, Quantity, Toleranced
+from mechproof.report.judged_derivations import JudgedDerivation
+
+# Letters of a multiple of pi that is written as such.
+SHORT = 8
+# Letters of a line of code on a wide page.
+LINE = 64
+
+
+def write_header(paper: Paper) -> str:
+    """Return the C header of a paper, empty if it cannot have one."""
+    try:
+        return render_c(paper)[f"{paper.system}.h"]
+    except (ValueError, NotImplementedError):
+        return ""
+
+
+def list_calls(
+    quantity: Quantity, source: JudgedDerivation, header: str
+) -> Iterator[tuple[str, str, str]]:
+    """Yield language, code and a remark for each way to compute a quantity."""
+    if not (quantity.forms and source.home):
+        return
+    system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
+    call = _break_lines(f"{quantity.name}({arguments})")
+    for language, package, remark in (
+        ("NumPy", source.home, "Arrays of any shape that broadcast; takes out=."),
+        (
+            "numba",
+            f"{source.home}.compiled",
+            "The same as one compiled loop; with numbers also inside your own compiled loops.",
+        ),
+    ):
+        needed = "import numpy as np\n\n" if "np." in call else ""
+        code = f"{needed}from {package}.{system} import {quantity.name}\n\n{call}"
+        yield language, code, remark
+    pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
+    if found := re.findall(pattern, header, re.MULTILINE):
+        remark = f"Written by mechproof emit c {system} --out c; link with -lm."
+        yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
+    if any(isinstance(s, sp.IndexedBase) for one in quantity.arguments for s in one.symbols):
+        # Other languages take no axes of any length.
+        return
+    place = "" if source.home == KERNELS else ', derivations="derivations"'
+    code = f'import mechproof\n\nprint(mechproof.formula("{system}.{quantity.name}"{place}).octave)'
+    remark = "So, too: .c, .javascript, .structured_text, .python, .sympy, .latex and .mathml."
+    yield "Octave and others", code, remark
+
+
+def _break_lines(call: str) -> str:
+    """Break a call that is longer than a line, behind commas."""
+    lines = wrap(
+        call, LINE, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
+    )
+    return "\n".join(lines)
+
+
+def _wrap(prototype: str) -> str:
+    return prototype.replace(", ", ",\n    ").replace("(", "(\n    ", 1)
+
+
+def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
+    """Write the first published sizes where they are numbers, else the names of arguments."""
+    sizes = paper.published[0].sizes if paper.published else {}
+    for number, argument in enumerate(quantity.arguments):
+        size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
+        nominal = size.nominal if isinstance(size, Toleranced) else size
+        yield argument.name if nominal is None else _write_number(sp.sympify(nominal))
+
+
+def _write_number(size: sp.Expr) -> str:
+    """Write a size as code: a short multiple of pi as such."""
+    text = str(size)
+    is_short = size.has(sp.pi) and len(text) <= SHORT
+    return text.replace("pi", "np.pi") if is_short else f"{float(size):.12g}"
