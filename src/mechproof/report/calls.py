@@ -55,7 +55,7 @@ def list_calls(
         return
     place = "" if source.home == KERNELS else ', derivations="derivations"'
     code = f'import mechproof\n\nprint(mechproof.formula("{system}.{quantity.name}"{place}).octave)'
-    remark = "So, too: .c, .javascript, .structured_text, .python, .sympy, .latex and .mathml."
+    remark = "Others: .c, .javascript, .structured_text, .python, .sympy, .latex and .mathml."
     yield "Octave and others", code, remark
 
 
