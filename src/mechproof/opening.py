@@ -9,7 +9,12 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechproof.codegen.forms import derivative_rows, form_rows, number_derivative, number_shipped
+from mechproof.codegen.forms import (
+    derivative_rows,
+    form_rows,
+    list_derivative_numbers,
+    number_shipped,
+)
 from mechproof.derivation import DerivationError, load_paper
 from mechproof.programs.derivatives import select_wanted
 from mechproof.proof.findings import follower_rows
@@ -36,7 +41,7 @@ class Opened:
     def tasks(self) -> tuple[str, ...]:
         """Return the names of what is judged: the numbers of rows, of several by the first."""
         own = (row.number for row in self.rows)
-        return (*own, *map(number_derivative, self.derivatives))
+        return (*own, *(list_derivative_numbers(quantity)[0] for quantity in self.derivatives))
 
     def is_kernel(self, task: int) -> bool:
         """Return whether something that is shipped rests on a task."""
@@ -75,7 +80,8 @@ def open_paper(location: Path, paper: Paper) -> Opened:
     )
     shipped = number_shipped(paper)
     opened = Opened(location, paper, rows, select_wanted(paper), domain, shipped)
-    counted = Counter(opened.tasks)
+    derived = (n for quantity in opened.derivatives for n in list_derivative_numbers(quantity))
+    counted = Counter([*(row.number for row in rows), *derived])
     if twice := [number for number, count in counted.items() if count > 1]:
         raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
     return opened

@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from command import PROVED, run, write
 from sympy import (
     Eq,
     Ge,
@@ -328,25 +327,3 @@ def test_only_the_published_assumptions_pass() -> None:
 def test_nothing_is_left_unproved_in_what_scripts_require(name: str) -> None:
     for word in ("Axiom", "Admitted", "admit", "Parameter", "Conjecture", "Hypothesis", "Variable"):
         assert word not in read_library(name)
-
-
-def test_the_command_writes_a_folder_and_refuses_another(tmp_path: Path) -> None:
-    file, out = write(tmp_path, PROVED), tmp_path / "coq"
-    result = run("certify", str(file), "--out", str(out))
-    assert result.exit_code == 0, result.output
-    assert "1 scripts of 1 rows" in result.output.replace("\n", " ")
-    assert sorted(path.suffix for path in out.iterdir()) == ["", ".sha256", *[".v"] * 5]
-    (tmp_path / "other").mkdir()
-    (tmp_path / "other" / "notes.txt").write_text("mine")
-    assert run("certify", str(file), "--out", str(tmp_path / "other")).exit_code == 1
-    assert run("certify", str(file), "--out", str(out), "--record").exit_code == 2
-
-
-@needs_coq
-@pytest.mark.thorough
-def test_the_command_has_coq_check(tmp_path: Path) -> None:
-    file, out = write(tmp_path, PROVED), tmp_path / "coq"
-    result = run("certify", str(file), "--out", str(out), "--check")
-    assert result.exit_code == 0, result.output
-    assert "1 of 1 rows are accepted" in result.output.replace("\n", " ")
-    assert "mine_eq_1.v" in (out / "COQ.md").read_text(encoding="utf-8")

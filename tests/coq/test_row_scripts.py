@@ -1,15 +1,19 @@
-"""Scripts of rows: one for each that is proved or refuted, in the order of the ledger."""
+"""Scripts of rows, one for each that is proved or refuted, and the command that writes them."""
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from command import PROVED, run, write
 
 from mechproof import row_scripts
 from mechproof.row_scripts import WITHOUT_ROW, write_row_scripts
 from mechproof.verification import judge_derivations
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
 
 TEXT = """
 from sympy import symbols
@@ -51,3 +55,25 @@ def test_a_row_at_which_it_fails_is_named(place: Path, monkeypatch: pytest.Monke
     monkeypatch.setattr(row_scripts, "write_row_script", fail)
     with pytest.raises(ValueError, match=r"mine: \(\d\): RuntimeError: no words"):
         write_row_scripts({place: ledger})
+
+
+def test_the_command_writes_a_folder_and_refuses_another(tmp_path: Path) -> None:
+    file, out = write(tmp_path, PROVED), tmp_path / "coq"
+    result = run("certify", str(file), "--out", str(out))
+    assert result.exit_code == 0, result.output
+    assert "1 scripts of 1 rows" in result.output.replace("\n", " ")
+    assert sorted(path.suffix for path in out.iterdir()) == ["", ".sha256", *[".v"] * 5]
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "notes.txt").write_text("mine")
+    assert run("certify", str(file), "--out", str(tmp_path / "other")).exit_code == 1
+    assert run("certify", str(file), "--out", str(out), "--record").exit_code == 2
+
+
+@needs_coq
+@pytest.mark.thorough
+def test_the_command_has_coq_check(tmp_path: Path) -> None:
+    file, out = write(tmp_path, PROVED), tmp_path / "coq"
+    result = run("certify", str(file), "--out", str(out), "--check")
+    assert result.exit_code == 0, result.output
+    assert "1 of 1 rows are accepted" in result.output.replace("\n", " ")
+    assert "mine_eq_1.v" in (out / "COQ.md").read_text(encoding="utf-8")

@@ -13,6 +13,7 @@ from weights import first_of
 
 from mechproof import opening, verification
 from mechproof.cache import VARIABLE
+from mechproof.derivation import DerivationError
 from mechproof.proof import verdict_cache
 from mechproof.proof.verdict import Verdict
 from mechproof.proof.verdict_cache import VerdictCache
@@ -215,6 +216,15 @@ def test_derivatives_are_kept_by_what_they_are_made_from(
     assert judged(words="kernel=x**3*sin(y)") == [slopes, "kernel area"]
     assert judged(words="kernel=x**3*sin(y), slopes=Accuracy(5)") == [slopes]
     assert judged(words="kernel=x**3*sin(y), slopes=None") == []
+
+
+@pytest.mark.parametrize("end", ["", ", legal"])
+def test_a_row_with_the_number_of_one_on_derivatives_is_refused(
+    judged: Callable[..., list[str]], end: str
+) -> None:
+    number = f"derivatives of kernel area{end}"
+    with pytest.raises(DerivationError, match=rf"given twice .*: rows \['{number}'\]"):
+        judged(ROWS[0].replace("(1)", number), words="kernel=x**2*sin(y)")
 
 
 def test_derivatives_are_made_anew_by_another_program(

@@ -103,7 +103,7 @@ def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
     ring = _Ring(base, functions=True)
     value = ring.read(base)
     number, factors = value.factor()
-    generators = ring.sort_generators(value)
+    generators = ring.list_generators(value)
     coefficient, signed = _to_rational(number), []
     for part, power in factors:
         factor = sp.Poly(ring.write(part), *generators)
@@ -234,15 +234,14 @@ class _Ring:
                 return (above, below) if power > 0 else (below, above)
         return self.read(node), one
 
-    def sort_generators(self, *values: fmpq_mpoly) -> list[sp.Expr]:
-        """Return the generators that occur, in SymPy's order."""
-        degrees = [value.degrees() for value in values]
-        occurring = (s for s, *n in zip(self.symbols, *degrees, strict=False) if any(n))
-        return list(sort_generators(occurring))
+    def list_generators(self, value: fmpq_mpoly) -> list[sp.Expr]:
+        """List the generators that occur, in SymPy's order."""
+        degrees = zip(self.symbols, value.degrees(), strict=False)
+        return list(sort_generators(symbol for symbol, degree in degrees if degree))
 
     def is_negative(self, value: fmpq_mpoly) -> bool:
         """Return whether the leading coefficient is, the generators in SymPy's order."""
-        order = [self.symbols.index(s) for s in self.sort_generators(value)]
+        order = [self.symbols.index(s) for s in self.list_generators(value)]
         terms = value.to_dict()
         return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
 

@@ -80,9 +80,10 @@ def _tell_derivatives(row: Row) -> Row:
     return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
-def number_derivative(quantity: Quantity) -> str:
-    """Return the number of the row that says what the source of derivatives computes."""
-    return f"{DERIVATIVES}{number_form(quantity, quantity.shipped[-1])}"
+def list_derivative_numbers(quantity: Quantity) -> list[str]:
+    """List the numbers that rows on the derivatives of a quantity may have; the first there is."""
+    numbers = [n for form in quantity.shipped[-1:] for n in _number_rows(quantity, form)]
+    return [f"{DERIVATIVES}{number}" for number in numbers]
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
@@ -135,7 +136,7 @@ def number_form(quantity: Quantity, form: Form) -> str:
 def list_form_numbers(quantity: Quantity) -> list[str]:
     """List the numbers that rows on the forms and the derivatives of a quantity may have."""
     own = [number for form in quantity.forms for number in _number_rows(quantity, form)]
-    return [*own, *(f"{DERIVATIVES}{number}" for number in own)]
+    return [*own, *list_derivative_numbers(quantity)]
 
 
 def number_shipped(paper: Paper) -> frozenset[str]:

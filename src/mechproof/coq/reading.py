@@ -223,17 +223,25 @@ class _Parser:
     def integral(self) -> sp.Expr:
         """Read an integral: a function of a letter of its own, and both limits."""
         self.take("RInt")
+        letter, body = self.function("R")
+        return sp.Integral(body, (letter, self.atom(), self.atom()))
+
+    def function(self, kind: str) -> tuple[sp.Symbol, sp.Expr]:
+        """Read a function of a letter of its own, which is a number (R) or a whole one (nat)."""
         self.take("(")
         self.take("fun")
         name = self.take()
-        for expected in (":", "R", "=>"):
+        for expected in (":", kind, "=>"):
             self.take(expected)
-        outside = self.letters
-        self.letters = {**outside, name: sp.Symbol(name)}
+        letter, outside = sp.Symbol(name), (self.letters, self.wholes)
+        if kind == "nat":
+            self.wholes = {**self.wholes, name: letter}
+        else:
+            self.letters = {**self.letters, name: letter}
         body = self.sum()
-        self.letters = outside
+        self.letters, self.wholes = outside
         self.take(")")
-        return sp.Integral(body, (sp.Symbol(name), self.atom(), self.atom()))
+        return letter, body
 
     def indexed(self) -> sp.Expr:
         """Read a sum, the sign of equal indices, a whole number, or a number of a family."""
@@ -257,17 +265,8 @@ class _Parser:
     def total(self) -> sp.Expr:
         """Read a sum from 1 on: its end, and a function of an index of its own."""
         end = self.whole()
-        self.take("(")
-        self.take("fun")
-        name = self.take()
-        for expected in (":", "nat", "=>"):
-            self.take(expected)
-        outside = self.wholes
-        self.wholes = {**outside, name: sp.Symbol(name)}
-        body = self.sum()
-        self.wholes = outside
-        self.take(")")
-        return sp.Sum(body, (sp.Symbol(name), 1, end))
+        index, body = self.function("nat")
+        return sp.Sum(body, (index, 1, end))
 
     def atom(self) -> sp.Expr:
         """Read a letter, a number, or a term in parentheses."""

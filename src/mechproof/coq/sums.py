@@ -177,7 +177,7 @@ class _Levels:
             text = _join([written for _, written in results])
             if not is_last:
                 outer, limit = self.indices[depth + 1], self.ends[depth + 1]
-                levels.append([self._wrap(outer, limit, text)])
+                levels.append([self._sum(outer, limit, text)])
         self.text = text
         self.lines = _nest(levels, [self.names[sp.Tuple(i)] for i in self.indices])
         return value
@@ -219,11 +219,12 @@ class _Levels:
 
     def _write_inner(self, term: _Term, index: sp.Symbol, end: sp.Symbol) -> tuple[sp.Expr, str]:
         """Return what the sum of a term over an inner index is, and its text."""
-        result = self._add_up(term, index, end)
-        return (
-            term.number * result,
-            f"({write_term(term.number, self._all)} * {write_term(result, self._all)})",
-        )
+        return self._multiply(term, self._add_up(term, index, end))
+
+    def _multiply(self, term: _Term, result: sp.Expr) -> tuple[sp.Expr, str]:
+        """Return what is summed times the number in front, and its text."""
+        number, written = (write_term(part, self._all) for part in (term.number, result))
+        return term.number * result, f"({number} * {written})"
 
     def _add_up(self, term: _Term, index: sp.Symbol, end: sp.Symbol) -> sp.Expr:
         if term.picked is not None:
@@ -237,10 +238,7 @@ class _Levels:
         result = self._add_up(term, index, end)
         if isinstance(result, sp.Sum):
             result = self.proof.name(_find_form(result), write_term(result, self._all))
-        return (
-            term.number * result,
-            f"({write_term(term.number, self._all)} * {write_term(result, self._all)})",
-        )
+        return self._multiply(term, result)
 
     def _show(self, index: sp.Symbol, end: sp.Symbol, summands: str) -> list[str]:
         letter = self.names[sp.Tuple(index)]
@@ -249,9 +247,6 @@ class _Levels:
             f"{{ apply sum_alike. intros {letter} W0. same_terms. }}",
             "add_up.",
         ]
-
-    def _wrap(self, index: sp.Symbol, end: sp.Symbol, text: str) -> str:
-        return self._sum(index, end, text)
 
     def _sum(self, index: sp.Symbol, end: sp.Symbol, text: str) -> str:
         whole, letter = (self.names[sp.Tuple(s)] for s in (end, index))

@@ -279,7 +279,7 @@ class UnknownSignError(ArithmeticError):
 def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung that proves left = right wherever both are defined, or None."""
     difference = left - right
-    kinds = (False, True) if find_parts(difference, *_EXPONENTIALS) else (False,)
+    kinds = (False, True) if has_parts(difference, *_EXPONENTIALS) else (False,)
     return next(filter(None, (_find_rung(Field(domain, k), difference) for k in kinds)), None)
 
 

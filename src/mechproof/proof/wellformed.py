@@ -35,7 +35,7 @@ from mechproof.record import (
     IntegralWithoutDifferential,
     Statement,
 )
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, has_parts
 
 # As from metres to millimetres.
 UNIT_CHANGE = 1000
@@ -139,7 +139,7 @@ def _find_mixture(
     mended: bool = False,
 ) -> Fault | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
-    if find_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
+    if has_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
     other = _other_side(statement)
     compared = mended or isinstance(statement, Definition) or _has_two_prints(statement)

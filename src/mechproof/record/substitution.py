@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.exactness import RecordError
-from mechproof.record.parts import find_free, find_parts, replace_parts
+from mechproof.record.parts import find_free, find_parts, has_parts, replace_parts
 
 # A sum of more terms is not written out.
 MOST_TERMS = 64
@@ -62,7 +62,7 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
 def write_steps(expression: sp.Basic) -> sp.Basic:
     """Write what jumps by floors and by pieces."""
     for kind, write in STEPS.items():
-        if find_parts(expression, kind):
+        if has_parts(expression, kind):
             expression = expression.replace(kind, write)
     return expression
 

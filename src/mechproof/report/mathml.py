@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 from html import unescape
 from itertools import pairwise
 from typing import Literal
@@ -38,7 +37,6 @@ NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 
 
-@lru_cache(4096)
 def write_formula(latex: str, display: Display = "inline") -> Markup:
     """Write a formula as MathML, with its LaTeX for who copies it; as code if it is no LaTeX."""
     return Markup(FORMULAS.find(latex, display, _convert))
