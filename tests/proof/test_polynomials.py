@@ -9,7 +9,6 @@ from mechproof.arithmetic.polynomials import (
     cancel,
     factor,
     factor_list,
-    factorise,
     is_zero,
     reduce_polynomial,
     split,
@@ -104,7 +103,7 @@ def test_split_is_the_same_quotient(expression: sp.Expr) -> None:
     ],
 )
 def test_factors_multiply_to_the_polynomial(polynomial: sp.Expr, powers: set[int]) -> None:
-    number, factors = factorise(polynomial)
+    number, factors = factor_list(polynomial)
     assert sp.expand(number * sp.Mul(*(f**p for f, p in factors)) - polynomial) == 0
     assert {power for _, power in factors} == powers
 

@@ -56,18 +56,6 @@ def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
     return bool(above.is_zero() and not below.is_zero())
 
 
-def factorise(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
-    """Return the number before a polynomial, and its irreducible factors with their powers."""
-    ring = _Ring(polynomial)
-    try:
-        number, factors = ring.read(polynomial).factor()
-    except sp.PolynomialError:
-        # Over other numbers than the rationals.
-        constant, found = sp.factor_list(sp.expand(polynomial))
-        return constant, found
-    return _to_rational(number), [(ring.write(part), int(power)) for part, power in factors]
-
-
 def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
     """Factor as SymPy's function of that name: in its order and with its signs, but sooner.
 

@@ -14,7 +14,7 @@ from math import comb, lcm
 
 import sympy as sp
 
-from mechproof.arithmetic.polynomials import factorise, is_zero, reduce_polynomial, split
+from mechproof.arithmetic.polynomials import factor_list, is_zero, reduce_polynomial, split
 from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
@@ -175,7 +175,7 @@ class Field:
         self.used_roots = True
         numerator, denominator = split(self._translate(radicand))
         root, rest = self._split_squares(denominator)
-        constant, factors = factorise(self._reduce(numerator * rest))
+        constant, factors = factor_list(self._reduce(numerator * rest))
         outside = 1 / (root * rest * self._direction(rest))
         inside = sp.Integer(1)
         for factor, power in factors:
@@ -192,7 +192,7 @@ class Field:
 
     def _split_squares(self, denominator: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Write it as root^2 * rest, root positive; the normal form would hide the squares."""
-        rest, factors = factorise(denominator)
+        rest, factors = factor_list(denominator)
         root = sp.Integer(1)
         for factor, power in factors:
             root *= self._size_of_power(factor, power // 2)

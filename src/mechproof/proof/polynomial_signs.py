@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.arithmetic.polynomials import expand, factorise, split
+from mechproof.arithmetic.polynomials import expand, factor_list, split
 from mechproof.proof.coordinates import Coordinates
 
 # Points at which a polynomial is tried, and the sizes of their coordinates.
@@ -68,7 +68,7 @@ def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> StrictSig
 def _sign_of_product(
     expression: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
 ) -> StrictSign | None:
-    constant, factors = factorise(expression)
+    constant, factors = factor_list(expression)
     sign = sign_of_number(constant)
     for factor, power in factors:
         one = _sign_of_polynomial(factor, positive, nonnegative)
