@@ -191,7 +191,6 @@ height_deviation = line_nominal - line_actual
 # Counted towards the tip instead, the gauge's error as well.
 height_towards_tip = (line_actual - line_nominal).subs(dh_gauge, -dh_gauge)
 influence = slope_of_thickness.subs(delta, alpha)
-measured_change = influence * height_deviation
 
 # A flank turned about the wheel's centre by -turn: the change of its half chord at fixed height.
 half_moved = (

@@ -180,7 +180,7 @@ def read(number: str) -> tuple[Any, ...]:
     return READER.members(PRINT.equation(number))
 
 
-(_, PRINTED_5), (_, PRINTED_17), (_, PRINTED_18) = map(read, ("(5)", "(17)", "(18)"))
+(_, PRINTED_5), (_, PRINTED_17) = map(read, ("(5)", "(17)"))
 (*_, PRINTED_A), (_, PRINTED_K) = read("(8)"), read("(14)")
 PRINTED_15 = read("(15)")[1].subs(MATRIX_K, PRINTED_K).doit()
 PRINTED_16 = sp.ImmutableMatrix(read("(16)")[1::2])

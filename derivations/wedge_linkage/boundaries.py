@@ -15,7 +15,7 @@ from mechproof.record import (
     Statement,
 )
 
-from .._relations import less, not_above, put_numbers
+from .._relations import less, put_numbers
 from .mechanics import driven
 from .sizes import SETS, Signs, limits
 from .symbols import (
@@ -112,23 +112,6 @@ def crossing(table: PublishedSizes) -> Conjunction:
         (
             above(table, BOUNDARY_III, BOUNDARY_IV, CROSSING - LAST_PLACE / 2),
             above(table, BOUNDARY_IV, BOUNDARY_III, CROSSING + LAST_PLACE / 2),
-        )
-    )
-
-
-def spread(table: PublishedSizes, displacement: Displacement) -> sp.Expr:
-    """Return the width between the boundaries II and III or IV."""
-    lower = BOUNDARY_III if Rational(displacement) > CROSSING else BOUNDARY_IV
-    upper = position_of(table, BOUNDARY_II, displacement)
-    return sp.Add(upper, -position_of(table, lower, displacement), evaluate=False)
-
-
-def largest_at_the_end(table: PublishedSizes) -> Conjunction:
-    """State that the spread at the start is not below that at -35, -30, ..., 0 mm."""
-    at_the_end = spread(table, START)
-    return Conjunction(
-        tuple(
-            not_above(spread(table, displacement), at_the_end) for displacement in range(-35, 1, 5)
         )
     )
 

@@ -107,9 +107,8 @@ def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> PublishedSiz
     )
 
 
-SETS = FIRST_SET, SECOND_SET, THIRD_SET = tuple(
-    map(reconstruct, (FIRST_SIZES, SECOND_SIZES, THIRD_SIZES))
-)
+SETS = tuple(map(reconstruct, (FIRST_SIZES, SECOND_SIZES, THIRD_SIZES)))
+FIRST_SET, SECOND_SET, _ = SETS
 
 
 def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
