@@ -24,6 +24,8 @@ PAIRS = [
     (r"\frac{d^2}{dx^2}(x^3)=6x", r"\frac{d^2}{dx^2}(x^3)=3x^2", ()),
     (r"\frac{d}{dx}\ln x=\frac1x", r"\frac{d}{dx}\ln x=-\frac1x", ("x>0",)),
     (r"n!=n(n-1)!", r"n!=(n+1)(n-1)!", ()),
+    (r"\binom{n+1}{k+1}=\binom nk+\dbinom n{k+1}", r"\binom{n+1}{k+1}=\binom nk+\binom nk", ()),
+    (r"\tbinom{n}{2}=\frac{n(n-1)}2", r"\tbinom{n}{2}=\frac{n(n+1)}2", ()),
     (r"(n+2)!=(n+2)(n+1)n!", r"(n+2)!=(n+2)n!", ()),
     ("5!=120", "5!=24", ()),
 ]
@@ -100,6 +102,7 @@ REFUSED = [
     (r"\lim_{x\to x}x=1", "goes to a limit"),
     (r"n!!=1", "a factorial of what"),
     (r"n!^2=1", "a factorial of what"),
+    (r"\binom{3}{1.5}=1", "do not fit together"),
     (r"(x/2)!=1", "do not fit together"),
 ]
 

@@ -233,6 +233,8 @@ def _find_counts(pasted: Pasted) -> tuple[str, ...]:
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
             if text == "!":
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
+            if text == r"\binom":
+                found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(x for x in found if x not in pasted.names)
 
 
@@ -244,6 +246,14 @@ def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
     inside = texts[start:]
     if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
         yield from (text for text in inside if text.isalpha())
+
+
+def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
+    """Yield the letters that stand alone or in a plain sum in either of two groups of braces."""
+    for _ in range(2):
+        close = texts.index("}") if "}" in texts else 0
+        yield from _letters_of_factorial(["(", *texts[1:close], ")"])
+        texts = texts[close + 1 :]
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:

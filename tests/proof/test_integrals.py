@@ -41,6 +41,18 @@ TRUE = {
     "from a quarter turn": (integral(1 / (1 + e * sp.sin(x)), 0, TURN), TURN / sp.sqrt(1 - e**2)),
     "over the whole line, a parameter": (integral(1 / (e**2 + x**2), -sp.oo, sp.oo), sp.pi / e),
     "over the whole line": (integral(1 / (1 + x**2), -sp.oo, sp.oo), sp.pi),
+    "by parts, back to itself": (
+        integral(sp.exp(-x) * sp.cos(e * x), 0, sp.oo),
+        1 / (1 + e**2),
+    ),
+    "square of a denominator": (
+        integral((1 - e * sp.cos(x)) ** -2, 0, TURN),
+        TURN / (1 - e**2) ** sp.Rational(3, 2),
+    ),
+    "logarithms of roots": (
+        integral(1 / (1 + x**4), 0, 1),
+        (sp.pi + 2 * sp.log(1 + sp.sqrt(2))) / (4 * sp.sqrt(2)),
+    ),
     "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),
     "between two poles": (integral(1 / sp.sqrt(1 - x**2), -1, 1), sp.pi),
     "from a logarithm's pole": (integral(x * sp.log(x), 0, 1), -sp.Rational(1, 4)),

@@ -55,6 +55,11 @@ TABLES = {
             "x>1",
         ),
         (
+            r"\ln(2+\sqrt2)-\ln(2-\sqrt2)=2\sqrt2\,\frac{\ln(1+\sqrt2)}{\sqrt2}",
+            r"\sqrt2\ln(2+\sqrt2)-\ln(2-\sqrt2)=2\ln(1+\sqrt2)",
+            "",
+        ),
+        (
             r"2\operatorname{arsinh}x=\operatorname{arcosh}(1+2x^2)",
             r"2\operatorname{arsinh}x=\operatorname{arcosh}(1+x^2)",
             "x>0",

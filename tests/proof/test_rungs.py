@@ -11,6 +11,7 @@ from mechproof.document.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
     bisection,
+    endless_sums,
     induction,
     inequalities,
     integrals,
@@ -52,6 +53,7 @@ NAMED += [
     inequalities.ORDERS,
     monotonicity.RUNG,
     telescoping.RUNG,
+    endless_sums.RUNG,
 ]
 
 

@@ -75,6 +75,7 @@ WRONG = {
     "negative at the closed right end only": ((1 - x) * (2 - x) - x**9 / 1000 >= 0, UNIT, ()),
     "double root, strict": ((x - sp.Rational(1, 3)) ** 2 * (x + 1) > 0, UNIT, ()),
     "cosine, strict": (1 + sp.cos(x) > 0, {}, ()),
+    "logarithm of one or less": (sp.log(1 + x) > 0, UNIT, ()),
     "cosine of another angle, strict": (1 + sp.cos(x / 3 + y) > 0, {}, ()),
     "two angles, strict": (2 + sp.cos(x) + sp.cos(y) > 0, {}, ()),
     "sum zero when both are half a turn": ((1 + sp.cos(x)) ** 2 + (1 + sp.cos(y)) ** 2 > 0, {}, ()),

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from twins import check_twins, list_rows
 
-from mechproof.proof import induction, telescoping
+from mechproof.proof import endless_sums, induction, telescoping
 from mechproof.proof.domain import Domain
 from mechproof.proof.powers import split_powers
 
@@ -23,6 +23,11 @@ TABLES = {
             "",
         ),
         (
+            r"\sum_{k=0}^n\binom nkx^k=(1+x)^n",
+            r"\sum_{k=0}^n\binom nkx^k=(1+x)^{n-1}",
+            "",
+        ),
+        (
             r"\sum_{k=0}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
             r"\sum_{k=1}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
             "",
@@ -31,6 +36,28 @@ TABLES = {
             r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a+b)^n",
             r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a-b)^n",
             "",
+        ),
+    ),
+    endless_sums.RUNG: (
+        (
+            r"\sum_{k=1}^\infty\frac1{k(k+1)}=1",
+            r"\sum_{k=1}^\infty\frac1{k(k-2)}=\frac34",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^\infty q^k=\frac1{1-q}",
+            r"\sum_{k=1}^\infty q^k=\frac1{1-q}",
+            "-1<q, q<1",
+        ),
+        (
+            r"\sum_{k=1}^\infty kq^k=\frac q{(1-q)^2}",
+            r"\sum_{k=1}^\infty kq^k=\frac q{1-q}",
+            "0<q, q<1",
+        ),
+        (
+            r"\sum_{k=0}^\infty(-1)^kx^{2k}=\frac1{1+x^2}",
+            r"\sum_{k=0}^\infty(-1)^k=\frac12",
+            "-1<x, x<1",
         ),
     ),
     induction.RUNG: (

@@ -50,6 +50,8 @@ def read_atom(parser: Parser) -> Node:
         return _read_fraction(parser, start)
     if text == r"\sqrt":
         return _read_root(parser, start)
+    if text == r"\binom":
+        return derivatives.read_binomial(parser)
     if text in _CLOSED_BY:
         return _read_bracket(parser, start)
     if text == "|":

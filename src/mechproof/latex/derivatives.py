@@ -156,6 +156,19 @@ def read_factorial(parser: Parser, atom: Node) -> Node:
     )
 
 
+def read_binomial(parser: Parser) -> Node:
+    r"""Read \binom{n}{k} as a quotient of factorials."""
+    start = parser.start
+    parser.take()
+    numbers = (parser.read_group(), parser.read_group())
+    return Call(PrintedFunction("binomial", _make_binomial), numbers, start=start, end=parser.end)
+
+
+def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
+    above, *below = map(_make_factorial, (whole, part, whole - part))
+    return above / sp.Mul(*below)
+
+
 def _make_factorial(argument: sp.Expr) -> sp.Expr:
     """Return a factorial; `TypeError` for what is no integer, or too large to be worked out."""
     is_small = not argument.is_number or 0 <= argument <= LARGEST_FACTORIAL

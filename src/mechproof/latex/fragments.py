@@ -18,7 +18,7 @@ SIGN = re.compile(
     re.DOTALL,
 )
 # Commands whose arguments need no braces.
-ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\sqrt": 1, r"\bar": 1}
+ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\bar": 1}
 # What is set, but says nothing: it stays with what stands before it.
 SILENT = frozenset(
     (*(r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad"), r"\cdot", r"\limits")

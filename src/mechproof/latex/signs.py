@@ -33,6 +33,7 @@ _BARS = {
 }
 _SAME = {
     **dict.fromkeys((r"\dfrac", r"\tfrac", r"\cfrac"), r"\frac"),
+    **dict.fromkeys((r"\dbinom", r"\tbinom"), r"\binom"),
     **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),

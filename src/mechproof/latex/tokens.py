@@ -18,7 +18,7 @@ from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
 from mechproof.latex.signs import GAPS, Token, same_sign, split_signs
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
-_ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
+_ARGUMENTS = {r"\frac": 2, r"\binom": 2, r"\sqrt": 1}
 _PRIME = r"\prime"
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")

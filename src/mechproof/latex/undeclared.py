@@ -42,7 +42,6 @@ _UNREAD = {
     r"\partial": r"Print \frac{\partial …}{\partial x}, x a letter.",
     r"\nabla": "A derivative needs a name of its own.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
-    r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
     **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
     **dict.fromkeys(RELATIONS, "Enter the chain as a whole, with what stands before this sign."),

@@ -7,14 +7,14 @@ The variable is written so that it goes to infinity. A product is compared with 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import find_sign, is_positive
 from mechproof.record import list_needs, list_partial
 
 _Y = sp.Dummy("y", positive=True)
@@ -206,7 +206,7 @@ def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | 
 
 def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
     if not node.has(_Y):
-        return _constant(node) if _direction(node, domain) else None
+        return _constant(node if _direction(node, domain) else None)
     if node == _Y:
         return _Order(sp.S.Zero, sp.S.One, sp.S.Zero, sp.S.One)
     if depth == 0:
@@ -221,6 +221,9 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
         return None if base is None else _raise(base, node.exp, domain)
     if isinstance(node, sp.exp):
         return _find_order_of_exponential(node.args[0], domain, depth - 1)
+    if isinstance(node, sp.Pow) and is_positive(node.base, domain):
+        exponent = node.exp * sp.log(node.base)
+        return _find_order_of_exponential(exponent, domain, depth - 1)
     if isinstance(node, sp.log):
         return _find_order_of_logarithm(node.args[0], domain, depth - 1)
     limit = _find(node, domain, depth - 1) if not isinstance(node, sp.Pow) else None
@@ -271,7 +274,7 @@ def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> _Order | Non
         largest = order if way > 0 else largest
     top = [order for order in orders if order.size == largest.size]
     if any(order.factor is None for order in top):
-        return None
+        return replace(largest, factor=None)
     factor = sp.Add(*(order.factor for order in top))
     return _Order(*largest.size, factor) if _direction(factor, domain) else None
 

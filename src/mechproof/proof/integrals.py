@@ -15,7 +15,7 @@ from typing import Any
 
 import sympy as sp
 from sympy.integrals.manualintegrate import manualintegrate
-from sympy.integrals.rationaltools import ratint
+from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
 
 from mechproof.proof.algebra import decide_equal
@@ -223,12 +223,18 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    found = manualintegrate(integrand, variable)
+    found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
     for propose in (_propose_by_half_angle, _propose_by_tangent, _propose_by_fractions):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
+
+
+def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
+    """Solve an integral by parts that has led back to itself: I = A + c*I."""
+    around = sp.expand(found).coeff(whole)
+    return (found - around * whole).expand() / (1 - around) if around not in (0, 1) else found
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
@@ -264,10 +270,12 @@ def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -
     rational = sp.together(rational)
     if rational.has(variable):
         return
-    found = manualintegrate(sp.apart(sp.cancel(rational), t), t)
+    whole, rest = ratint_ratpart(*sp.fraction(sp.cancel(rational)), t)
+    found = manualintegrate(sp.apart(rest, t), t)
     if not found.has(sp.Integral):
         turned = found.replace(sp.atan, lambda slope: _turn(slope, double))
-        yield from _list_pieces(turned.subs(t, sp.sin(double) / (1 + sp.cos(double))))
+        turned = turned.subs(t, sp.sin(double) / (1 + sp.cos(double)))
+        yield from _list_pieces(_turn_fraction(whole, double) + turned)
 
 
 def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
@@ -289,6 +297,20 @@ def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
         return
     for value, _ in node.args:
         yield from _list_pieces(candidate.xreplace({node: value}))
+
+
+def _turn_fraction(fraction: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    """Write a fraction of t = tan(angle/2) by sine and cosine, without a pole of t."""
+    c, s = sp.symbols("c s", cls=sp.Dummy)
+    square = (1 - c) / (1 + c)
+    above, below = (
+        sum(
+            factor * square ** (power // 2) * (s / (1 + c)) ** (power % 2)
+            for (power,), factor in sp.Poly(part, _TANGENT).terms()
+        )
+        for part in sp.fraction(fraction)
+    )
+    return sp.cancel(above / below).xreplace({c: sp.cos(angle), s: sp.sin(angle)})
 
 
 def _turn(slope: sp.Expr, variable: sp.Expr) -> sp.Expr:

@@ -74,9 +74,10 @@ def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | No
 
 def _divide(difference: sp.Expr) -> sp.Expr:
     """Divide by a number before an inverse function that is no fraction, and not zero."""
+    inverses = (*_INVERSES, sp.log)
     for term in sp.Add.make_args(difference):
-        number, rest = term.as_independent(*difference.free_symbols, *_INVERSES, as_Add=False)
-        if type(rest) not in _INVERSES or not number.is_number or number.is_rational:
+        number, rest = term.as_independent(*difference.free_symbols, *inverses, as_Add=False)
+        if type(rest) not in inverses or not number.is_number or number.is_rational:
             continue
         if (sign := sign_of_number(number)) and sign.strict:
             return sp.expand(difference / number)

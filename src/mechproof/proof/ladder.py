@@ -15,6 +15,7 @@ from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
 from mechproof.proof.definedness import list_needed, list_unshown, narrow_to, need_the_same, tell
 from mechproof.proof.domain import Domain
+from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.limits import settle_limits
@@ -86,10 +87,11 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
     sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
-    printed, rebuilt = (settle_improper(side, domain) for side in sides)
-    if [printed, rebuilt] != sides:
-        answer = _decide_sides(printed, rebuilt, domain)
-        return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")
+    for rung, settle in ((ANTIDERIVATIVE, settle_improper), (PARTIAL_SUMS, settle_endless)):
+        printed, rebuilt = (settle(side, domain) for side in sides)
+        if [printed, rebuilt] != sides:
+            answer = _decide_sides(printed, rebuilt, domain)
+            return replace(answer, rung=f"{rung}, {answer.rung}")
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", _clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):

@@ -46,6 +46,8 @@ RUNGS = {
     "numbers, each written as the one below and a gap",
     "monotonicity": "an inequality that holds at one place, from which the difference of its sides "
     "grows, or at both ends of an interval on which it is concave",
+    "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
+    "proved by induction, or that of a geometric series",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "

@@ -46,6 +46,8 @@ def is_workable(expression: sp.Basic) -> bool:
 def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of the expression on the domain, or None if it is not shown."""
     expression = domain.resolve(expression)
+    if isinstance(expression, sp.log) and is_positive(expression.args[0], domain):
+        return find_sign(expression.args[0] - 1, domain)
     try:
         sign = _find_sign_with_ends(expression, domain)
     except (NotImplementedError, sp.PolynomialError):

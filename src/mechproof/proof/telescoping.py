@@ -90,13 +90,13 @@ def _has_value(claim: _Claim, domain: Domain) -> bool:
     following = term.subs(n, n + 1)
     change = _reduce(following / term)
     growth = sp.S.Zero if value == 0 else _reduce(value.subs(n, n + 1) / value)
-    if change is None or growth is None or not _is_nonzero_below(growth, {n: n}, domain):
+    if change is None or growth is None or not is_nonzero_below(growth, {n: n}, domain):
         return False
     # The value is multiplied by its growth; what the sum is beyond that must vanish.
     step = sp.cancel(sp.together(change - growth))
     part = _find_part(step, term, k, domain)
     gap = sp.Dummy("gap", integer=True, nonnegative=True)
-    if part is None or not all(_is_nonzero_below(f, {n: k + gap}, domain) for f in (part, step)):
+    if part is None or not all(is_nonzero_below(f, {n: k + gap}, domain) for f in (part, step)):
         return False
     ends = (part * term).subs(k, n) - (part * term).subs(k, lower)
     rest = (step * term).subs(k, n) + following.subs(k, n + 1)
@@ -122,7 +122,7 @@ def _find_part(step: sp.Expr, term: sp.Expr, k: sp.Symbol, domain: Domain) -> sp
     return part if decide_equal(part.subs(k, k + 1) * growth - part, step, domain) else None
 
 
-def _is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain: Domain) -> bool:
+def is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain: Domain) -> bool:
     """Tell whether a fraction has no pole for any of the counts."""
     _, below = sp.fraction(sp.together(fraction))
     written = below.xreplace(counts)

@@ -1,0 +1,50 @@
+"""Sums without end: the limit of the partial sums, where both are shown.
+
+SymPy proposes the partial sum, by Gosper's algorithm (1978); that of a geometric series is known.
+It counts if it begins and grows as the sum does, by induction, and has a limit.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy.concrete.gosper import gosper_sum
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.growth import find_limit
+from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.signs import is_positive
+from mechproof.proof.telescoping import is_nonzero_below
+from mechproof.record.parts import find_bound, find_parts
+
+RUNG = "limit of partial sums"
+# Work limit: a term of more operations is not tried.
+_LARGEST = 40
+_N = sp.Dummy("n", integer=True, positive=True)
+
+
+def settle_endless(expression: Any, domain: Domain) -> Any:
+    """Put the values of sums without end in their places, as far as they are shown."""
+    bound = set(find_bound(expression))
+    sums = (s for s in find_parts(expression, sp.Sum) if not s.free_symbols & bound)
+    values = ((node, _find_value(node, domain)) for node in sorted(sums, key=str))
+    return expression.xreplace({node: value for node, value in values if value is not None})
+
+
+def _find_value(total: sp.Sum, domain: Domain) -> sp.Expr | None:
+    (k, first, last), *others = total.limits
+    term = total.function
+    if others or last != sp.oo or not first.is_Integer or term.count_ops() > _LARGEST:
+        return None
+    ratio = sp.powsimp(term.subs(k, k + 1) / term)
+    if not ratio.has(k):
+        return term.subs(k, first) / (1 - ratio) if is_positive(1 - ratio**2, domain) else None
+    above = sp.Dummy("above", integer=True, nonnegative=True)
+    if not is_nonzero_below(term, {k: first + above}, domain):
+        return None
+    partial = gosper_sum(term, (k, first, _N))
+    if partial is None or not decide_by_induction(sp.Sum(term, (k, first, _N)), partial, domain):
+        return None
+    limit = find_limit(partial, _N, sp.oo, 1, domain)
+    return None if limit is None or limit.is_infinite else limit
