@@ -1,7 +1,7 @@
 """Polynomials by flint: their normal form, their factors, and what quotients have in common.
 
-In the normal form every related generator has at most its first power. The relations
-r**2 = f are a Groebner basis as they stand, their leading powers having no factor in common
+In the normal form every related generator is below the power that is related. The relations
+r**n = f are a Groebner basis as they stand, their leading powers having no factor in common
 (Buchberger's first criterion), so that putting them in gives the one normal form there is.
 SymPy's expressions go to flint's sparse polynomials over the rationals, and back where asked for.
 """
@@ -22,16 +22,13 @@ from sympy.polys.polyutils import _sort_gens as sort_generators
 from mechproof.record.parts import find_free, find_parts
 
 
-def reduce_polynomial(polynomial: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Return the normal form; a square may hold the generators before it.
+def reduce_polynomial(polynomial: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> sp.Expr:
+    """Return the normal form by what powers of generators are, which may hold those before.
 
     Raises `sympy.PolynomialError` for what is no polynomial in symbols over the rationals.
     """
-    ring = _Ring(polynomial, *squares, *squares.values())
-    result = ring.read(polynomial)
-    for generator in reversed(list(squares)):
-        result = ring.lower(result, generator, squares[generator])
-    return ring.write(result)
+    ring = _Ring(polynomial, *relations, *relations.values())
+    return ring.write(ring.lower_all(ring.read(polynomial), relations))
 
 
 def expand(polynomial: sp.Expr) -> sp.Expr:
@@ -43,16 +40,13 @@ def expand(polynomial: sp.Expr) -> sp.Expr:
         return sp.expand(polynomial)
 
 
-def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
+def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
     """Tell whether a quotient of polynomials has a normal form of zero above one that is not.
 
     Raises `sympy.PolynomialError` for what is none.
     """
-    ring = _Ring(quotient, *squares, *squares.values())
-    above, below = ring.read_quotient(quotient)
-    for generator in reversed(list(squares)):
-        above = ring.lower(above, generator, squares[generator])
-        below = ring.lower(below, generator, squares[generator])
+    ring = _Ring(quotient, *relations, *relations.values())
+    above, below = (ring.lower_all(part, relations) for part in ring.read_quotient(quotient))
     return bool(above.is_zero() and not below.is_zero())
 
 
@@ -233,17 +227,23 @@ class _Ring:
         terms = value.to_dict()
         return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
 
-    def lower(self, value: fmpq_mpoly, generator: sp.Symbol, square: sp.Expr) -> fmpq_mpoly:
-        """Put `square` in place of the generator's square, as often as it is there."""
-        place = self.symbols.index(generator)
+    def lower_all(self, value: fmpq_mpoly, relations: Mapping[sp.Pow, sp.Expr]) -> fmpq_mpoly:
+        """Lower a polynomial by all relations, those that hold others' generators first."""
+        for power in reversed(list(relations)):
+            value = self._lower(value, power, relations[power])
+        return value
+
+    def _lower(self, value: fmpq_mpoly, power: sp.Pow, meant: sp.Expr) -> fmpq_mpoly:
+        """Put what is meant in place of the generator's power, as often as it is there."""
+        place = self.symbols.index(power.base)
         parts: dict[int, dict[tuple[int, ...], fmpq]] = defaultdict(dict)
         for powers, coefficient in value.to_dict().items():
-            half, odd = divmod(powers[place], 2)
-            parts[half][(*powers[:place], odd, *powers[place + 1 :])] = coefficient
+            times, rest = divmod(powers[place], int(power.exp))
+            parts[times][(*powers[:place], rest, *powers[place + 1 :])] = coefficient
         if not any(parts):
             return value
-        root = self.read(square)
-        rests = (self.context.from_dict(part) * root**half for half, part in parts.items())
+        base = self.read(meant)
+        rests = (self.context.from_dict(part) * base**times for times, part in parts.items())
         return reduce(add, rests)
 
     def write(self, value: fmpq_mpoly) -> sp.Expr:

@@ -44,7 +44,7 @@ class Field:
         self._bases: dict[sp.Expr, sp.Symbol] = {}
         self._opaque: dict[sp.Basic, sp.Symbol] = {}
         self._meaning: dict[sp.Basic, sp.Basic] = {}
-        self._relations: dict[sp.Symbol, sp.Expr] = {}
+        self._relations: dict[sp.Pow, sp.Expr] = {}
         self._unsigned: list[sp.Expr] = []
         self._translated: dict[sp.Basic, sp.Expr] = {}
 
@@ -55,6 +55,8 @@ class Field:
         self.used_sums = self.used_sums or has_parts(expression, sp.Sum)
         expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
+        broken = (p.exp.q for p in find_parts(expression, sp.Pow) if p.exp.is_Rational)
+        self._degree = lcm(*(int(q) for q in broken if q > 2))
         self._translated.clear()
         translated = self._translate(expression)
         return is_zero(translated, self._relations)
@@ -89,8 +91,12 @@ class Field:
             return self._translate(node.base) ** node.exp
         if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2:
             return self._translate_root(node.base) ** node.exp.p
+        if isinstance(node, sp.Pow) and node.exp.is_Rational:
+            return self._translate_power(node)
         if isinstance(node, sp.Abs):
             return self._translate_root(node.args[0] ** 2)
+        if isinstance(node, sp.sign) and (sign := find_sign(node.args[0], self.domain)):
+            return sp.Integer(sign.direction) if sign.strict else self._translate_opaque(node)
         if isinstance(node, ANGULAR):
             return self._translate_angle(node)
         if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
@@ -157,7 +163,7 @@ class Field:
             base = monomial / self._denominators[monomial]
             c, s = (sp.Dummy(name, real=True) for name in ("c", "s"))
             self._circle[monomial] = (c, s)
-            self._relations[s] = 1 - c**2
+            self._relations[s**2] = 1 - c**2
             self._meaning |= {c: sp.cos(base), s: sp.sin(base)}
         return self._circle[monomial]
 
@@ -190,6 +196,18 @@ class Field:
                     outside *= self._root_of(direction * factor)
         return sp.expand(outside * self._root_of_number_and(constant, inside))
 
+    def _translate_power(self, node: sp.Pow) -> sp.Expr:
+        """Return a power by roots of its base's factors, if those are not negative."""
+        above, below = split(self._translate(node.base))
+        constant, factors = factor_list(self._reduce(above * below ** (self._degree - 1)))
+        parts = (constant, below, *(factor for factor, _ in factors))
+        if any(self._known_direction(part) != 1 for part in parts):
+            return self._translate_opaque(node)
+        self.used_roots = True
+        primes = [(sp.Integer(prime), n) for prime, n in sp.factorrat(constant).items()]
+        roots = (self._root_of(f, self._degree) ** n for f, n in (*factors, *primes))
+        return (sp.Mul(*roots) / below) ** int(node.exp * self._degree)
+
     def _split_squares(self, denominator: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Write it as root^2 * rest, root positive; the normal form would hide the squares."""
         rest, factors = factor_list(denominator)
@@ -221,13 +239,13 @@ class Field:
         surds = [p for p in root.atoms(sp.Pow) if p.exp == _HALF]
         return root.subs({surd: self._root_of(surd.base) for surd in surds})
 
-    def _root_of(self, factor: sp.Expr) -> sp.Symbol:
-        for symbol, square in self._relations.items():
-            if symbol.is_nonnegative and square == factor:
-                return symbol
+    def _root_of(self, factor: sp.Expr, degree: int = 2) -> sp.Symbol:
+        for power, known in self._relations.items():
+            if power.base.is_nonnegative and (known, power.exp) == (factor, degree):
+                return power.base
         root = sp.Dummy("r", nonnegative=True)
-        self._relations[root] = factor
-        self._meaning[root] = sp.sqrt(factor)
+        self._relations[root**degree] = factor
+        self._meaning[root] = sp.root(factor, degree)
         return root
 
     def _direction(self, expression: sp.Expr) -> int:

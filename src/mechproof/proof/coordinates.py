@@ -92,24 +92,24 @@ def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.E
     """
     cosines: dict[sp.Symbol, sp.Expr] = {}
     replacement: dict[sp.Basic, sp.Expr] = {}
-    squares: dict[sp.Symbol, sp.Expr] = {}
+    squares: dict[sp.Pow, sp.Expr] = {}
     for angle in list_angles(expression):
         c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
         replacement |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
-        squares[s] = 1 - c**2
+        squares[s**2] = 1 - c**2
         cosines[c] = angle
     above, below = (_lower(part, squares) for part in split(replace_parts(expression, replacement)))
     return above / below, cosines
 
 
-def _lower(polynomial: sp.Expr, squares: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+def _lower(polynomial: sp.Expr, squares: dict[sp.Pow, sp.Expr]) -> sp.Expr:
     """Write a polynomial with every generator to at most its first power."""
     try:
         return reduce_polynomial(polynomial, squares)
     except sp.PolynomialError:
         # Over other numbers than the rationals.
-        for generator, square in squares.items():
-            polynomial = sp.rem(sp.expand(polynomial), generator**2 - square, generator)
+        for power, square in squares.items():
+            polynomial = sp.rem(sp.expand(polynomial), power - square, power.base)
         return polynomial
 
 
