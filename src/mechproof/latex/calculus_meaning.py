@@ -14,8 +14,10 @@ from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, Value
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
-# Functions with kinks or steps, of which SymPy gives a derivative everywhere.
-_UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
+# Functions with kinks or steps, of which SymPy gives a derivative everywhere; of the first two
+# there is one where the argument is not zero.
+_OF_SIGNS = (sp.Abs, sp.sign)
+_UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 
 
 def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
@@ -73,8 +75,11 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
             "a derivative of a function with kinks or steps is not read",
             "Say on which side of them it is meant, and print it without them.",
         )
+    for part in sorted(value.atoms(*_OF_SIGNS), key=sp.default_sort_key):
+        needed += 1 / part.args[0] if depends_on & part.free_symbols else 0
     try:
         for _ in range(node.order):
+            value = value.replace(sp.sign, lambda number: number / sp.Abs(number))
             value = differentiate(value, variable, moving)
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error

@@ -5,7 +5,7 @@ Each condition is once taken to be true and once to be false, on the part of the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -24,6 +24,7 @@ Prove = Callable[..., str | None]
 RUNG = "case by case"
 # Work limit: so many moduli, or numbers of which the largest is meant.
 _MOST_WRITTEN = 4
+_IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
 def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
@@ -52,23 +53,36 @@ def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain
     return (*sides, domain)
 
 
-def write_pieces(expression: sp.Expr) -> sp.Expr:
-    """Write moduli, largest and smallest of few numbers by pieces; nothing where they are many.
+def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Expr:
+    """Write moduli, signs, largest and smallest of few numbers by pieces; nothing of many.
 
-    Nor where a symbol is bound, on which a condition might hang.
+    Nor where a symbol is bound, on which a condition might hang. Where a number among the poles is
+    zero its sign does not count.
     """
-    nodes = expression.atoms(sp.Abs, sp.Max, sp.Min)
+    nodes = expression.atoms(*_IN_PIECES)
     if len(nodes) > _MOST_WRITTEN or any(len(node.args) > _MOST_WRITTEN for node in nodes):
         return expression
     if expression.has(ExprWithLimits):
         return expression
     return expression.replace(
-        lambda node: isinstance(node, sp.Abs | sp.Max | sp.Min), lambda node: _write_pieces(node)
+        lambda node: isinstance(node, _IN_PIECES), lambda node: _write_pieces(node, poles)
     )
 
 
-def _write_pieces(node: sp.Expr) -> sp.Expr:
-    """Write one by pieces that join, so that the seam may belong to either."""
+def list_poles(sides: Iterable[sp.Expr]) -> set[sp.Expr]:
+    """List numbers that are divided by, or by whose moduli."""
+    bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.is_negative}
+    return bases | {base.args[0] for base in bases if isinstance(base, sp.Abs)}
+
+
+def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
+    """Write one by pieces; where they join the seam may belong to either."""
+    if isinstance(node, sp.sign):
+        (number,) = node.args
+        if number.could_extract_minus_sign():
+            return -_write_pieces(sp.sign(-number), poles)
+        above = 1 if number in poles else sp.Piecewise((0, sp.Le(number, 0)), (1, True))
+        return _choose(number, above, sp.S.NegativeOne)
     if isinstance(node, sp.Abs):
         return _choose(node.args[0], node.args[0], -node.args[0])
     first, *others = node.args

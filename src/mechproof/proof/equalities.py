@@ -8,7 +8,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.antiderivative import decide_by_derivative
-from mechproof.proof.cases import decide_by_pieces, decide_by_values, write_pieces
+from mechproof.proof.cases import decide_by_pieces, decide_by_values, list_poles, write_pieces
 from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
 from mechproof.proof.domain import Domain
 from mechproof.proof.induction import decide_by_induction
@@ -59,5 +59,6 @@ def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> s
 
 def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
     """Prove sides equal for each sign of what stands in moduli."""
-    one, other = map(write_pieces, sides)
+    poles = list_poles(sides)
+    one, other = (write_pieces(side, poles) for side in sides)
     return None if (one, other) == tuple(sides) else prove_equal(one, other, domain)
