@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from mechproof.lab.certificate_claims import find_way, list_claims
 from mechproof.measured import (
     COPY,
+    IN_C,
     MEASURED,
     MeasuredWay,
     Record,
@@ -91,9 +92,10 @@ def _describe_run(record: Record) -> str:
     machine = record.machine
     simd = machine.simd[-1] if machine.simd else "no SIMD"
     quick = ", quick" if record.quick else ""
+    lacking = f" Not measured: {IN_C}." if record.lacks_c else ""
     return (
         f"Taken {record.taken[:10]} on {machine.processor}, {simd}, load {record.load}, "
-        f"numpy {machine.versions['numpy']}{quick}."
+        f"numpy {machine.versions['numpy']}{quick}.{lacking}"
     )
 
 
