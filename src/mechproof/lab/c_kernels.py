@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.codegen.backends.c99 import FLAGS, render_c_formula
-from mechproof.programs.kernel import Kernel
-from mechproof.programs.scalar import list_arguments, list_scalars
+from mechproof.programs.kernel import Kernel, build_functions
+from mechproof.programs.scalar import list_arguments
 from mechproof.record import Paper
 
 Array = NDArray[Any]
@@ -76,7 +76,7 @@ class KernelInC:
         system, name = self._paper.system, self._kernel.name
         with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             source, made = (Path(folder, f"{system}{end}") for end in (".c", ".so"))
-            text = f"{render_c_formula(name, self._paper)}\n{self._write_loop()}"
+            text = f"{render_c_formula(self._kernel, self._paper)}\n{self._write_loop()}"
             source.write_text(text, encoding="utf-8")
             paths = (str(source), "-o", str(made))
             command = [COMPILER, *FLAGS.split(), "-shared", "-fPIC", *paths, "-lm"]
@@ -111,14 +111,8 @@ class KernelInC:
 
 
 def find_in_c(name: str, paper: Paper) -> KernelInC | None:
-    """Find a quantity's kernel in C, None without a compiler, or where C has no kernel for it."""
-    if shutil.which(COMPILER) is None:
-        return None
-    try:
-        kernels = list_scalars(paper)
-    except NotImplementedError:
-        # Of a paper with a quantity that no kernel can compute nothing is written in C.
-        return None
+    """Find a quantity's kernel in C, None without a compiler or without a kernel."""
+    kernels = build_functions(paper).kernels if shutil.which(COMPILER) else ()
     return next((KernelInC(k, paper) for k in kernels if k.name == name), None)
 
 

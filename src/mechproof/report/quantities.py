@@ -23,7 +23,7 @@ from mechproof.proof.anchors import name_anchors
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
-from mechproof.report.calls import list_calls, write_header
+from mechproof.report.calls import Sources, list_calls, write_header, write_sources
 from mechproof.report.formulas import write_lines
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
@@ -105,6 +105,7 @@ class QuantityView:
     measured: Measured | None
     forms: tuple[FormView, ...]
     calls: tuple[tuple[str, str, str], ...]
+    sources: Sources | None
     charts: tuple[str, ...]
     rows: tuple[RowView, ...]
 
@@ -135,6 +136,7 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(list_calls(quantity, source, header)),
+            sources=write_sources(kernel, source) if kernel else None,
             charts=tuple(_name_charts(record)) if record else (),
             rows=tuple(_list_rows(quantity, source)),
         )

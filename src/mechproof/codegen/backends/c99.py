@@ -28,7 +28,7 @@ from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
-from mechproof.programs.scalar import list_scalars, list_stages
+from mechproof.programs.scalar import list_scalars, list_stages, put_off_divisions
 from mechproof.programs.sums import LOOPS, fold_sums
 from mechproof.record import OnePass, Paper
 
@@ -76,17 +76,12 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     return render_c_kernels(file, kernels, about, notes, paper.one_pass, single=single)
 
 
-def render_c_formula(name: str, paper: Paper) -> str:
-    """Render one kernel as a source that includes no header of its own.
-
-    Raises NotImplementedError for a kernel that C cannot compute point by point.
-    """
-    kernels = [kernel for kernel in list_scalars(paper) if kernel.name == name]
-    if not kernels:
-        raise NotImplementedError(f"{paper.system}.{name}: C cannot compute it point by point")
+def render_c_formula(kernel: Kernel, paper: Paper) -> str:
+    """Render one kernel as a source that includes no header of its own."""
     about = paper.reference, ACCURACY[False], paper.system
-    notes = {name: _describe(kernels[0], paper, None)}
-    header, source = render_c_kernels(paper.system, kernels, about, notes).values()
+    notes = {kernel.name: _describe(kernel, paper, None)}
+    scalar = put_off_divisions(kernel)
+    header, source = render_c_kernels(paper.system, [scalar], about, notes).values()
     return source.replace(f'#include "{paper.system}.h"\n', header)
 
 
