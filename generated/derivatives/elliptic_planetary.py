@@ -4,14 +4,14 @@ Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pai
 10.37313/1990-5378-2024-26-3-164-171
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order. At a
-kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.
+up; the result has a last axis with a derivative for each argument, in their order.
 
-Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no
-error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning,
-|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and
-of the part of the kernel's own error, where that has a scale, divided by the argument (the
-first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument, at a pole infinite or
+NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
+no error of an entry d is more than the stated multiple of eps = 2**-52 and its
+conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
+kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
+by the argument (the first: by it or by 1 rad or mm, what is less).
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -70,8 +70,8 @@ def ratio(
 ) -> Any:
     """Differentiate `ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -158,8 +158,8 @@ def position(
 ) -> Any:
     """Differentiate `position` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -216,9 +216,9 @@ def acceleration(
 ) -> Any:
     """Differentiate `acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and
-    (e = 0 or 1e-200 <= e).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
+    1e130*R2 and (e = 0 or 1e-200 <= e).
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -354,7 +354,7 @@ def largest_ratio(
 ) -> Any:
     """Differentiate `largest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
 
     """
@@ -396,7 +396,7 @@ def smallest_ratio(
 ) -> Any:
     """Differentiate `smallest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
 
     """
@@ -439,9 +439,9 @@ def jerk(
 ) -> Any:
     """Differentiate `jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2 and
-    (e = 0 or 1e-100 <= e).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2
+    and (e = 0 or 1e-100 <= e).
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -613,8 +613,8 @@ def largest_acceleration(
 ) -> Any:
     """Differentiate `largest_acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
-    and 1e-300 <= R2 and R1 <= 1e90*R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
+    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
@@ -757,8 +757,8 @@ def angle_of_smallest_acceleration(
 ) -> Any:
     """Differentiate `angle_of_smallest_acceleration` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1 and
-    1e-300 <= R2 and R1 <= 1e90*R2.
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300
+    <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
@@ -869,8 +869,8 @@ def smallest_jerk(
 ) -> Any:
     """Differentiate `smallest_jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
-    and 1e-300 <= R2 and R1 <= 1e90*R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
+    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
@@ -917,7 +917,7 @@ def eccentricity_of_largest_ratio(
 ) -> Any:
     """Differentiate `eccentricity_of_largest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
 
     """
@@ -973,7 +973,7 @@ def eccentricity_of_smallest_ratio(
 ) -> Any:
     """Differentiate `eccentricity_of_smallest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
 
     """
@@ -1029,7 +1029,7 @@ def eccentricity_of_quotient(
 ) -> Any:
     """Differentiate `eccentricity_of_quotient` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2 and quotient <= 1e100.
 
     """
@@ -1096,7 +1096,7 @@ def eccentricity_of_extremes(
 ) -> Any:
     """Differentiate `eccentricity_of_extremes` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
@@ -1150,7 +1150,7 @@ def radii_of_extremes(
 ) -> Any:
     """Differentiate `radii_of_extremes` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)

@@ -4,14 +4,14 @@ Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval
 HZWKZJ
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order. At a
-kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.
+up; the result has a last axis with a derivative for each argument, in their order.
 
-Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no
-error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning,
-|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and
-of the part of the kernel's own error, where that has a scale, divided by the argument (the
-first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument, at a pole infinite or
+NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
+no error of an entry d is more than the stated multiple of eps = 2**-52 and its
+conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
+kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
+by the argument (the first: by it or by 1 rad or mm, what is less).
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -68,7 +68,7 @@ def ratio(
 ) -> Any:
     """Differentiate `ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -221,9 +221,9 @@ def position(
 ) -> Any:
     """Differentiate `position` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 16 eps of its conditioning, where (phi1 = 0 or e1 + e2
-    = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <= e2*|mount|) and
-    e1 <= 999/1000 and e2 <= 999/1000.
+    In rad per unit of each argument. Accuracy, tested: 16 eps of its conditioning, where (phi1
+    = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    e2*|mount|) and e1 <= 999/1000 and e2 <= 999/1000.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -361,8 +361,8 @@ def acceleration(
 ) -> Any:
     """Differentiate `acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
-    e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
+    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
     e2*|mount|).
 
     """
@@ -611,7 +611,8 @@ def ratio_cylindrical(
 ) -> Any:
     """Differentiate `ratio_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -715,8 +716,8 @@ def position_cylindrical(
 ) -> Any:
     """Differentiate `position_cylindrical` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and (e2
-    = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -779,9 +780,9 @@ def acceleration_cylindrical(
 ) -> Any:
     """Differentiate `acceleration_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and
-    (e2 = 0 or 1/2**330 <= e2).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
+    and (e2 = 0 or 1/2**330 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -928,8 +929,8 @@ def jerk(
 ) -> Any:
     """Differentiate `jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
-    e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
+    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
     e2*|mount|).
 
     """
@@ -1525,9 +1526,9 @@ def jerk_cylindrical(
 ) -> Any:
     """Differentiate `jerk_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and
-    (e2 = 0 or 1/2**300 <= e2).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
+    and (e2 = 0 or 1/2**300 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)

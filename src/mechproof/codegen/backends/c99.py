@@ -20,9 +20,16 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.c_names import spell_in_c
-from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
+from mechproof.codegen.docstrings import (
+    SLOPES,
+    describe_domain,
+    show_formula,
+    tell_bound,
+    tell_unit,
+)
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax, write_program
+from mechproof.programs.derivatives import differentiate
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.elementary.plain import write_plainly
@@ -74,6 +81,19 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     about = paper.reference, ACCURACY[single], paper.system
     notes = {k.name: _describe(k, paper, errors) for k in kernels}
     return render_c_kernels(file, kernels, about, notes, paper.one_pass, single=single)
+
+
+def render_c_derivatives(paper: Paper) -> dict[str, str]:
+    """Render the header and the source of the derivatives of a paper's kernels likewise.
+
+    Raises ValueError if there are none.
+    """
+    kernels = list_scalars(differentiate(paper))
+    if not kernels:
+        raise ValueError(f"{paper.system}: no kernel whose derivatives are wanted")
+    about = paper.reference, SLOPES, paper.system
+    notes = {k.name: _describe(k, paper, None) for k in kernels}
+    return render_c_kernels(f"{paper.system}_derivatives", kernels, about, notes)
 
 
 def render_c_formula(kernel: Kernel, paper: Paper) -> str:
