@@ -163,14 +163,10 @@ def position(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_position, (phi1,), _prepare_of_position, (R1, R2, e), out=out, shape=(4,)
     )
-
-
-def _check_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -222,14 +218,10 @@ def acceleration(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_acceleration, (phi1,), _prepare_of_acceleration, (R1, R2, e), out=out, shape=(4,)
     )
-
-
-def _check_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -401,14 +393,10 @@ def smallest_ratio(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_ratio, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_smallest_ratio, (R1,), _prepare_of_smallest_ratio, (R2, e), out=out, shape=(3,)
     )
-
-
-def _check_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -445,12 +433,8 @@ def jerk(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(_form_of_jerk, (phi1,), _prepare_of_jerk, (R1, R2, e), out=out, shape=(4,))
-
-
-def _check_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -618,7 +602,7 @@ def largest_acceleration(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_largest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_largest_acceleration,
         (R1,),
@@ -627,10 +611,6 @@ def largest_acceleration(
         out=out,
         shape=(3,),
     )
-
-
-def _check_of_largest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_largest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -762,7 +742,7 @@ def angle_of_smallest_acceleration(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_angle_of_smallest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_angle_of_smallest_acceleration,
         (R1,),
@@ -771,10 +751,6 @@ def angle_of_smallest_acceleration(
         out=out,
         shape=(3,),
     )
-
-
-def _check_of_angle_of_smallest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_angle_of_smallest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -874,14 +850,10 @@ def smallest_jerk(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_smallest_jerk, (R1,), _prepare_of_smallest_jerk, (R2, e), out=out, shape=(3,)
     )
-
-
-def _check_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_smallest_jerk(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -982,7 +954,7 @@ def eccentricity_of_smallest_ratio(
     return _in_blocks(
         _form_of_eccentricity_of_smallest_ratio,
         (smallest,),
-        _prepare_of_eccentricity_of_smallest_ratio,
+        _prepare_of_eccentricity_of_largest_ratio,
         (R1, R2),
         out=out,
         shape=(3,),
@@ -998,12 +970,6 @@ def _check_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any) ->
         _is_finite(smallest),
         R2 * (smallest - 1.0) <= R1,
     )
-
-
-def _prepare_of_eccentricity_of_smallest_ratio(R1: Any, R2: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-
-    return (R1, R2, k)
 
 
 def _form_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any, k: Any) -> Any:
@@ -1154,7 +1120,7 @@ def radii_of_extremes(
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
-    largest, smallest = _nan_outside(_check_of_radii_of_extremes, largest, smallest)
+    largest, smallest = _nan_outside(_check_of_eccentricity_of_extremes, largest, smallest)
     return _in_blocks(
         _form_of_radii_of_extremes,
         (largest,),
@@ -1162,17 +1128,6 @@ def radii_of_extremes(
         (smallest,),
         out=out,
         shape=(2,),
-    )
-
-
-def _check_of_radii_of_extremes(largest: Any, smallest: Any) -> tuple[Any, ...]:
-    return (
-        smallest > 1.0,
-        _is_finite(smallest),
-        largest > 1.0,
-        _is_finite(largest),
-        smallest <= largest,
-        (largest - 1.0) * (smallest - 1.0) > 1.0,
     )
 
 

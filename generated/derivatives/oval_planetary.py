@@ -227,14 +227,10 @@ def position(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_position, (phi1,), _prepare_of_position, (e1, e2, mount), out=out, shape=(4,)
     )
-
-
-def _check_of_position(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -367,7 +363,7 @@ def acceleration(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_acceleration, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_acceleration,
         (phi1,),
@@ -376,10 +372,6 @@ def acceleration(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -721,7 +713,7 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_position_cylindrical,
         (phi1,),
@@ -730,10 +722,6 @@ def position_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -786,7 +774,7 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_acceleration_cylindrical,
         (phi1,),
@@ -795,10 +783,6 @@ def acceleration_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -935,14 +919,10 @@ def jerk(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_jerk, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_jerk, (phi1,), _prepare_of_jerk, (e1, e2, mount), out=out, shape=(4,)
     )
-
-
-def _check_of_jerk(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -1532,7 +1512,7 @@ def jerk_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_jerk_cylindrical,
         (phi1,),
@@ -1541,10 +1521,6 @@ def jerk_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -99,14 +99,10 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = _as_floats("m alpha", m, alpha)
-    m, alpha = _nan_outside(_check_of_chord_height, m, alpha)
+    m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
     return _in_blocks(
         _form_of_chord_height, (m,), _prepare_of_chord_height, (alpha,), out=out, shape=(2,)
     )
-
-
-def _check_of_chord_height(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
 def _prepare_of_chord_height(alpha: Any) -> tuple[Any, ...]:
@@ -218,7 +214,7 @@ def thickness_change(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change, m, z, alpha)
     return _in_blocks(
         _form_of_thickness_change,
         (tilt,),
@@ -226,17 +222,6 @@ def thickness_change(
         (m, z, alpha),
         out=out,
         shape=(4,),
-    )
-
-
-def _check_of_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -332,7 +317,7 @@ def linearisation_bound(
 
     """
     dh, m, z, alpha = _as_floats("dh m z alpha", dh, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_linearisation_bound, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change, m, z, alpha)
     return _in_blocks(
         _form_of_linearisation_bound,
         (dh,),
@@ -341,17 +326,6 @@ def linearisation_bound(
         out=out,
         shape=(4,),
         quiet=True,
-    )
-
-
-def _check_of_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -433,7 +407,7 @@ def thickness_error(
 
     """
     e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    (alpha,) = _nan_outside(_check_of_thickness_error, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
     return _in_blocks(
         _form_of_thickness_error,
         (e_tip,),
@@ -442,10 +416,6 @@ def thickness_error(
         out=out,
         shape=(3,),
     )
-
-
-def _check_of_thickness_error(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
 def _prepare_of_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:

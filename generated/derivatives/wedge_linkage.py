@@ -122,7 +122,7 @@ def lever_angle(
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_guide_radicand, l_AB, l_BC, l_CD)
     return _in_blocks(
         _form_of_lever_angle,
         (x1,),
@@ -132,10 +132,6 @@ def lever_angle(
         shape=(4,),
         quiet=True,
     )
-
-
-def _check_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
 def _prepare_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -302,7 +298,7 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_offset, l_KL, alpha_KL)
     return _in_blocks(
         _form_of_roller_lever_angle,
         (x5,),
@@ -312,10 +308,6 @@ def roller_lever_angle(
         shape=(3,),
         quiet=True,
     )
-
-
-def _check_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
 def _prepare_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
