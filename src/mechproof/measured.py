@@ -237,10 +237,10 @@ class Record:
     times: tuple[Timing, ...]
 
     @property
-    def lacks_c(self) -> bool:
-        """Say whether kernels were measured, but none in C."""
+    def lacking(self) -> str:
+        """Say which way was not measured: the kernel in C, where there was no compiler."""
         kinds = {way.kind for way in self.ways}
-        return "kernel" in kinds and "source" not in kinds
+        return f"Not measured: {IN_C}." if "kernel" in kinds and "source" not in kinds else ""
 
     @property
     def error_unit(self) -> str:

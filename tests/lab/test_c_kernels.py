@@ -13,6 +13,8 @@ from quantities import find_subject
 from mechproof.choice import choose
 from mechproof.lab import c_kernels
 from mechproof.lab.c_kernels import COMPILER, find_in_c
+from mechproof.lab.chart import draw_chart
+from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import list_lines
 from mechproof.measured import IN_C, find_files, read_record, write_record
@@ -66,13 +68,17 @@ def test_it_is_one_of_the_ways_and_not_chosen_for_python(tmp_path: Path) -> None
         times=(*(t for t in record.times if t.way != IN_C), *times),
     )
     write_record(record, tmp_path)
-    assert not record.lacks_c
-    assert f"Not measured: {IN_C}" not in "\n".join(list_lines([record]))
+    assert not record.lacking
     chosen = choose("track_wheel.radius", error=1e-9, phi=(0, 6), measured=tmp_path)
     assert IN_C not in {chosen.way, *(other.way for other in chosen.others)}
     lacking = replace(record, ways=others)
-    assert lacking.lacks_c
-    assert f"Not measured: {IN_C}." in "\n".join(list_lines([lacking]))
+    assert lacking.lacking == f"Not measured: {IN_C}."
+    for one in (record, lacking):
+        told = [
+            "\n".join(list_lines([one])),
+            draw_chart(one, *list_workloads(one)[0]).axes[-1].get_xlabel(),
+        ]
+        assert {"Not measured" in text for text in told} == {bool(one.lacking)}
 
 
 def test_without_a_compiler_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:

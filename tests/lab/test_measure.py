@@ -55,7 +55,7 @@ def test_record_says_what_was_measured(record: Record) -> None:
     assert {row.way for row in record.times} >= {"kernel", COPY}
     in_c = {row.way for row in record.times if row.way == IN_C}
     assert in_c == {errors.way for errors in record.errors_of(IN_C)}
-    assert record.lacks_c == (which(COMPILER) is None) == (not in_c)
+    assert bool(record.lacking) == (which(COMPILER) is None) == (not in_c)
 
 
 def test_a_peer_is_measured_and_nothing_is_proved_of_it(record: Record) -> None:

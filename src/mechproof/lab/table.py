@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from mechproof.lab.certificate_claims import find_way, list_claims
 from mechproof.measured import (
     COPY,
-    IN_C,
     MEASURED,
     MeasuredWay,
     Record,
@@ -92,11 +91,11 @@ def _describe_run(record: Record) -> str:
     machine = record.machine
     simd = machine.simd[-1] if machine.simd else "no SIMD"
     quick = ", quick" if record.quick else ""
-    lacking = f" Not measured: {IN_C}." if record.lacks_c else ""
-    return (
+    taken = (
         f"Taken {record.taken[:10]} on {machine.processor}, {simd}, load {record.load}, "
-        f"numpy {machine.versions['numpy']}{quick}.{lacking}"
+        f"numpy {machine.versions['numpy']}{quick}."
     )
+    return f"{taken} {record.lacking}".rstrip()
 
 
 def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:

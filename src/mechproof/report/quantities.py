@@ -263,7 +263,7 @@ def _list_forms(
             note, costs = set_prose(way.note), _find_costs(record, way.name)
             look = look_of(way.verdict)
             yield FormView(way.name, number == 0, look, way.rung, note, costs)
-    if record and record.lacks_c:
+    if record and record.lacking:
         look = VerdictStyle("unjudged", "", "", "")
         yield FormView(IN_C, False, look, "", Markup("not measured"), Costs())
 
