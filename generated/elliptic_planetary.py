@@ -378,16 +378,12 @@ def position(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     if _holds(e <= 0.5):
         return _in_blocks(
             _form_1_of_position, (phi1,), _prepare_1_of_position, (R1, R2, e), out=out
         )
     return _in_blocks(_form_of_position, (phi1,), _prepare_of_position, (R1, R2, e), out=out)
-
-
-def _check_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_1_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -479,23 +475,8 @@ def acceleration(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_acceleration, R1, R2, e)
-    return _in_blocks(
-        _form_of_acceleration, (phi1,), _prepare_of_acceleration, (R1, R2, e), out=out
-    )
-
-
-def _check_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
-
-
-def _prepare_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-    k_low = _quotient_rest(R1, R2, k)
-    one_minus_e = 1.0 - e
-    one_plus_e = 1.0 + e
-
-    return (e, k, k_low, one_minus_e, one_plus_e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
+    return _in_blocks(_form_of_acceleration, (phi1,), _prepare_of_position, (R1, R2, e), out=out)
 
 
 def _form_of_acceleration(
@@ -612,17 +593,8 @@ def smallest_ratio(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_ratio, R1, R2, e)
-    return _in_blocks(_form_of_smallest_ratio, (R1,), _prepare_of_smallest_ratio, (R2, e), out=out)
-
-
-def _check_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
-
-
-def _prepare_of_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
-
-    return (R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
+    return _in_blocks(_form_of_smallest_ratio, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
 
 
 def _form_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
@@ -673,12 +645,8 @@ def jerk(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(_form_of_jerk, (phi1,), _prepare_of_jerk, (R1, R2, e), out=out)
-
-
-def _check_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -769,14 +737,10 @@ def largest_acceleration(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_largest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_largest_acceleration, (R1,), _prepare_of_largest_acceleration, (R2, e), out=out
     )
-
-
-def _check_of_largest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_largest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -850,7 +814,7 @@ def angle_of_smallest_acceleration(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_angle_of_smallest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_angle_of_smallest_acceleration,
         (R1,),
@@ -858,10 +822,6 @@ def angle_of_smallest_acceleration(
         (R2, e),
         out=out,
     )
-
-
-def _check_of_angle_of_smallest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_angle_of_smallest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -927,14 +887,10 @@ def largest_jerk(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_largest_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_largest_jerk, (R1,), _prepare_of_largest_jerk, (R2, e), out=out, quiet=True
     )
-
-
-def _check_of_largest_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_largest_jerk(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -1009,17 +965,8 @@ def smallest_jerk(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_jerk, R1, R2, e)
-    return _in_blocks(_form_of_smallest_jerk, (R1,), _prepare_of_smallest_jerk, (R2, e), out=out)
-
-
-def _check_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
-
-
-def _prepare_of_smallest_jerk(R2: Any, e: Any) -> tuple[Any, ...]:
-
-    return (R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
+    return _in_blocks(_form_of_smallest_jerk, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
 
 
 def _form_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> Any:
@@ -1069,7 +1016,7 @@ def angle_of_largest_jerk(
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_angle_of_largest_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_angle_of_largest_jerk,
         (R1,),
@@ -1078,10 +1025,6 @@ def angle_of_largest_jerk(
         out=out,
         quiet=True,
     )
-
-
-def _check_of_angle_of_largest_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_angle_of_largest_jerk(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -1217,7 +1160,7 @@ def eccentricity_of_smallest_ratio(
     return _in_blocks(
         _form_of_eccentricity_of_smallest_ratio,
         (smallest,),
-        _prepare_of_eccentricity_of_smallest_ratio,
+        _prepare_of_eccentricity_of_largest_ratio,
         (R1, R2),
         out=out,
     )
@@ -1232,12 +1175,6 @@ def _check_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any) ->
         _is_finite(smallest),
         R2 * (smallest - 1.0) <= R1,
     )
-
-
-def _prepare_of_eccentricity_of_smallest_ratio(R1: Any, R2: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-
-    return (k,)
 
 
 def _form_of_eccentricity_of_smallest_ratio(smallest: Any, k: Any) -> Any:
@@ -1482,26 +1419,14 @@ def radii_of_extremes(
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
-    largest, smallest = _nan_outside(_check_of_radii_of_extremes, largest, smallest)
+    largest, smallest = _nan_outside(_check_of_eccentricity_of_extremes, largest, smallest)
     return _in_blocks(
-        _form_of_radii_of_extremes, (largest,), _prepare_of_radii_of_extremes, (smallest,), out=out
+        _form_of_radii_of_extremes,
+        (largest,),
+        _prepare_of_eccentricity_of_extremes,
+        (smallest,),
+        out=out,
     )
-
-
-def _check_of_radii_of_extremes(largest: Any, smallest: Any) -> tuple[Any, ...]:
-    return (
-        smallest > 1.0,
-        _is_finite(smallest),
-        largest > 1.0,
-        _is_finite(largest),
-        smallest <= largest,
-        (largest - 1.0) * (smallest - 1.0) > 1.0,
-    )
-
-
-def _prepare_of_radii_of_extremes(smallest: Any) -> tuple[Any, ...]:
-
-    return (smallest,)
 
 
 def _form_of_radii_of_extremes(largest: Any, smallest: Any) -> Any:

@@ -295,12 +295,8 @@ def position(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(_form_of_position, (phi1,), _prepare_of_position, (e1, e2, mount), out=out)
-
-
-def _check_of_position(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -374,14 +370,10 @@ def acceleration(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_acceleration, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_acceleration, (phi1,), _prepare_of_acceleration, (e1, e2, mount), out=out
     )
-
-
-def _check_of_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -558,7 +550,7 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     if _holds(e2 * R4 <= (1.0 - e2) * _abs(R4 - R5)):
         return _in_blocks(
             _form_1_of_position_cylindrical,
@@ -574,10 +566,6 @@ def position_cylindrical(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_1_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -668,7 +656,7 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_acceleration_cylindrical,
         (phi1,),
@@ -676,10 +664,6 @@ def acceleration_cylindrical(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -771,12 +755,8 @@ def jerk(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_jerk, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(_form_of_jerk, (phi1,), _prepare_of_jerk, (e1, e2, mount), out=out)
-
-
-def _check_of_jerk(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -892,14 +872,10 @@ def jerk_cylindrical(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_jerk_cylindrical, (phi1,), _prepare_of_jerk_cylindrical, (R4, R5, e2), out=out
     )
-
-
-def _check_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -191,17 +191,8 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = _as_floats("m alpha", m, alpha)
-    m, alpha = _nan_outside(_check_of_chord_height, m, alpha)
-    return _in_blocks(_form_of_chord_height, (m,), _prepare_of_chord_height, (alpha,), out=out)
-
-
-def _check_of_chord_height(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
-
-
-def _prepare_of_chord_height(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
+    m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
+    return _in_blocks(_form_of_chord_height, (m,), _prepare_of_constant_chord, (alpha,), out=out)
 
 
 def _form_of_chord_height(m: Any, alpha: Any) -> Any:
@@ -338,30 +329,10 @@ def thickness_change(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change, m, z, alpha)
     return _in_blocks(
-        _form_of_thickness_change, (tilt,), _prepare_of_thickness_change, (m, z, alpha), out=out
+        _form_of_thickness_change, (tilt,), _prepare_of_height_change, (m, z, alpha), out=out
     )
-
-
-def _check_of_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
-    )
-
-
-def _prepare_of_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2.0 * _square(_np.sin(alpha / 2.0))
-    cos_alpha = 1.0 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2.0
-    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
-
-    return (alpha, cos_alpha, r_b, t_c)
 
 
 def _form_of_thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
@@ -413,21 +384,12 @@ def thickness_change_linear(
     dh, alpha = _as_floats("dh alpha", dh, alpha)
     (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
     return _in_blocks(
-        _form_of_thickness_change_linear,
-        (dh,),
-        _prepare_of_thickness_change_linear,
-        (alpha,),
-        out=out,
+        _form_of_thickness_change_linear, (dh,), _prepare_of_constant_chord, (alpha,), out=out
     )
 
 
 def _check_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
     return (alpha > 0.0, alpha < _np.pi / 4.0)
-
-
-def _prepare_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
 
 
 def _form_of_thickness_change_linear(dh: Any, alpha: Any) -> Any:
@@ -477,7 +439,7 @@ def linearisation_bound(
 
     """
     dh, m, z, alpha = _as_floats("dh m z alpha", dh, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_linearisation_bound, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change, m, z, alpha)
     return _in_blocks(
         _form_of_linearisation_bound,
         (dh,),
@@ -485,17 +447,6 @@ def linearisation_bound(
         (m, z, alpha),
         out=out,
         quiet=True,
-    )
-
-
-def _check_of_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -556,7 +507,7 @@ def thickness_error(
 
     """
     e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    (alpha,) = _nan_outside(_check_of_thickness_error, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
     return _in_blocks(
         _form_of_thickness_error,
         (e_tip,),
@@ -564,10 +515,6 @@ def thickness_error(
         (height_error, alpha),
         out=out,
     )
-
-
-def _check_of_thickness_error(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
 def _prepare_of_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:

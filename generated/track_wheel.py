@@ -638,17 +638,8 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = _as_floats("R A", R, A)
-    R, A = _nan_outside(_check_of_smallest_radius, R, A)
-    return _in_blocks(_form_of_smallest_radius, (R,), _prepare_of_smallest_radius, (A,), out=out)
-
-
-def _check_of_smallest_radius(R: Any, A: Any) -> tuple[Any, ...]:
-    return (_is_positive(R), _abs(A) <= R)
-
-
-def _prepare_of_smallest_radius(A: Any) -> tuple[Any, ...]:
-
-    return (A,)
+    R, A = _nan_outside(_check_of_largest_radius, R, A)
+    return _in_blocks(_form_of_smallest_radius, (R,), _prepare_of_largest_radius, (A,), out=out)
 
 
 def _form_of_smallest_radius(R: Any, A: Any) -> Any:

@@ -294,7 +294,7 @@ def lever_angle(
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_guide_radicand, l_AB, l_BC, l_CD)
     return _in_blocks(
         _form_of_lever_angle,
         (x1,),
@@ -303,10 +303,6 @@ def lever_angle(
         out=out,
         quiet=True,
     )
-
-
-def _check_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
 def _prepare_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -525,24 +521,15 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_offset, l_KL, alpha_KL)
     return _in_blocks(
         _form_of_roller_lever_angle,
         (x5,),
-        _prepare_of_roller_lever_angle,
+        _prepare_of_roller_offset,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
-
-
-def _prepare_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
 
 
 def _form_of_roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
@@ -897,68 +884,15 @@ def velocity(
         alpha_LM,
     )
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
-        _check_of_velocity, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        _check_of_position, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
     return _in_blocks(
         _form_of_velocity,
         (x1,),
-        _prepare_of_velocity,
+        _prepare_of_position,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
-    )
-
-
-def _check_of_velocity(
-    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
-) -> tuple[Any, ...]:
-    return (
-        _is_positive(l_AB),
-        _is_positive(l_BC),
-        _is_positive(l_CD),
-        _is_positive(l_DE),
-        _is_positive(l_GH),
-        _is_positive(l_KL),
-        _is_positive(l_LM),
-        alpha_KL > 0.0,
-        alpha_KL < _np.pi,
-    )
-
-
-def _prepare_of_velocity(
-    l_AB: Any,
-    l_BC: Any,
-    l_CD: Any,
-    l_DE: Any,
-    l_GH: Any,
-    l_KL: Any,
-    l_LM: Any,
-    alpha_DE: Any,
-    alpha_KL: Any,
-    alpha_LM: Any,
-) -> tuple[Any, ...]:
-    arm = l_AB + l_CD
-    sin_DE = _np.sin(alpha_DE)
-    cos_DE = _np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * _square(_np.sin(alpha_KL / 2.0))
-    to_left = 2.0 * l_KL * _square(_np.cos(alpha_KL / 2.0))
-    start_height = l_KL * _np.sin(alpha_KL)
-    cos_LM = _np.cos(alpha_LM)
-    sin_LM = _np.sin(alpha_LM)
-
-    return (
-        l_BC,
-        l_DE,
-        l_GH,
-        l_LM,
-        arm,
-        sin_DE,
-        cos_DE,
-        to_right,
-        to_left,
-        start_height,
-        cos_LM,
-        sin_LM,
     )
 
 
@@ -1106,7 +1040,7 @@ def sensitivities(
         alpha_LM,
     )
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
-        _check_of_sensitivities, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        _check_of_position, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
     return _in_blocks(
         _form_of_sensitivities,
@@ -1116,22 +1050,6 @@ def sensitivities(
         out=out,
         shape=(10,),
         quiet=True,
-    )
-
-
-def _check_of_sensitivities(
-    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
-) -> tuple[Any, ...]:
-    return (
-        _is_positive(l_AB),
-        _is_positive(l_BC),
-        _is_positive(l_CD),
-        _is_positive(l_DE),
-        _is_positive(l_GH),
-        _is_positive(l_KL),
-        _is_positive(l_LM),
-        alpha_KL > 0.0,
-        alpha_KL < _np.pi,
     )
 
 

@@ -65,7 +65,6 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
             "bounding",
             "bounds_page",
             "certification",
-            "formulas",
             "ledger_cache",
             "opening",
             "pasted",

@@ -4,14 +4,14 @@ Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pai
 10.37313/1990-5378-2024-26-3-164-171
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order. At a
-kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.
+up; the result has a last axis with a derivative for each argument, in their order.
 
-Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no
-error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning,
-|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and
-of the part of the kernel's own error, where that has a scale, divided by the argument (the
-first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument, at a pole infinite or
+NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
+no error of an entry d is more than the stated multiple of eps = 2**-52 and its
+conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
+kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
+by the argument (the first: by it or by 1 rad or mm, what is less).
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -70,8 +70,8 @@ def ratio(
 ) -> Any:
     """Differentiate `ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -158,19 +158,15 @@ def position(
 ) -> Any:
     """Differentiate `position` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_position, (phi1,), _prepare_of_position, (R1, R2, e), out=out, shape=(4,)
     )
-
-
-def _check_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -216,20 +212,16 @@ def acceleration(
 ) -> Any:
     """Differentiate `acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and
-    (e = 0 or 1e-200 <= e).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
+    1e130*R2 and (e = 0 or 1e-200 <= e).
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_acceleration, (phi1,), _prepare_of_acceleration, (R1, R2, e), out=out, shape=(4,)
     )
-
-
-def _check_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -354,7 +346,7 @@ def largest_ratio(
 ) -> Any:
     """Differentiate `largest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
 
     """
@@ -396,19 +388,15 @@ def smallest_ratio(
 ) -> Any:
     """Differentiate `smallest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e300*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_ratio, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_smallest_ratio, (R1,), _prepare_of_smallest_ratio, (R2, e), out=out, shape=(3,)
     )
-
-
-def _check_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -439,18 +427,14 @@ def jerk(
 ) -> Any:
     """Differentiate `jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2 and
-    (e = 0 or 1e-100 <= e).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2
+    and (e = 0 or 1e-100 <= e).
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
     return _in_blocks(_form_of_jerk, (phi1,), _prepare_of_jerk, (R1, R2, e), out=out, shape=(4,))
-
-
-def _check_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -613,12 +597,12 @@ def largest_acceleration(
 ) -> Any:
     """Differentiate `largest_acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
-    and 1e-300 <= R2 and R1 <= 1e90*R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
+    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_largest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_largest_acceleration,
         (R1,),
@@ -627,10 +611,6 @@ def largest_acceleration(
         out=out,
         shape=(3,),
     )
-
-
-def _check_of_largest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_largest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -757,12 +737,12 @@ def angle_of_smallest_acceleration(
 ) -> Any:
     """Differentiate `angle_of_smallest_acceleration` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1 and
-    1e-300 <= R2 and R1 <= 1e90*R2.
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300
+    <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_angle_of_smallest_acceleration, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_angle_of_smallest_acceleration,
         (R1,),
@@ -771,10 +751,6 @@ def angle_of_smallest_acceleration(
         out=out,
         shape=(3,),
     )
-
-
-def _check_of_angle_of_smallest_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_angle_of_smallest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -869,19 +845,15 @@ def smallest_jerk(
 ) -> Any:
     """Differentiate `smallest_jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <= R1
-    and 1e-300 <= R2 and R1 <= 1e90*R2.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
+    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_smallest_jerk, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
     return _in_blocks(
         _form_of_smallest_jerk, (R1,), _prepare_of_smallest_jerk, (R2, e), out=out, shape=(3,)
     )
-
-
-def _check_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
 def _prepare_of_smallest_jerk(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -917,7 +889,7 @@ def eccentricity_of_largest_ratio(
 ) -> Any:
     """Differentiate `eccentricity_of_largest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
 
     """
@@ -973,7 +945,7 @@ def eccentricity_of_smallest_ratio(
 ) -> Any:
     """Differentiate `eccentricity_of_smallest_ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2.
 
     """
@@ -982,7 +954,7 @@ def eccentricity_of_smallest_ratio(
     return _in_blocks(
         _form_of_eccentricity_of_smallest_ratio,
         (smallest,),
-        _prepare_of_eccentricity_of_smallest_ratio,
+        _prepare_of_eccentricity_of_largest_ratio,
         (R1, R2),
         out=out,
         shape=(3,),
@@ -998,12 +970,6 @@ def _check_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any) ->
         _is_finite(smallest),
         R2 * (smallest - 1.0) <= R1,
     )
-
-
-def _prepare_of_eccentricity_of_smallest_ratio(R1: Any, R2: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-
-    return (R1, R2, k)
 
 
 def _form_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any, k: Any) -> Any:
@@ -1029,7 +995,7 @@ def eccentricity_of_quotient(
 ) -> Any:
     """Differentiate `eccentricity_of_quotient` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where R1 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
     1e100*R2 and quotient <= 1e100.
 
     """
@@ -1096,7 +1062,7 @@ def eccentricity_of_extremes(
 ) -> Any:
     """Differentiate `eccentricity_of_extremes` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
@@ -1150,11 +1116,11 @@ def radii_of_extremes(
 ) -> Any:
     """Differentiate `radii_of_extremes` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
-    largest, smallest = _nan_outside(_check_of_radii_of_extremes, largest, smallest)
+    largest, smallest = _nan_outside(_check_of_eccentricity_of_extremes, largest, smallest)
     return _in_blocks(
         _form_of_radii_of_extremes,
         (largest,),
@@ -1162,17 +1128,6 @@ def radii_of_extremes(
         (smallest,),
         out=out,
         shape=(2,),
-    )
-
-
-def _check_of_radii_of_extremes(largest: Any, smallest: Any) -> tuple[Any, ...]:
-    return (
-        smallest > 1.0,
-        _is_finite(smallest),
-        largest > 1.0,
-        _is_finite(largest),
-        smallest <= largest,
-        (largest - 1.0) * (smallest - 1.0) > 1.0,
     )
 
 

@@ -4,14 +4,14 @@ Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval
 HZWKZJ
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order. At a
-kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.
+up; the result has a last axis with a derivative for each argument, in their order.
 
-Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no
-error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning,
-|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and
-of the part of the kernel's own error, where that has a scale, divided by the argument (the
-first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument, at a pole infinite or
+NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
+no error of an entry d is more than the stated multiple of eps = 2**-52 and its
+conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
+kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
+by the argument (the first: by it or by 1 rad or mm, what is less).
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -68,7 +68,7 @@ def ratio(
 ) -> Any:
     """Differentiate `ratio` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -221,20 +221,16 @@ def position(
 ) -> Any:
     """Differentiate `position` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 16 eps of its conditioning, where (phi1 = 0 or e1 + e2
-    = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <= e2*|mount|) and
-    e1 <= 999/1000 and e2 <= 999/1000.
+    In rad per unit of each argument. Accuracy, tested: 16 eps of its conditioning, where (phi1
+    = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    e2*|mount|) and e1 <= 999/1000 and e2 <= 999/1000.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_position, (phi1,), _prepare_of_position, (e1, e2, mount), out=out, shape=(4,)
     )
-
-
-def _check_of_position(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -361,13 +357,13 @@ def acceleration(
 ) -> Any:
     """Differentiate `acceleration` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
-    e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
+    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
     e2*|mount|).
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_acceleration, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_acceleration,
         (phi1,),
@@ -376,10 +372,6 @@ def acceleration(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -611,7 +603,8 @@ def ratio_cylindrical(
 ) -> Any:
     """Differentiate `ratio_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26.
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -715,12 +708,12 @@ def position_cylindrical(
 ) -> Any:
     """Differentiate `position_cylindrical` by its arguments, in their order.
 
-    Of a value in: rad. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26 and (e2
-    = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_position_cylindrical,
         (phi1,),
@@ -729,10 +722,6 @@ def position_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -779,13 +768,13 @@ def acceleration_cylindrical(
 ) -> Any:
     """Differentiate `acceleration_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and
-    (e2 = 0 or 1/2**330 <= e2).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
+    and (e2 = 0 or 1/2**330 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_acceleration_cylindrical,
         (phi1,),
@@ -794,10 +783,6 @@ def acceleration_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -928,20 +913,16 @@ def jerk(
 ) -> Any:
     """Differentiate `jerk` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0 or
-    e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
+    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
     e2*|mount|).
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_jerk, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
     return _in_blocks(
         _form_of_jerk, (phi1,), _prepare_of_jerk, (e1, e2, mount), out=out, shape=(4,)
     )
-
-
-def _check_of_jerk(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -1525,13 +1506,13 @@ def jerk_cylindrical(
 ) -> Any:
     """Differentiate `jerk_cylindrical` by its arguments, in their order.
 
-    Of a value in: pure number. Accuracy, tested: 4 eps of its conditioning, where |x| <= 2**26
-    and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and
-    (e2 = 0 or 1/2**300 <= e2).
+    In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
+    2**26 and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
+    and (e2 = 0 or 1/2**300 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
     return _in_blocks(
         _form_of_jerk_cylindrical,
         (phi1,),
@@ -1540,10 +1521,6 @@ def jerk_cylindrical(
         out=out,
         shape=(4,),
     )
-
-
-def _check_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -4,14 +4,14 @@ Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track
 10.24412/2079-7958-2022-1-43-52
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order. At a
-kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.
+up; the result has a last axis with a derivative for each argument, in their order.
 
-Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no
-error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning,
-|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and
-of the part of the kernel's own error, where that has a scale, divided by the argument (the
-first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument, at a pole infinite or
+NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
+no error of an entry d is more than the stated multiple of eps = 2**-52 and its
+conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
+kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
+by the argument (the first: by it or by 1 rad or mm, what is less).
 
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -59,8 +59,8 @@ def radius(
 ) -> Any:
     """Differentiate `radius` by its arguments, in their order.
 
-    Of a value in: mm. Accuracy, tested: 4 eps of its conditioning, where 1e-140 <= R and R <=
-    1e150 and z*|phi| <= 2**26.
+    In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-140
+    <= R and R <= 1e150 and z*|phi| <= 2**26.
 
     """
     phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
@@ -100,7 +100,7 @@ def _form_of_radius(phi: Any, R: Any, A: Any, z: Any, A_squared: Any) -> Any:
 def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Differentiate `largest_radius` by its arguments, in their order.
 
-    Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
+    In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     R, A = _as_floats("R A", R, A)
@@ -140,29 +140,20 @@ def _form_of_largest_radius(R: Any, A: Any) -> Any:
 def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Differentiate `smallest_radius` by its arguments, in their order.
 
-    Of a value in: mm. Accuracy, tested: 4 eps of its conditioning.
+    In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
 
     """
     R, A = _as_floats("R A", R, A)
-    R, A = _nan_outside(_check_of_smallest_radius, R, A)
+    R, A = _nan_outside(_check_of_largest_radius, R, A)
     return _in_blocks(
         _form_of_smallest_radius,
         (R,),
-        _prepare_of_smallest_radius,
+        _prepare_of_largest_radius,
         (A,),
         out=out,
         shape=(2,),
         quiet=True,
     )
-
-
-def _check_of_smallest_radius(R: Any, A: Any) -> tuple[Any, ...]:
-    return (_is_positive(R), _abs(A) <= R)
-
-
-def _prepare_of_smallest_radius(A: Any) -> tuple[Any, ...]:
-
-    return (A,)
 
 
 def _form_of_smallest_radius(R: Any, A: Any) -> Any:

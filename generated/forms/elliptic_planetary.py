@@ -122,14 +122,10 @@ def ratio_half_angle(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_ratio_half_angle, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_ratio_half_angle, (phi1,), _prepare_of_ratio_half_angle, (R1, R2, e), out=out
     )
-
-
-def _check_of_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -167,14 +163,10 @@ def position_printed(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_printed, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_printed, (phi1,), _prepare_of_position_printed, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -214,14 +206,10 @@ def position_principal(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_principal, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_principal, (phi1,), _prepare_of_position_principal, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -255,20 +243,10 @@ def position_floor(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_floor, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
-        _form_of_position_floor, (phi1,), _prepare_of_position_floor, (R1, R2, e), out=out
+        _form_of_position_floor, (phi1,), _prepare_of_position_principal, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
-
-
-def _prepare_of_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-
-    return (e, k)
 
 
 def _form_of_position_floor(phi1: Any, e: Any, k: Any) -> Any:
@@ -298,20 +276,10 @@ def position_atan2(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_atan2, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
-        _form_of_position_atan2, (phi1,), _prepare_of_position_atan2, (R1, R2, e), out=out
+        _form_of_position_atan2, (phi1,), _prepare_of_position_principal, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
-
-
-def _prepare_of_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-
-    return (e, k)
 
 
 def _form_of_position_atan2(phi1: Any, e: Any, k: Any) -> Any:
@@ -338,7 +306,7 @@ def position_atan2_stable(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_atan2_stable, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_atan2_stable,
         (phi1,),
@@ -346,10 +314,6 @@ def position_atan2_stable(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -385,21 +349,10 @@ def position_tan_half(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_tan_half, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
-        _form_of_position_tan_half, (phi1,), _prepare_of_position_tan_half, (R1, R2, e), out=out
+        _form_of_position_tan_half, (phi1,), _prepare_of_position_atan2_stable, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
-
-
-def _prepare_of_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    k = R1 / R2
-    nearest = 1.0 - e
-
-    return (e, k, nearest)
 
 
 def _form_of_position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
@@ -432,14 +385,10 @@ def position_fourier_2(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_2, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_2, (phi1,), _prepare_of_position_fourier_2, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -480,14 +429,10 @@ def position_fourier_4(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_4, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_4, (phi1,), _prepare_of_position_fourier_4, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -533,14 +478,10 @@ def position_fourier_8(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_8, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_8, (phi1,), _prepare_of_position_fourier_8, (R1, R2, e), out=out
     )
-
-
-def _check_of_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -606,7 +547,7 @@ def position_fourier_2_single(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_2_single, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_2_single,
         (phi1,),
@@ -614,10 +555,6 @@ def position_fourier_2_single(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -662,7 +599,7 @@ def position_fourier_4_single(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_4_single, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_4_single,
         (phi1,),
@@ -670,10 +607,6 @@ def position_fourier_4_single(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -725,7 +658,7 @@ def position_fourier_8_single(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_8_single, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_8_single,
         (phi1,),
@@ -733,10 +666,6 @@ def position_fourier_8_single(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -806,7 +735,7 @@ def position_fourier_12_single(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_position_fourier_12_single, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_position_fourier_12_single,
         (phi1,),
@@ -814,10 +743,6 @@ def position_fourier_12_single(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -889,14 +814,10 @@ def acceleration_direct(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_acceleration_direct, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_acceleration_direct, (phi1,), _prepare_of_acceleration_direct, (R1, R2, e), out=out
     )
-
-
-def _check_of_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -937,7 +858,7 @@ def acceleration_half_angle(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_acceleration_half_angle, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(
         _form_of_acceleration_half_angle,
         (phi1,),
@@ -945,10 +866,6 @@ def acceleration_half_angle(
         (R1, R2, e),
         out=out,
     )
-
-
-def _check_of_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -990,12 +907,8 @@ def jerk_direct(
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = _nan_outside(_check_of_jerk_direct, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
     return _in_blocks(_form_of_jerk_direct, (phi1,), _prepare_of_jerk_direct, (R1, R2, e), out=out)
-
-
-def _check_of_jerk_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_of_jerk_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:

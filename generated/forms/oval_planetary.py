@@ -140,14 +140,10 @@ def ratio_direct(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_ratio_direct, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_ratio_direct, (phi1,), _prepare_of_ratio_direct, (e1, e2, mount), out=out
     )
-
-
-def _check_of_ratio_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -193,14 +189,10 @@ def position_atan2(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position_atan2, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_position_atan2, (phi1,), _prepare_of_position_atan2, (e1, e2, mount), out=out
     )
-
-
-def _check_of_position_atan2(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -248,14 +240,10 @@ def position_floor(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position_floor, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_position_floor, (phi1,), _prepare_of_position_floor, (e1, e2, mount), out=out
     )
-
-
-def _check_of_position_floor(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -309,14 +297,10 @@ def position_unsplit(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_position_unsplit, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_position_unsplit, (phi1,), _prepare_of_position_unsplit, (e1, e2, mount), out=out
     )
-
-
-def _check_of_position_unsplit(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -367,7 +351,7 @@ def acceleration_direct(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_acceleration_direct, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_acceleration_direct,
         (phi1,),
@@ -375,10 +359,6 @@ def acceleration_direct(
         (e1, e2, mount),
         out=out,
     )
-
-
-def _check_of_acceleration_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -495,7 +475,7 @@ def ratio_cylindrical_half_angle(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_half_angle, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_ratio_cylindrical_half_angle,
         (phi1,),
@@ -503,10 +483,6 @@ def ratio_cylindrical_half_angle(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -541,7 +517,7 @@ def position_cylindrical_atan2(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_atan2, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_position_cylindrical_atan2,
         (phi1,),
@@ -549,10 +525,6 @@ def position_cylindrical_atan2(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -586,7 +558,7 @@ def position_cylindrical_atan2_stable(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_atan2_stable, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_position_cylindrical_atan2_stable,
         (phi1,),
@@ -594,10 +566,6 @@ def position_cylindrical_atan2_stable(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -635,24 +603,14 @@ def position_cylindrical_floor(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_floor, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_position_cylindrical_floor,
         (phi1,),
-        _prepare_of_position_cylindrical_floor,
+        _prepare_of_position_cylindrical_atan2,
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
-
-
-def _prepare_of_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    k = R4 / R5
-
-    return (e2, k)
 
 
 def _form_of_position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
@@ -683,7 +641,7 @@ def acceleration_cylindrical_direct(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical_direct, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_acceleration_cylindrical_direct,
         (phi1,),
@@ -691,10 +649,6 @@ def acceleration_cylindrical_direct(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -748,14 +702,10 @@ def jerk_direct(
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = _nan_outside(_check_of_jerk_direct, e1, e2)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
     return _in_blocks(
         _form_of_jerk_direct, (phi1,), _prepare_of_jerk_direct, (e1, e2, mount), out=out
     )
-
-
-def _check_of_jerk_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
-    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -820,7 +770,7 @@ def jerk_cylindrical_direct(
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = _nan_outside(_check_of_jerk_cylindrical_direct, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
     return _in_blocks(
         _form_of_jerk_cylindrical_direct,
         (phi1,),
@@ -828,10 +778,6 @@ def jerk_cylindrical_direct(
         (R4, R5, e2),
         out=out,
     )
-
-
-def _check_of_jerk_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_of_jerk_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -110,19 +110,10 @@ def chord_height_handbook(
 
     """
     m, alpha = _as_floats("m alpha", m, alpha)
-    m, alpha = _nan_outside(_check_of_chord_height_handbook, m, alpha)
+    m, alpha = _nan_outside(_check_of_constant_chord_handbook, m, alpha)
     return _in_blocks(
-        _form_of_chord_height_handbook, (m,), _prepare_of_chord_height_handbook, (alpha,), out=out
+        _form_of_chord_height_handbook, (m,), _prepare_of_constant_chord_handbook, (alpha,), out=out
     )
-
-
-def _check_of_chord_height_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
-
-
-def _prepare_of_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
 
 
 def _form_of_chord_height_handbook(m: Any, alpha: Any) -> Any:
@@ -222,24 +213,13 @@ def height_change_first_order(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_height_change_first_order, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
     return _in_blocks(
         _form_of_height_change_first_order,
         (tilt,),
         _prepare_of_height_change_first_order,
         (m, z, alpha),
         out=out,
-    )
-
-
-def _check_of_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -278,34 +258,14 @@ def thickness_change_chords(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change_chords, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
     return _in_blocks(
         _form_of_thickness_change_chords,
         (tilt,),
-        _prepare_of_thickness_change_chords,
+        _prepare_of_height_change_distances,
         (m, z, alpha),
         out=out,
     )
-
-
-def _check_of_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
-    )
-
-
-def _prepare_of_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cos_alpha = _np.cos(alpha)
-    r_b = cos_alpha * m * z / 2.0
-    tan_alpha = _np.tan(alpha)
-    term = _np.pi / (2.0 * z)
-
-    return (alpha, cos_alpha, r_b, tan_alpha, term)
 
 
 def _form_of_thickness_change_chords(
@@ -349,24 +309,13 @@ def thickness_change_half_angle(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change_half_angle, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
     return _in_blocks(
         _form_of_thickness_change_half_angle,
         (tilt,),
         _prepare_of_thickness_change_half_angle,
         (m, z, alpha),
         out=out,
-    )
-
-
-def _check_of_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -421,24 +370,13 @@ def thickness_change_first_order(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change_first_order, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
     return _in_blocks(
         _form_of_thickness_change_first_order,
         (tilt,),
         _prepare_of_thickness_change_first_order,
         (m, z, alpha),
         out=out,
-    )
-
-
-def _check_of_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -486,24 +424,13 @@ def thickness_change_by_height(
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = _nan_outside(_check_of_thickness_change_by_height, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
     return _in_blocks(
         _form_of_thickness_change_by_height,
         (tilt,),
         _prepare_of_thickness_change_by_height,
         (m, z, alpha),
         out=out,
-    )
-
-
-def _check_of_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (
-        _is_positive(m),
-        z >= 1.0,
-        _is_finite(z),
-        z == _floor(z),
-        alpha > 0.0,
-        alpha < _np.pi / 4.0,
     )
 
 
@@ -559,7 +486,7 @@ def thickness_change_linear_printed(
     return _in_blocks(
         _form_of_thickness_change_linear_printed,
         (dh,),
-        _prepare_of_thickness_change_linear_printed,
+        _prepare_of_constant_chord_handbook,
         (alpha,),
         out=out,
     )
@@ -567,11 +494,6 @@ def thickness_change_linear_printed(
 
 def _check_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
     return (alpha > 0.0, alpha < _np.pi / 4.0)
-
-
-def _prepare_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
 
 
 def _form_of_thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
@@ -599,7 +521,7 @@ def thickness_error_printed(
 
     """
     e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    (alpha,) = _nan_outside(_check_of_thickness_error_printed, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_change_linear_printed, alpha)
     return _in_blocks(
         _form_of_thickness_error_printed,
         (e_tip,),
@@ -607,10 +529,6 @@ def thickness_error_printed(
         (height_error, alpha),
         out=out,
     )
-
-
-def _check_of_thickness_error_printed(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
 def _prepare_of_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:

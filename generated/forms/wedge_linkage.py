@@ -150,25 +150,15 @@ def lever_angle_atan2(
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle_atan2, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle_printed, l_AB, l_BC, l_CD)
     return _in_blocks(
         _form_of_lever_angle_atan2,
         (x1,),
-        _prepare_of_lever_angle_atan2,
+        _prepare_of_lever_angle_printed,
         (l_AB, l_BC, l_CD),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
-
-
-def _prepare_of_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    l_BC_squared = _square(l_BC)
-
-    return (l_AB, l_BC, l_CD, l_BC_squared)
 
 
 def _form_of_lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
@@ -334,24 +324,15 @@ def roller_lever_angle_or_else(
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_or_else, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
         _form_of_roller_lever_angle_or_else,
         (x5,),
-        _prepare_of_roller_lever_angle_or_else,
+        _prepare_of_roller_lever_angle_printed,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
-
-
-def _prepare_of_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
 
 
 def _form_of_roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
@@ -377,24 +358,15 @@ def roller_lever_angle_atan2(
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_atan2, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
         _form_of_roller_lever_angle_atan2,
         (x5,),
-        _prepare_of_roller_lever_angle_atan2,
+        _prepare_of_roller_lever_angle_printed,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
-
-
-def _prepare_of_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
 
 
 def _form_of_roller_lever_angle_atan2(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
@@ -418,24 +390,15 @@ def roller_lever_angle_arccosine(
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_arccosine, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
         _form_of_roller_lever_angle_arccosine,
         (x5,),
-        _prepare_of_roller_lever_angle_arccosine,
+        _prepare_of_roller_lever_angle_printed,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
-
-
-def _prepare_of_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
 
 
 def _form_of_roller_lever_angle_arccosine(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
@@ -664,49 +627,16 @@ def position_atan2(
         alpha_LM,
     )
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
-        _check_of_position_atan2, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        _check_of_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
     return _in_blocks(
         _form_of_position_atan2,
         (x1,),
-        _prepare_of_position_atan2,
+        _prepare_of_position_printed,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_position_atan2(
-    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
-) -> tuple[Any, ...]:
-    return (
-        _is_positive(l_AB),
-        _is_positive(l_BC),
-        _is_positive(l_CD),
-        _is_positive(l_DE),
-        _is_positive(l_GH),
-        _is_positive(l_KL),
-        _is_positive(l_LM),
-        alpha_KL > 0.0,
-        alpha_KL < _np.pi,
-    )
-
-
-def _prepare_of_position_atan2(
-    l_AB: Any,
-    l_BC: Any,
-    l_CD: Any,
-    l_DE: Any,
-    l_GH: Any,
-    l_KL: Any,
-    l_LM: Any,
-    alpha_DE: Any,
-    alpha_KL: Any,
-    alpha_LM: Any,
-) -> tuple[Any, ...]:
-    l_BC_squared = _square(l_BC)
-
-    return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
 
 def _form_of_position_atan2(
@@ -784,49 +714,16 @@ def velocity_slopes(
         alpha_LM,
     )
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
-        _check_of_velocity_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        _check_of_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
     return _in_blocks(
         _form_of_velocity_slopes,
         (x1,),
-        _prepare_of_velocity_slopes,
+        _prepare_of_position_printed,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
-
-
-def _check_of_velocity_slopes(
-    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
-) -> tuple[Any, ...]:
-    return (
-        _is_positive(l_AB),
-        _is_positive(l_BC),
-        _is_positive(l_CD),
-        _is_positive(l_DE),
-        _is_positive(l_GH),
-        _is_positive(l_KL),
-        _is_positive(l_LM),
-        alpha_KL > 0.0,
-        alpha_KL < _np.pi,
-    )
-
-
-def _prepare_of_velocity_slopes(
-    l_AB: Any,
-    l_BC: Any,
-    l_CD: Any,
-    l_DE: Any,
-    l_GH: Any,
-    l_KL: Any,
-    l_LM: Any,
-    alpha_DE: Any,
-    alpha_KL: Any,
-    alpha_LM: Any,
-) -> tuple[Any, ...]:
-    l_BC_squared = _square(l_BC)
-
-    return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
 
 def _form_of_velocity_slopes(
@@ -932,7 +829,7 @@ def sensitivities_slopes(
         alpha_LM,
     )
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
-        _check_of_sensitivities_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        _check_of_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
     return _in_blocks(
         _form_of_sensitivities_slopes,
@@ -942,22 +839,6 @@ def sensitivities_slopes(
         out=out,
         shape=(10,),
         quiet=True,
-    )
-
-
-def _check_of_sensitivities_slopes(
-    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
-) -> tuple[Any, ...]:
-    return (
-        _is_positive(l_AB),
-        _is_positive(l_BC),
-        _is_positive(l_CD),
-        _is_positive(l_DE),
-        _is_positive(l_GH),
-        _is_positive(l_KL),
-        _is_positive(l_LM),
-        alpha_KL > 0.0,
-        alpha_KL < _np.pi,
     )
 
 

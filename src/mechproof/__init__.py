@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.exports import export
-    from mechproof.formulas import formula
     from mechproof.mechanisms import (
         CylindricalPair,
         EllipticPlanetary,
@@ -43,6 +42,7 @@ if TYPE_CHECKING:
         TrackWheel,
         WedgeLinkage,
     )
+    from mechproof.report.formula_texts import formula
     from mechproof.tailoring import tailor
 
 __all__ = [
@@ -71,7 +71,7 @@ HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
     "export": "mechproof.exports",
-    "formula": "mechproof.formulas",
+    "formula": "mechproof.report.formula_texts",
     "tailor": "mechproof.tailoring",
 }
 

@@ -147,13 +147,13 @@ def choose(
     -----
     A measured error is the worst at points chosen to hurt, not a bound; a way that lost a single
     result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
-    proves on a part of the domain only. Peers (other libraries, solvers, simulations), of which
-    nothing is proved, count by what was measured. Ways that need an extra of mechproof which is
-    not installed (`fast`: compiled kernels) are not taken but named in `faster`. Where all
-    arguments but the first are fixed numbers, a kernel tailored to them and to `error` is one of
-    the ways: its bound is what is asked for, its time that of one tailored to other sizes and no
-    larger an error. Of ways whose times cannot be told apart, their quartiles overlapping, the
-    most accurate is taken.
+    proves on a part of the domain only, and what is written in C. Peers (other libraries, solvers,
+    simulations), of which nothing is proved, count by what was measured. Ways that need an extra of
+    mechproof which is not installed (`fast`: compiled kernels) are not taken but named in `faster`.
+    Where all arguments but the first are fixed numbers, a kernel tailored to them and to `error` is
+    one of the ways: its bound is what is asked for, its time that of one tailored to other sizes
+    and no larger an error. Of ways whose times cannot be told apart, their quartiles overlapping,
+    the most accurate is taken.
 
     """
     record = _find_record(quantity, measured)
@@ -303,9 +303,9 @@ def _locate(quantity: str, way: MeasuredWay, home: str) -> str:
 
 
 def _is_the_quantity(way: MeasuredWay, shipped: MeasuredWay) -> bool:
-    """Say that single points can be computed, and that nothing speaks against its being equal."""
+    """Say that Python computes single points, and that nothing speaks against its being equal."""
     part = way.proved_on not in ("", shipped.proved_on)
-    return not (way.ordered or way.verdict in NOT_EQUAL or part)
+    return not (way.kind == "source" or way.ordered or way.verdict in NOT_EQUAL or part)
 
 
 def _find_time(record: Record, way: str, size: int) -> Timing | None:

@@ -28,6 +28,7 @@ from mechproof.json_rows import read_fields, write_lines
 __all__ = [
     "COPY",
     "FOLDER",
+    "IN_C",
     "KERNELS",
     "MEASURED",
     "Cell",
@@ -48,12 +49,14 @@ __all__ = [
     "write_record",
 ]
 
-Kind = Literal["kernel", "form", "peer"]
+Kind = Literal["kernel", "form", "source", "peer"]
 Span = tuple[float, float]
 # Arguments of one call: numbers, and tuples of numbers where an argument has axes of its own.
 Point = tuple[Any, ...]
 # The verdict of a way of which nothing is proved.
 MEASURED = "MEASURED"
+# The kernel as `mechproof emit c` writes it, measured where there is a compiler.
+IN_C = "kernel, C"
 # What copying the result takes, timed with the ways.
 COPY = "memory copy"
 ERROR_DIGITS, TIME_DIGITS = 4, 3
@@ -67,9 +70,10 @@ FOLDER = "measured"
 class MeasuredWay:
     """One way of computing a quantity, as it was measured.
 
-    kind: "kernel" (generated, shipped), "form" (a rival form) or "peer" (a solver, a library, a
-    simulation, hand-written code). verdict and rung: what is proved of it on `proved_on` (empty:
-    the whole domain); of a peer nothing is, its verdict is MEASURED. bound: what |way -
+    kind: "kernel" (generated, shipped), "form" (a rival form), "source" (the kernel as it is
+    written for another language) or "peer" (a solver, a library, a simulation, hand-written code).
+    verdict and rung: what is proved of it on `proved_on` (empty: the whole domain); of a source or
+    a peer nothing is, its verdict is MEASURED. bound: what |way -
     definition| provably stays below, empty without. ordered: it needs samples in order from 0 on.
     key: the end of its function's name, <quantity>_<key>, empty without a function of its own.
     needs: the extra that has to be installed for it.
@@ -87,8 +91,8 @@ class MeasuredWay:
     note: str = ""
 
     def __post_init__(self) -> None:
-        if self.kind == "peer" and self.verdict != MEASURED:
-            raise ValueError(f"way {self.name!r}: a peer is {MEASURED}, not {self.verdict}")
+        if self.kind in ("source", "peer") and self.verdict != MEASURED:
+            raise ValueError(f"way {self.name!r}: a {self.kind} is {MEASURED}, not {self.verdict}")
 
 
 @dataclass(frozen=True)
@@ -231,6 +235,12 @@ class Record:
     cell_errors: tuple[CellErrors, ...]
     tailored: tuple[MeasuredTailoring, ...]
     times: tuple[Timing, ...]
+
+    @property
+    def lacking(self) -> str:
+        """Say which way was not measured: the kernel in C, where there was no compiler."""
+        kinds = {way.kind for way in self.ways}
+        return f"Not measured: {IN_C}." if "kernel" in kinds and "source" not in kinds else ""
 
     @property
     def error_unit(self) -> str:

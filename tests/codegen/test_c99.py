@@ -19,6 +19,7 @@ from c_libraries import (
     STRICT,
     WARNED,
     assert_same_bits,
+    compile_files,
     find_kernel,
     needs_compiler,
     render,
@@ -31,6 +32,7 @@ from weights import first_of
 
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
+from mechproof.kernels.derivatives import track_wheel as of_wheel
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.points import choose_evenly, join
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
@@ -288,6 +290,26 @@ def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
     runner.invoke(app, ["emit", "c", "track_wheel", "--out", str(tmp_path)])
     assert (tmp_path / "Makefile").read_text() == "all:\n"
     assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1
+
+
+def test_derivatives_are_written_where_they_are_asked_for(tmp_path: Path) -> None:
+    command = ["emit", "c", "--derivatives", "--out", str(tmp_path)]
+    done = CliRunner().invoke(app, [*command, "track_wheel"])
+    assert done.exit_code == 0, done.output
+    name = "track_wheel_derivatives"
+    assert sorted(f.name for f in tmp_path.iterdir()) == ["Makefile", f"{name}.c", f"{name}.h"]
+    header = (tmp_path / f"{name}.h").read_text()
+    assert " * Result: mm per unit of each argument, 4 numbers\n" in header
+    assert "mechproof.derivations.track_wheel by" in header
+    files = {f"{name}.{end}": (tmp_path / f"{name}.{end}").read_text() for end in "hc"}
+    function = compile_files(tmp_path, files, STRICT).track_wheel_derivatives_radius
+    function.argtypes, function.restype = [*[ctypes.c_double] * 4, POINTER], None
+    found = np.empty(4)
+    function(0.5, 66.0, 0.3, 3.0, found)
+    wanted = of_wheel.radius(0.5, 66.0, 0.3, 3.0)
+    np.testing.assert_allclose(found, wanted, rtol=1e-14)
+    done = CliRunner().invoke(app, [*command, "conformity"])
+    assert (done.exit_code, "no kernel whose derivatives" in done.output) == (1, True)
 
 
 @pytest.mark.parametrize("name", ["elliptic_planetary.position", "track_wheel.radius"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -99,6 +100,25 @@ def test_a_text_that_is_not_the_program_is_caught(
     monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
     with pytest.raises(TranslationError, match=rf"system\.{seen} is not as meant: .*, read"):
         form_rows(paper)
+
+
+def test_what_several_kernels_have_in_common_is_written_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Only what does the same: a call of a function that does something else is caught."""
+    made = {"f": x * sp.sin(a * b), "g": x + sp.sin(a * b), "h": x * sp.sin(a * b) + a * b}
+    quantities = tuple(replace(quantity_of(e, *MECHANISM), name=n) for n, e in made.items())
+    paper = replace(paper_of(quantities[0], POSITIVE), quantities=quantities)
+    text = render_modules(paper)["system.py"]
+    kernels = list_functions(paper)
+    written = " ".join(re.findall(r"^def _(\w+_of_\w)\(", text, re.MULTILINE))
+    assert written == "check_of_f prepare_of_f form_of_f form_of_g prepare_of_h form_of_h"
+    read_back(paper, kernels)
+    old = "_in_blocks(_form_of_g, (x,), _prepare_of_f, "
+    calls = old, old.replace("_prepare_of_f", "_prepare_of_h")
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with(calls))
+    with pytest.raises(TranslationError, match=r"system\.g is not as meant"):
+        read_back(paper, kernels)
 
 
 def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -28,11 +28,12 @@ from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.kernels import elliptic_planetary as kernels, wedge_linkage
 from mechproof.kernels.derivatives import wedge_linkage as of_wedge
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
+from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.oracle import count_points, find_truth, list_values
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, PointSet, choose_evenly, draw_points
 from mechproof.lab.subject import Subject, find_subjects
-from mechproof.lab.ways import Arguments
+from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs import derivatives
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
@@ -97,6 +98,15 @@ def accuracy_of(quantity: Quantity) -> tuple[float, tuple[sp.Basic, ...]]:
     return quantity.slopes.ulp, (*own, *quantity.slopes.within)
 
 
+def list_ways(subject: Subject) -> Iterator[Compute]:
+    """Yield the derivatives of NumPy and, where there is a compiler, of C."""
+    found = find_derivatives(subject.kernel)
+    assert found is not None
+    yield found
+    in_c = find_in_c(subject.quantity.name, derivatives.differentiate(subject.paper))
+    yield from [in_c] if in_c else []
+
+
 def worst_of(subject: Subject) -> tuple[float, int]:
     """Return the largest error, in eps of what it is relative to, and how many were decided."""
     quantity, truth = subject.quantity, Truth(subject)
@@ -105,15 +115,14 @@ def worst_of(subject: Subject) -> tuple[float, int]:
     bounded = replace(
         subject, quantity=replace(quantity, accuracy=replace(quantity.accuracy, within=within))
     )
-    compute = find_derivatives(subject.kernel)
-    assert compute is not None
+    ways = list(list_ways(subject))
     worst, decided = 0.0, 0
     for points in (one for one in list_sets(subject, 0.05) if not one.ordered):
         arguments = take(subject, points)
         held = mark_accuracy_domain(bounded, arguments)
         scales = find_truth(subject, arguments).scale if quantity.accuracy.scale else None
         with np.errstate(all="ignore"):
-            got = compute(*arguments)
+            computed = [compute(*arguments) for compute in ways]
         for i, values in enumerate(list_values(subject, arguments)):
             entries = truth.evaluate(values) if held[i] else ()
             for j, (found, conditioning) in enumerate(entries):
@@ -124,10 +133,11 @@ def worst_of(subject: Subject) -> tuple[float, int]:
                     continue
                 decided += 1
                 own = scales[i] / size if scales is not None and size else 0.0
-                error = abs(arb(float(got[i, j])) - slope)
                 scale = conditioning + (own if np.isfinite(own) else 0.0)
-                if not error < TINY:
-                    worst = max(worst, float(error / scale) / EPS if error.is_finite() else np.inf)
+                for error in (abs(arb(float(got[i, j])) - slope) for got in computed):
+                    if not error < TINY:
+                        lost = float(error / scale) / EPS if error.is_finite() else np.inf
+                        worst = max(worst, lost)
     return worst, decided
 
 

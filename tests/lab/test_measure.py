@@ -5,6 +5,7 @@ import shutil
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from shutil import which
 from types import ModuleType
 
 import numpy as np
@@ -14,6 +15,7 @@ from typer.testing import CliRunner
 
 from mechproof.cli import app
 from mechproof.lab.accuracy import keep_worst
+from mechproof.lab.c_kernels import COMPILER
 from mechproof.lab.certificate_claims import list_claims
 from mechproof.lab.chart import draw_charts
 from mechproof.lab.computer import describe_machine
@@ -24,7 +26,15 @@ from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways
 from mechproof.lab.worst_search import scaled_errors
-from mechproof.measured import COPY, Record, find_known, read_record, read_records, write_record
+from mechproof.measured import (
+    COPY,
+    IN_C,
+    Record,
+    find_known,
+    read_record,
+    read_records,
+    write_record,
+)
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 
 
@@ -43,6 +53,9 @@ def test_record_says_what_was_measured(record: Record) -> None:
     assert max(errors.worst_ulp for errors in naive) == math.inf
     assert sum(errors.infinite for errors in naive) > 0
     assert {row.way for row in record.times} >= {"kernel", COPY}
+    in_c = {row.way for row in record.times if row.way == IN_C}
+    assert in_c == {errors.way for errors in record.errors_of(IN_C)}
+    assert bool(record.lacking) == (which(COMPILER) is None) == (not in_c)
 
 
 def test_a_peer_is_measured_and_nothing_is_proved_of_it(record: Record) -> None:

@@ -9,19 +9,27 @@ import subprocess
 import sys
 from collections import Counter
 from dataclasses import replace
+from html import unescape
 from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
+from derived import paper_of
 from own_papers import HURT
 from pages import find_faults
 
 from mechproof.cache import VARIABLE
+from mechproof.derivation import packaged_directory
 from mechproof.kernels import elliptic_planetary
 from mechproof.kernels.elliptic_planetary import position
 from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import find_files, read_record
+from mechproof.programs.kernel import build_functions
 from mechproof.proof.cards import PUT, TAKEN
+from mechproof.report.calls import write_sources
+from mechproof.report.formula_texts import LANGUAGES, formula
 from mechproof.report.mathml import write_formula
 from mechproof.report.pages import read_font, read_stylesheet
 from mechproof.report.pictures import chart, draw_pictures, list_charts
@@ -166,11 +174,33 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
         "position(phi1, 66, 16, 0.28)",
         "from mechproof.kernels.compiled.elliptic_planetary import position",
         "double elliptic_planetary_position(",
-        "mechproof.formula(&#34;elliptic_planetary.position&#34;).octave",
+        "mechproof.formula(&#34;elliptic_planetary.position&#34;)",
         "✗",
     ):
         assert part in page
     assert page.count("<svg") == 1
+
+
+def test_the_code_on_a_page_is_that_of_its_formula(files: dict[str, str]) -> None:
+    folded = r"<details><summary>([^<]+)</summary><pre><code>(.*?)</code></pre></details>"
+    for name in elliptic_planetary.__all__:
+        page = files[f"quantities/elliptic_planetary.{name}.html"]
+        text = formula(f"elliptic_planetary.{name}")
+        found = {language: unescape(code) for language, code in re.findall(folded, page, re.DOTALL)}
+        assert found == {shown: getattr(text, name) for name, shown in LANGUAGES.items()}
+
+
+def test_languages_without_a_text_say_why() -> None:
+    paper = paper_of("track_wheel")
+    (kernel,) = (k for k in build_functions(paper).kernels if k.name == "error_sum")
+    location, ledger = packaged_directory() / "track_wheel", SimpleNamespace(paper=paper)
+    source: Any = SimpleNamespace(ledger=ledger, location=location, home="generated")
+    found = write_sources(kernel, source)
+    assert found.call == 'mechproof.formula("track_wheel.error_sum", derivations="derivations")'
+    refused = {language for languages in found.refused.values() for language in languages}
+    shown = {language for language, _ in found.texts}
+    assert shown == {"C", "LaTeX"} == {*LANGUAGES.values()} - refused
+    assert list(found.refused) == ["formulas take no axes of any length to sum over"]
 
 
 def test_what_is_called_is_there(files: dict[str, str]) -> None:

@@ -34,6 +34,9 @@ def emit_c(
     float32: Annotated[
         bool, typer.Option("--float32", help="Compute in float, for processors without double.")
     ] = False,
+    derivatives: Annotated[
+        bool, typer.Option("--derivatives", help="The derivatives by every argument instead.")
+    ] = False,
     error: Annotated[
         float | None,
         typer.Option("--error", help="Tailor one SYSTEM.QUANTITY to this absolute error."),
@@ -60,6 +63,9 @@ def emit_c(
     axes of any length take the number of their terms first. Quantities that are computed in one
     pass are stored by pointers. Link with -lm.
 
+    With --derivatives the functions are called SYSTEM_derivatives_QUANTITY and store one number
+    for each argument, in files of their own.
+
     With --error a kernel for fixed sizes is written, as cheap as the error permits:
     elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of
     the running variable is --let phi1=0:10. A file that holds something else is not overwritten:
@@ -70,13 +76,13 @@ def emit_c(
     Exit status 0: written; 1: a kernel is not PROVED, a derivation fails, or has no kernel for C;
     2: bad usage.
     """
-    from mechproof.codegen.backends.c99 import render_c, render_makefile
+    from mechproof.codegen.backends.c99 import render_c, render_c_derivatives, render_makefile
 
     if error is None and (let or name is not None):
         refuse(f"{'--let' if let else '--name'} goes with --error")
+    if float32 + derivatives + (error is not None) > 1:
+        refuse("--error, --float32 and --derivatives do not go with each other")
     if error is not None:
-        if float32:
-            refuse("--error does not go with --float32")
         folder = _find_folder(systems or [], find_places(derivations, None))
         _emit_tailored(systems or [], error, _read_sizes(let or []), out, name, folder)
         return
@@ -84,7 +90,7 @@ def emit_c(
     for location, paper in _judge(systems, derivations):
         try:
             errors = _search_errors(paper, location) if float32 else None
-            files = render_c(paper, errors=errors)
+            files = render_c_derivatives(paper) if derivatives else render_c(paper, errors=errors)
         except (ValueError, NotImplementedError) as error:
             if systems:
                 fail(str(error))

@@ -39,13 +39,15 @@ ACCURACY = (
 TESTED = "Accuracy, tested"
 DERIVATIVES = (
     "Arguments, domain, `out` and errors are those of the kernel with the same name, one module "
-    "up; the result has a last axis with a derivative for each argument, in their order. At a "
-    "kink it is the derivative on the side of the greater argument, at a pole infinite or NaN.",
-    "Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no "
+    "up; the result has a last axis with a derivative for each argument, in their order."
+)
+SLOPES = (
+    "At a kink a derivative is that on the side of the greater argument, at a pole infinite or "
+    "NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no "
     "error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning, "
     "|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and "
     "of the part of the kernel's own error, where that has a scale, divided by the argument (the "
-    "first: by it or by 1 rad or mm, what is less).",
+    "first: by it or by 1 rad or mm, what is less)."
 )
 SCALES = "What errors are relative to:"
 PROVED = (
@@ -124,8 +126,8 @@ def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
 def describe_derivatives_module(paper: Paper) -> tuple[str, ...]:
     """Write the lines of a module of derivatives."""
     first = f"Partial derivatives of the kernels of `{paper.system}`, by every argument."
-    lines = [line for text in (first, paper.reference, *DERIVATIVES) for line in (*_fill(text), "")]
-    return tuple(lines)
+    paragraphs = (first, paper.reference, DERIVATIVES, SLOPES)
+    return tuple(line for text in paragraphs for line in (*_fill(text), ""))
 
 
 def describe_derivatives(kernel: Kernel) -> tuple[str, ...]:
@@ -133,11 +135,10 @@ def describe_derivatives(kernel: Kernel) -> tuple[str, ...]:
     quantity = kernel.quantity
     assert quantity.accuracy is not None
     told = tell_accuracy(quantity.accuracy, input_names(quantity))
-    unit = tell_unit(quantity.unit)
     return (
         *_fill(quantity.summary),
         "",
-        *_fill(f"Of a value in: {unit}. {TESTED}: {told}."),
+        *_fill(f"In {quantity.unit}. {TESTED}: {told}."),
     )
 
 

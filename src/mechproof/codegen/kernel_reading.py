@@ -14,6 +14,7 @@ from typing import Any
 
 from mechproof.codegen.conditions import join_conditions
 from mechproof.codegen.reading import SourceError, compare, read_functions
+from mechproof.codegen.shared_functions import CHECK, list_suffixes, name_functions
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
@@ -30,8 +31,6 @@ OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
         ("diagonal", ("axis1", -2), ("axis2", -1)): ("diagonal",),
     }
 )
-# How functions of conditions are called.
-CHECK = "_check_of_"
 # What a module holds besides functions, which is not read here.
 HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED"})
 Meant = Iterator[tuple[str, RecordedFunction]]
@@ -80,32 +79,30 @@ def _join_conditions(name: str, function: RecordedFunction) -> RecordedFunction:
 
 def _mean_module(kernels: Iterable[Kernel]) -> Meant:
     """State what the functions of a module do."""
-    tape = Tape()
+    tape, kernels = Tape(), tuple(kernels)
+    names = name_functions(kernel.code for kernel in kernels)
     yield "__dir__", tape.run(lambda: "__all__")
     for kernel in kernels:
         code = kernel.code
-        used = {o for s in code.inside.operations for o in s.operands} if code.inside else ()
-        terms = tuple(name for name, _ in code.indexed if name in used)
         defaults = [a.default for a in kernel.quantity.arguments if a.default is not None]
-        does = partial(_run_kernel, tape, code, terms)
+        does = partial(_run_kernel, tape, code, names)
         inputs = (*code.arguments, "out")
         yield code.name, tape.run(does, inputs, defaults=(*defaults, show(None)))
-        if code.inside:
-            asked = replace(code.inside, inputs=(*code.masked, *terms))
-            yield f"{CHECK}{code.name}", RecordedFunction(asked.inputs, "", (), (asked,))
-        for stage, suffix in zip(code.stages, _list_suffixes(code), strict=True):
-            if stage.parameters:
-                prepare = partial(_compute, tape, stage.prepare)
-                yield f"_prepare{suffix}", tape.run(prepare, stage.parameters)
-            if stage.evaluate and not code.indexed:
-                form = partial(_compute, tape, stage.evaluate, one=not code.shape)
-                yield f"_form{suffix}", tape.run(form, stage.evaluate.inputs)
+        yield from ((name, does) for name, does in _mean_beside(tape, code) if names[name] == name)
 
 
-def _list_suffixes(code: KernelCode) -> list[str]:
-    """List how the functions of stages are called, the last one like the kernel."""
-    others = [f"_{number}_of_{code.name}" for number in range(1, len(code.stages))]
-    return [*others, f"_of_{code.name}"]
+def _mean_beside(tape: Tape, code: KernelCode) -> Meant:
+    """State what the functions beside a kernel do."""
+    if code.inside:
+        asked = replace(code.inside, inputs=(*code.masked, *code.terms))
+        yield f"{CHECK}{code.name}", RecordedFunction(asked.inputs, "", (), (asked,))
+    for stage, suffix in zip(code.stages, list_suffixes(code), strict=True):
+        if stage.parameters:
+            prepare = partial(_compute, tape, stage.prepare)
+            yield f"_prepare{suffix}", tape.run(prepare, stage.parameters)
+        if stage.evaluate and not code.indexed:
+            form = partial(_compute, tape, stage.evaluate, one=not code.shape)
+            yield f"_form{suffix}", tape.run(form, stage.evaluate.inputs)
 
 
 def _compute(tape: Tape, program: Program, *_: Value, one: bool = False) -> Any:
@@ -113,7 +110,7 @@ def _compute(tape: Tape, program: Program, *_: Value, one: bool = False) -> Any:
     return outputs[0] if one else outputs
 
 
-def _run_kernel(tape: Tape, code: KernelCode, terms: tuple[str, ...], *given: Value) -> Any:
+def _run_kernel(tape: Tape, code: KernelCode, names: Mapping[str, str], *given: Value) -> Any:
     """Do what a public function does."""
     *arguments, out = given
     axes = {"axes": code.axes} if code.axes else {}
@@ -121,29 +118,32 @@ def _run_kernel(tape: Tape, code: KernelCode, terms: tuple[str, ...], *given: Va
         code.arguments,
         tape.record("_as_floats", repr(" ".join(code.arguments)), *arguments, **axes),
     )
-    for vector, names in code.vectors:
+    for vector, components in code.vectors:
         if code.stages[0].affine and vector == code.vectors[0][0]:
-            tape.record("_check_components", repr(vector), vector, len(names))
+            tape.record("_check_components", repr(vector), vector, len(components))
         else:
-            split = tape.record("_split_components", repr(vector), vector, len(names))
-            tape.assign(names, split)
+            split = tape.record("_split_components", repr(vector), vector, len(components))
+            tape.assign(components, split)
     if code.indexed:
         summed = {name: (name, axes) for name, axes in code.indexed}
         tape.assign(tuple(summed), tape.record("_sum_axes", **summed))
     if code.inside:
-        of_sums = {"terms": terms} if terms else {}
-        check = tape.record("_nan_outside", f"{CHECK}{code.name}", *code.masked, **of_sums)
+        of_sums = {"terms": code.terms} if code.terms else {}
+        called = names[f"{CHECK}{code.name}"]
+        check = tape.record("_nan_outside", called, *code.masked, **of_sums)
         tape.assign(code.masked, check)
-    *stages, last = zip(code.stages, _list_suffixes(code), strict=True)
+    *stages, last = zip(code.stages, list_suffixes(code), strict=True)
     for stage, suffix in stages:
         assert stage.when is not None
         if tape.record("_holds", *tape.replay(stage.when)):
-            return _run_stage(tape, code, stage, suffix, out)
-    return _run_stage(tape, code, *last, out)
+            return _run_stage(tape, code, names, stage, suffix, out)
+    return _run_stage(tape, code, names, *last, out)
 
 
-def _run_stage(tape: Tape, code: KernelCode, stage: Stage, suffix: str, out: Value) -> Value:
-    prepared = (f"_prepare{suffix}", stage.parameters) if stage.parameters else ()
+def _run_stage(
+    tape: Tape, code: KernelCode, names: Mapping[str, str], stage: Stage, suffix: str, out: Value
+) -> Value:
+    prepared = (names[f"_prepare{suffix}"], stage.parameters) if stage.parameters else ()
     named: dict[str, Any] = {"out": out}
     named |= {"shape": code.shape} if code.shape and not stage.affine else {}
     named |= {"quiet": True} if code.quiet else {}
@@ -153,4 +153,4 @@ def _run_stage(tape: Tape, code: KernelCode, stage: Stage, suffix: str, out: Val
             return tape.record("_store", *tape.replay(stage.evaluate), out)
     if stage.affine:
         return tape.record("_transform", code.arguments[0], *prepared, **named)
-    return tape.record("_in_blocks", f"_form{suffix}", stage.running, *prepared, **named)
+    return tape.record("_in_blocks", names[f"_form{suffix}"], stage.running, *prepared, **named)

@@ -130,8 +130,9 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
 def _describe(record: Record, workload: str, count: int) -> str:
     what = (
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
-        f"{record.taken[:10]}. Errors in {record.error_unit}. {_keep_together(tell_where(record))}"
+        f"{record.taken[:10]}. Errors in {record.error_unit}."
     )
+    what = " ".join(filter(None, (what, record.lacking, _keep_together(tell_where(record)))))
     return "\n".join(
         [
             "time per point, ns (in brackets: over that of the shipped kernel)",

@@ -27,6 +27,7 @@ from mechproof.derivation import (
     load_part,
     packaged_directory,
 )
+from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides
@@ -118,7 +119,8 @@ class Subject:
     def ways(self) -> tuple[Way, ...]:
         """List every way of computing the quantity, the shipped one first."""
         modules = (*self.modules, self.load_compiled())
-        return list_ways(self.quantity, self.domain, self.list_rows(), modules, self.peers)
+        in_c = find_in_c(self.quantity.name, self.paper)
+        return list_ways(self.quantity, self.domain, self.list_rows(), modules, self.peers, in_c)
 
     @property
     def shipped(self) -> tuple[Way, ...]:

@@ -91,10 +91,11 @@ def _describe_run(record: Record) -> str:
     machine = record.machine
     simd = machine.simd[-1] if machine.simd else "no SIMD"
     quick = ", quick" if record.quick else ""
-    return (
+    taken = (
         f"Taken {record.taken[:10]} on {machine.processor}, {simd}, load {record.load}, "
         f"numpy {machine.versions['numpy']}{quick}."
     )
+    return f"{taken} {record.lacking}".rstrip()
 
 
 def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:

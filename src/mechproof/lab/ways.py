@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.measured import Kind
+from mechproof.measured import IN_C, Kind
 from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.proof.domain import Domain
@@ -58,16 +58,20 @@ def list_ways(
     rows: Iterable[Row],
     modules: tuple[ModuleType | None, ...],
     peers: tuple[Peer, ...],
+    in_c: Compute | None = None,
 ) -> tuple[Way, ...]:
     """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
 
-    `modules` are those of the kernels, of their rival forms and of the compiled kernels.
+    `modules` are those of the kernels, of their rival forms and of the compiled kernels; `in_c` is
+    the kernel in C.
     """
     rows = tuple(rows)
     ours = [peer for peer in peers if peer.ours]
     others = [peer for peer in peers if not peer.ours]
     kernels, forms, compiled = modules
     found = [*_list_kernel(quantity, kernels, rows), *_list_compiled(quantity, compiled, rows)]
+    if found and in_c is not None:
+        found.append(Way(IN_C, in_c, "source", note="called by ctypes, in one thread"))
     found += map(_from_peer, ours)
     found += _list_rivals(quantity, forms, rows)
     return (*found, *map(_from_peer, others), *print_by_sympy(quantity, domain))

@@ -59,6 +59,13 @@ class KernelCode:
         return tuple(counts.get(name, 0) for name in self.arguments) if counts else ()
 
     @property
+    def terms(self) -> tuple[str, ...]:
+        """List the arguments with terms of a sum that are asked whether they are inside."""
+        steps = self.inside.operations if self.inside else ()
+        asked = {operand for step in steps for operand in step.operands}
+        return tuple(name for name, _ in self.indexed if name in asked)
+
+    @property
     def names(self) -> frozenset[str]:
         """Return the names of arguments, of their components and of what is computed."""
         programs = [p for stage in self.stages for p in stage.programs]

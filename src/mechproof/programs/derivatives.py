@@ -86,7 +86,7 @@ def _differentiate(quantity: Quantity, paper: Paper) -> Quantity:
         sp.ImmutableDenseMatrix(chain(quantity.definition, symbols, given)),
         (Form("backward pass", _go_back(form.expression, symbols, given), form.rewrites),),
         quantity.source,
-        unit=quantity.unit,
+        unit=f"{quantity.unit} per unit of each argument",
         accuracy=Accuracy(slopes.ulp, CONDITIONING, tuple(dict.fromkeys(within))),
         on=quantity.on,
         remarks=quantity.remarks,

@@ -42,10 +42,11 @@ class ScalarArgument:
 
 def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
     """List the shipped kernels with programs that put divisions off."""
-    return tuple(_adapt(k) for k in list_functions(paper) if k.is_shipped)
+    return tuple(put_off_divisions(k) for k in list_functions(paper) if k.is_shipped)
 
 
-def _adapt(kernel: Kernel) -> Kernel:
+def put_off_divisions(kernel: Kernel) -> Kernel:
+    """Return a kernel with programs that compute one point at a time."""
     stages = tuple(map(defer_in_stage, kernel.code.stages))
     adapted = replace(kernel, code=replace(kernel.code, stages=stages))
     components = {c for a in list_arguments(kernel) if a.width for c in a.components}

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from textwrap import wrap
 
 import sympy as sp
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.measured import KERNELS
+from mechproof.programs.kernel import Kernel
 from mechproof.record import Paper, Quantity, Toleranced
+from mechproof.report.formula_texts import LANGUAGES, Formula
 from mechproof.report.judged_derivations import JudgedDerivation
 
 # Letters of a multiple of pi that is written as such.
@@ -50,13 +53,29 @@ def list_calls(
     if found := re.findall(pattern, header, re.MULTILINE):
         remark = f"Written by mechproof emit c {system} --out c; link with -lm."
         yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
-    if any(isinstance(s, sp.IndexedBase) for one in quantity.arguments for s in one.symbols):
-        # Other languages take no axes of any length.
-        return
-    place = "" if source.home == KERNELS else ', derivations="derivations"'
-    code = f'import mechproof\n\nprint(mechproof.formula("{system}.{quantity.name}"{place}).octave)'
-    remark = "Others: .c, .javascript, .structured_text, .python, .sympy, .latex and .mathml."
-    yield "Octave and others", code, remark
+
+
+@dataclass(frozen=True)
+class Sources:
+    """The formula in other languages: the call for it, its texts, and why which have none."""
+
+    call: str
+    texts: tuple[tuple[str, str], ...]
+    refused: Mapping[str, Sequence[str]]
+
+
+def write_sources(kernel: Kernel, source: JudgedDerivation) -> Sources:
+    """Write a kernel's formula in every language, each with the name that people call it."""
+    paper = source.ledger.paper
+    name, place = f"{paper.system}.{kernel.name}", source.location.parent.name
+    given = "" if source.home == KERNELS else f', derivations="{place}"'
+    written, texts, refused = Formula(name, paper, kernel), [], dict[str, list[str]]()
+    for attribute, language in LANGUAGES.items():
+        try:
+            texts.append((language, getattr(written, attribute)))
+        except (NotImplementedError, ValueError) as reason:
+            refused.setdefault(str(reason), []).append(language)
+    return Sources(f'mechproof.formula("{name}"{given})', tuple(texts), refused)
 
 
 def _break_lines(call: str) -> str:

@@ -39,7 +39,7 @@ LOOKS: Mapping[str, VerdictStyle] = {
     verdict: VerdictStyle(key, word, sign, MEANINGS[verdict]) for verdict, key, word, sign in _SHOWN
 }
 MEASURED = VerdictStyle(
-    "measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured"
+    "measured", "measured", "∿", "nothing is proved of this code, it is measured"
 )
 NOT_JUDGED = VerdictStyle(
     "failed", "not judged", "!", "the row could not be judged: what failed is shown"

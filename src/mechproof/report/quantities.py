@@ -17,17 +17,17 @@ from mechproof.codegen.docstrings import (
 )
 from mechproof.codegen.forms import list_form_numbers, number_form
 from mechproof.lab.chart_points import find_time, find_usual_set, list_workloads
-from mechproof.measured import Record, Searched
+from mechproof.measured import IN_C, Record, Searched
 from mechproof.programs.kernel import Kernel, build_functions, input_names, shape_of
 from mechproof.proof.anchors import name_anchors
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
-from mechproof.report.calls import list_calls, write_header
+from mechproof.report.calls import Sources, list_calls, write_header, write_sources
 from mechproof.report.formulas import write_lines
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
-from mechproof.report.phrases import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
+from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
 from mechproof.report.rows import RowView, describe_row, name_symbols
 
 
@@ -105,6 +105,7 @@ class QuantityView:
     measured: Measured | None
     forms: tuple[FormView, ...]
     calls: tuple[tuple[str, str, str], ...]
+    sources: Sources | None
     charts: tuple[str, ...]
     rows: tuple[RowView, ...]
 
@@ -135,6 +136,7 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(list_calls(quantity, source, header)),
+            sources=write_sources(kernel, source) if kernel else None,
             charts=tuple(_name_charts(record)) if record else (),
             rows=tuple(_list_rows(quantity, source)),
         )
@@ -258,10 +260,12 @@ def _list_forms(
     known = {"kernel", *(form.name for form in quantity.rivals)}
     for number, way in enumerate(record.ways if record else ()):
         if way.name not in known:
-            look = MEASURED if way.kind == "peer" else look_of(way.verdict)
-            note = set_prose(way.note)
-            costs = _find_costs(record, way.name)
+            note, costs = set_prose(way.note), _find_costs(record, way.name)
+            look = look_of(way.verdict)
             yield FormView(way.name, number == 0, look, way.rung, note, costs)
+    if record and record.lacking:
+        look = VerdictStyle("unjudged", "", "", "")
+        yield FormView(IN_C, False, look, "", Markup("not measured"), Costs())
 
 
 def _view_form(

@@ -20,15 +20,22 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.c_names import spell_in_c
-from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
+from mechproof.codegen.docstrings import (
+    SLOPES,
+    describe_domain,
+    show_formula,
+    tell_bound,
+    tell_unit,
+)
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax, write_program
+from mechproof.programs.derivatives import differentiate
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
-from mechproof.programs.scalar import list_scalars, list_stages
+from mechproof.programs.scalar import list_scalars, list_stages, put_off_divisions
 from mechproof.programs.sums import LOOPS, fold_sums
 from mechproof.record import OnePass, Paper
 
@@ -76,17 +83,25 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     return render_c_kernels(file, kernels, about, notes, paper.one_pass, single=single)
 
 
-def render_c_formula(name: str, paper: Paper) -> str:
-    """Render one kernel as a source that includes no header of its own.
+def render_c_derivatives(paper: Paper) -> dict[str, str]:
+    """Render the header and the source of the derivatives of a paper's kernels likewise.
 
-    Raises NotImplementedError for a kernel that C cannot compute point by point.
+    Raises ValueError if there are none.
     """
-    kernels = [kernel for kernel in list_scalars(paper) if kernel.name == name]
+    kernels = list_scalars(differentiate(paper))
     if not kernels:
-        raise NotImplementedError(f"{paper.system}.{name}: C cannot compute it point by point")
+        raise ValueError(f"{paper.system}: no kernel whose derivatives are wanted")
+    about = paper.reference, SLOPES, paper.system
+    notes = {k.name: _describe(k, paper, None) for k in kernels}
+    return render_c_kernels(f"{paper.system}_derivatives", kernels, about, notes)
+
+
+def render_c_formula(kernel: Kernel, paper: Paper) -> str:
+    """Render one kernel as a source that includes no header of its own."""
     about = paper.reference, ACCURACY[False], paper.system
-    notes = {name: _describe(kernels[0], paper, None)}
-    header, source = render_c_kernels(paper.system, kernels, about, notes).values()
+    notes = {kernel.name: _describe(kernel, paper, None)}
+    scalar = put_off_divisions(kernel)
+    header, source = render_c_kernels(paper.system, [scalar], about, notes).values()
     return source.replace(f'#include "{paper.system}.h"\n', header)
 
 

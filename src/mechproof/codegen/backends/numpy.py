@@ -29,6 +29,7 @@ from mechproof.codegen.facts import (
     list_sizes,
 )
 from mechproof.codegen.languages import NUMPY_BODY
+from mechproof.codegen.shared_functions import list_suffixes, name_functions
 from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.derivatives import differentiate
@@ -84,12 +85,11 @@ class StageText:
 
 @dataclass(frozen=True)
 class KernelText:
-    """What is printed of a kernel: `terms` are what its conditions read of sums."""
+    """What is printed of a kernel."""
 
     kernel: Kernel
     docstring: tuple[str, ...]
     conditions: tuple[str, ...]
-    terms: tuple[str, ...]
     stages: tuple[StageText, ...]
 
 
@@ -152,6 +152,7 @@ def render_module(
         "conditions": conditions,
         "sizes": sizes,
         "imports": [],
+        "functions": name_functions(text.kernel.code for text in kernels),
     }
     # What the body names is imported.
     body = render_template("numpy_module.py.jinja", data)
@@ -162,14 +163,13 @@ def render_module(
 def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
     """Write the texts of a kernel."""
     code, stages = kernel.code, []
-    counts = zip(kernel.forms, code.stages, code.count_operations(), strict=True)
-    for number, (form, stage, operations) in enumerate(counts):
-        last = number == len(code.stages) - 1
+    counts = kernel.forms, code.stages, code.count_operations(), list_suffixes(code)
+    for form, stage, operations, suffix in zip(*counts, strict=True):
         stages.append(
             StageText(
                 form,
                 operations,
-                "" if last else f"_{number + 1}",
+                suffix,
                 _write_condition(stage.when),
                 stage,
                 write_program(stage.prepare, NUMPY_BODY),
@@ -178,17 +178,14 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
                 else ProgramText((), ()),
             )
         )
-    return KernelText(kernel, docstring, *_list_conditions(code), tuple(stages))
+    return KernelText(kernel, docstring, _list_conditions(code), tuple(stages))
 
 
-def _list_conditions(code: KernelCode) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Write what must hold of a kernel's arguments, and list those with terms of a sum."""
+def _list_conditions(code: KernelCode) -> tuple[str, ...]:
+    """Write what must hold of a kernel's arguments."""
     if code.inside is None:
-        return (), ()
-    program = split_conditions(code.inside)
-    used = {operand for step in program.operations for operand in step.operands}
-    terms = tuple(name for name, _ in code.indexed if name in used)
-    return write_program(program, NUMPY_BODY).outputs, terms
+        return ()
+    return write_program(split_conditions(code.inside), NUMPY_BODY).outputs
 
 
 def _write_condition(program: Program | None) -> str:

@@ -25,7 +25,17 @@ from mechproof.record import Paper
 from mechproof.record.substitution import resolve
 from mechproof.report.mathml import write_formula
 
-__all__ = ["Formula", "formula"]
+__all__ = ["LANGUAGES", "Formula", "formula"]
+
+# Attributes that are code to be copied, and what people call the languages.
+LANGUAGES = {
+    "python": "Python",
+    "c": "C",
+    "octave": "Octave or MATLAB",
+    "javascript": "JavaScript",
+    "structured_text": "Structured Text",
+    "latex": "LaTeX",
+}
 
 
 @dataclass(frozen=True)
@@ -79,7 +89,7 @@ class Formula:
     @property
     def c(self) -> str:
         """Return a source in C99."""
-        return render_c_formula(self._kernel.name, self._paper)
+        return render_c_formula(self._kernel, self._paper)
 
     @property
     def python(self) -> str:

@@ -1,0 +1,123 @@
+"""Kernels in C as functions of arrays: what `mechproof emit c` writes, compiled as it says."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from functools import cached_property
+from itertools import chain
+from math import prod
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.codegen.backends.c99 import FLAGS, render_c_formula
+from mechproof.programs.kernel import Kernel, build_functions
+from mechproof.programs.scalar import list_arguments
+from mechproof.record import Paper
+
+Array = NDArray[Any]
+Shape = tuple[int, ...]
+COMPILER = "cc"
+# A loop over the function of one point, for calls in which more than the first argument varies.
+EACH = "call_each"
+
+
+class KernelInC:
+    """The kernel of a quantity in C, called from Python; it is compiled by its first call."""
+
+    def __init__(self, kernel: Kernel, paper: Paper) -> None:
+        self._kernel, self._paper = kernel, paper
+        self._arguments = list_arguments(kernel)
+        self._ranks = tuple(a.axes or int(a.width > 0) for a in self._arguments)
+        self._sums = any(a.axes for a in self._arguments)
+
+    def __call__(self, *arguments: Any) -> Array:
+        """Compute at points that broadcast, as the kernel of NumPy does."""
+        given = [np.asarray(a, float) for a in arguments]
+        tails = (a.shape[-x.axes :] for a, x in zip(given, self._arguments, strict=True) if x.axes)
+        sizes = [max(chain(*tails), default=0)] if self._sums else []
+        # What one point has of each argument.
+        own = [(a.width,) if a.width else (*sizes,) * a.axes for a in self._arguments]
+        pairs = zip(given[1:], self._ranks[1:], strict=True)
+        call = self._call_each if any(a.ndim > rank for a, rank in pairs) else self._call_many
+        return call(given, own, sizes)
+
+    def _call_many(self, given: list[Array], own: list[Shape], sizes: list[int]) -> Array:
+        points = given[0].shape[: max(given[0].ndim - self._ranks[0], 0)]
+        shapes = [points + own[0], *own[1:]]
+        first, *others = map(_spread, given, shapes)
+        ranked = zip(others, self._ranks[1:], strict=True)
+        found = np.empty(points + self._kernel.code.shape)
+        values = [a.ctypes.data if rank else a.item() for a, rank in ranked]
+        many, _ = self._functions
+        many(prod(points), *sizes, first.ctypes.data, *values, found.ctypes.data)
+        return found
+
+    def _call_each(self, given: list[Array], own: list[Shape], sizes: list[int]) -> Array:
+        shapes = [a.shape[: max(a.ndim - r, 0)] for a, r in zip(given, self._ranks, strict=True)]
+        points = np.broadcast_shapes(*shapes)
+        wholes = [(points if shape else ()) + one for shape, one in zip(shapes, own, strict=True)]
+        spread = [*map(_spread, given, wholes)]
+        strides = [prod(one) if shape else 0 for shape, one in zip(shapes, own, strict=True)]
+        found = np.empty(points + self._kernel.code.shape)
+        places = chain(*zip((a.ctypes.data for a in spread), strides, strict=True))
+        _, each = self._functions
+        each(prod(points), *sizes, *places, found.ctypes.data)
+        return found
+
+    @cached_property
+    def _functions(self) -> tuple[Any, Any]:
+        """Compile the functions of many points with one set of parameters, and with one each."""
+        system, name = self._paper.system, self._kernel.name
+        with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+            source, made = (Path(folder, f"{system}{end}") for end in (".c", ".so"))
+            text = f"{render_c_formula(self._kernel, self._paper)}\n{self._write_loop()}"
+            source.write_text(text, encoding="utf-8")
+            paths = (str(source), "-o", str(made))
+            command = [COMPILER, *FLAGS.split(), "-shared", "-fPIC", *paths, "-lm"]
+            subprocess.run(command, check=True, capture_output=True)
+            library = ctypes.CDLL(str(made))
+        size, pointer = ctypes.c_size_t, ctypes.c_void_p
+        sizes = [size] * (1 + self._sums)
+        others = [pointer if rank else ctypes.c_double for rank in self._ranks[1:]]
+        many, each = getattr(library, f"{system}_{name}_array"), getattr(library, EACH)
+        many.argtypes = [*sizes, pointer, *others, pointer]
+        each.argtypes = [*sizes, *[pointer, size] * len(self._ranks), pointer]
+        many.restype = each.restype = None
+        return many, each
+
+    def _write_loop(self) -> str:
+        count, terms = prod(self._kernel.code.shape), "size_t terms, " if self._sums else ""
+        given = "".join(f"const double *a{n}, size_t s{n}, " for n, _ in enumerate(self._ranks))
+        values = [
+            f"a{n} + i * s{n}" if rank else f"a{n}[i * s{n}]" for n, rank in enumerate(self._ranks)
+        ]
+        values = [*(["terms"] if self._sums else []), *values]
+        function = f"{self._paper.system}_{self._kernel.name}"
+        call = (
+            f"{function}({', '.join([*values, f'out + i * {count}'])})"
+            if self._kernel.code.shape
+            else f"out[i] = {function}({', '.join(values)})"
+        )
+        return (
+            f"void {EACH}(size_t count, {terms}{given}double *out)\n"
+            f"{{\n    for (size_t i = 0; i < count; ++i)\n        {call};\n}}\n"
+        )
+
+
+def find_in_c(name: str, paper: Paper) -> KernelInC | None:
+    """Find a quantity's kernel in C, None without a compiler or without a kernel."""
+    kernels = build_functions(paper).kernels if shutil.which(COMPILER) else ()
+    return next((KernelInC(k, paper) for k in kernels if k.name == name), None)
+
+
+def _spread(values: Array, shape: Shape) -> Array:
+    """Return values row by row in a shape that they broadcast to."""
+    if values.shape == shape and values.flags.c_contiguous:
+        return values
+    return np.ascontiguousarray(np.broadcast_to(values, shape))
