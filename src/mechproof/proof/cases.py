@@ -129,7 +129,8 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
     symbols = relation.free_symbols
     if len(symbols) == 1 and symbols <= domain.within.keys():
         (symbol,) = symbols
-        with suppress(NotImplementedError):
+        # SymPy raises the second where it takes a set of conditions for one of points.
+        with suppress(NotImplementedError, TypeError):
             narrowed = domain.set_of(symbol).intersect(solve(relation, symbol))
             if narrowed == sp.S.EmptySet or _excludes(domain, symbol, narrowed):
                 return None
