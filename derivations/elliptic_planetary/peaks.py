@@ -99,7 +99,6 @@ NEAR_THRESHOLD = Scale(
     ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), EPS))),
 )
 OF_SIZES = f"extremes of the derivatives of {SOURCE}, equation (8)"
-AFTER = "after which the ratio is largest"
 
 
 def of_sizes(

@@ -191,7 +191,6 @@ height_deviation = line_nominal - line_actual
 # Counted towards the tip instead, the gauge's error as well.
 height_towards_tip = (line_actual - line_nominal).subs(dh_gauge, -dh_gauge)
 influence = slope_of_thickness.subs(delta, alpha)
-measured_change = influence * height_deviation
 
 # A flank turned about the wheel's centre by -turn: the change of its half chord at fixed height.
 half_moved = (
@@ -239,7 +238,7 @@ PRINTED_SIZES = {
 # the 25 um of IT6 together are less.
 NARROW = Rational(1, 260)
 HEIGHTS_TO_0_1_MM = Part(
-    "heights off by up to 0.1 mm, tilts of both signs", {tilt: Interval(0, NARROW)}
+    "the height is off by up to 0.1 mm, either way", {tilt: Interval(0, NARROW)}
 )
 # The paper gives deviations in whole micrometres: one of them, as a share of 0.1 mm.
 LAST_SHARE = Rational(1, 100)

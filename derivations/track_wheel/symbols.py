@@ -180,7 +180,7 @@ def read(number: str) -> tuple[Any, ...]:
     return READER.members(PRINT.equation(number))
 
 
-(_, PRINTED_5), (_, PRINTED_17), (_, PRINTED_18) = map(read, ("(5)", "(17)", "(18)"))
+(_, PRINTED_5), (_, PRINTED_17) = map(read, ("(5)", "(17)"))
 (*_, PRINTED_A), (_, PRINTED_K) = read("(8)"), read("(14)")
 PRINTED_15 = read("(15)")[1].subs(MATRIX_K, PRINTED_K).doit()
 PRINTED_16 = sp.ImmutableMatrix(read("(16)")[1::2])
@@ -203,7 +203,7 @@ TABLE = (
     ("tool wear", wear, r"\Delta_u=", "0.021", MM),
     ("radius", radius, "R=", "41.5", MM),
     ("amplitude", amplitude, "A=", "3.75", MM),
-    ("ball radius", ball_radius, "", "7.5", MM),
+    ("ball radius", ball_radius, "r_u=", "7.5", MM),
     ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
     ("turn about Y", beta, r"\beta=", "0.00103", RAD),
     ("turn about Z", gamma, r"\gamma=", "0", ""),

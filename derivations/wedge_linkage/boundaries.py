@@ -15,7 +15,7 @@ from mechproof.record import (
     Statement,
 )
 
-from .._relations import less, not_above
+from .._relations import less
 from .mechanics import driven
 from .sizes import SETS, Signs, limits
 from .symbols import (
@@ -47,7 +47,6 @@ Displacement: TypeAlias = "sp.Rational | int | str"
 
 # Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
 START, CROSSING, DEVIATION = Rational(-40), Rational("-29.4"), "10"
-LAST_PLACE = Rational(1, 10)
 
 # "+" is the upper limit, "-" the lower; what is not named is at its nominal value.
 BOUNDARY_II = {
@@ -101,33 +100,6 @@ def above(table: PublishedSizes, one: Signs, other: Signs, displacement: Displac
     """State that curve `one` lies above curve `other` at a displacement (mm)."""
     first, second = (position_of(table, signs, displacement) for signs in (one, other))
     return less(second, first)
-
-
-def crossing(table: PublishedSizes) -> Conjunction:
-    """State that curves III and IV change order within half a last place around the crossing."""
-    return Conjunction(
-        (
-            above(table, BOUNDARY_III, BOUNDARY_IV, CROSSING - LAST_PLACE / 2),
-            above(table, BOUNDARY_IV, BOUNDARY_III, CROSSING + LAST_PLACE / 2),
-        )
-    )
-
-
-def spread(table: PublishedSizes, displacement: Displacement) -> sp.Expr:
-    """Return the width between the boundaries II and III or IV."""
-    lower = BOUNDARY_III if Rational(displacement) > CROSSING else BOUNDARY_IV
-    upper = position_of(table, BOUNDARY_II, displacement)
-    return sp.Add(upper, -position_of(table, lower, displacement), evaluate=False)
-
-
-def largest_at_the_end(table: PublishedSizes) -> Conjunction:
-    """State that the spread at the start is not below that at -35, -30, ..., 0 mm."""
-    at_the_end = spread(table, START)
-    return Conjunction(
-        tuple(
-            not_above(spread(table, displacement), at_the_end) for displacement in range(-35, 1, 5)
-        )
-    )
 
 
 def deviations_round(

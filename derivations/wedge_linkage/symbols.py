@@ -15,7 +15,7 @@ from mechproof.document.transcription import Transcription
 from mechproof.latex import Reader
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))
-x1, x5, x5_driven, y9, phi2, phi3, phi7 = PRINT.symbols("x1 x5 x5' y9 varphi2 varphi3 varphi7")
+x1, x5, x5_driven, y9, phi3, phi7 = PRINT.symbols("x1 x5 x5' y9 varphi3 varphi7")
 l_AB, l_BC, l_CD, l_DE, l_EF = PRINT.symbols("l_AB l_BC l_CD l_DE l_EF")
 l_GH, l_IK, l_KL, l_LM, l_MN = PRINT.symbols("l_GH l_IK l_KL l_LM l_MN")
 alpha_DE, alpha_KL, alpha_LM = PRINT.symbols("alpha_DE alpha_KL alpha_LM")

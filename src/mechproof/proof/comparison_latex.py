@@ -145,6 +145,10 @@ def _write_number(number: sp.Expr, names: _NAMED) -> str:
     return rf"{balls.evaluate_until(number, {}, 64).mid().str(_DIGITS, radius=False)}\ldots"
 
 
+def _is_subtracted(term: sp.Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0].could_extract_minus_sign())
+
+
 class _Printer(LatexPrinter):  # type: ignore[misc]
     """Writes the symbols of a paper as the paper prints them."""
 
@@ -170,6 +174,12 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
             return rf"\text{{{part.name.translate(_ESCAPES)}}}"
         written: str = super()._print(part, **settings)
         return written
+
+    def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
+        """Order terms as people do: 1 + e^2 - 2 e cos(x), and no sign before the first."""
+        terms = list(expr.args)
+        first = next((t for t in terms if not _is_subtracted(t)), terms[0])
+        return [first, *(term for term in terms if term is not first)]
 
     def _print_element(self, element: sp.Indexed) -> str:
         name = self._print(element.base)
