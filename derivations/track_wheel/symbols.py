@@ -107,7 +107,7 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
     },
     (NUMBER, UNIT_INTERVAL): {
         correlations: ("correlation coefficients", "R"),
-        correlations_t: ("correlation coefficients at time t", "R_#(t)"),
+        correlations_t: ("correlation coefficients at time t", "R_{#}(t)"),
     },
     (LENGTH, POSITIVE): {
         **{
