@@ -60,6 +60,7 @@ def unbiased_row(number: str) -> Claim:
         Equality(expected_squares(), (n - 1) * sigma2),
         note="For independent observations of equal variance; this is why the divisor is n - 1.",
         marks=("ours",),
+        quantities=("standard_deviation",),
     )
 
 

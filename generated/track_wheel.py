@@ -446,7 +446,7 @@ def radius(
 
     Notes
     -----
-    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
+    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), |A| <= R (A has either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -519,7 +519,7 @@ def track(
 
     Notes
     -----
-    Domain: 0 < R, H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
+    Domain: 0 < R, H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A has either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -580,7 +580,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Notes
     -----
-    Domain: 0 < R < oo, |A| <= R (A of either sign).
+    Domain: 0 < R < oo, |A| <= R (A has either sign).
 
     Accuracy, tested: 0.5 eps of the value.
 
@@ -628,7 +628,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Notes
     -----
-    Domain: 0 < R < oo, |A| <= R (A of either sign).
+    Domain: 0 < R < oo, |A| <= R (A has either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -689,7 +689,7 @@ def error_sum_correlated(
     Domain: 0 < total_scatter, scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <= tolerances[i]
     < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <= Sum[i=1..n,
     j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*sensitivities[j]*
-    tolerances[i]*tolerances[j]) (a symmetric matrix with ones on its diagonal that gives no
+    tolerances[i]*tolerances[j]) (the matrix is symmetric, has ones on its diagonal and gives no
     negative square).
 
     Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
@@ -783,8 +783,8 @@ def error_sum(
 
     Notes
     -----
-    Domain: 0 < total_scatter, scatters[i] < oo, 0 <= tolerances[i] < oo (tolerances from zero
-    on).
+    Domain: 0 < total_scatter, scatters[i] < oo, 0 <= tolerances[i] < oo (no tolerance is
+    negative).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -869,7 +869,7 @@ def error_sum_thermal(
     Notes
     -----
     Domain: 0 < total_scatter, scatters[i], thermal_scatter < oo, 0 <= tolerances[i],
-    thermal_share < oo, thermal_scatter*thermal_share < total_scatter (the temperature error
+    thermal_share < oo, thermal_scatter*thermal_share < total_scatter (the temperature error is
     below the total).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50

@@ -109,7 +109,7 @@ def test_the_answer_says_where_it_is_judged(tmp_path: Path) -> None:
     done = run(print_, "--where", "x>y", "--json", str(file))
     (row,) = json.loads(file.read_text(encoding="utf-8"))["rows"]
     assert (row["verdict"], row["on"]) == ("PROVED", "y > 0 and x>y")
-    assert "on y > 0 and x>y" in done.output
+    assert "where y > 0 and x>y" in done.output
 
 
 @pytest.mark.usefixtures("judged_here")

@@ -8,6 +8,8 @@ import pytest
 from command import run
 from weights import first_of
 
+from mechproof.record import Claim
+
 HEAD = """
 from sympy import *
 from mechproof.record import *
@@ -121,3 +123,16 @@ def test_a_row_of_the_paper_cannot_stand_for_the_row_of_a_kernel(tmp_path: Path)
     result = run("verify", "--derivations", str(folder))
     assert result.exit_code == 1
     assert "given twice by the paper and its forms: rows ['kernel q']" in result.output
+
+
+def test_a_row_stands_on_the_page_of_a_quantity_that_there_is(tmp_path: Path) -> None:
+    says = 'Claim("as a cosine", "q", Equality(sin(x), cos(x - pi/2)), marks=("ours",)'
+    folder = write(tmp_path, f'sin(x), Form("sine", sin(x)), rows=({says}, quantities=("p",)),)')
+    result = run("verify", "--derivations", str(folder))
+    assert result.exit_code == 1
+    assert "rows name quantities that there are none of: ['p']" in result.output
+
+
+def test_a_printed_row_stands_in_its_paper() -> None:
+    with pytest.raises(ValueError, match="only rows of ours name them"):
+        Claim("(1)", "q", quantities=("q",))

@@ -17,7 +17,7 @@ from mechproof.verification import judge_derivations
 
 FIELDS = {
     "id",
-    "cites",
+    "cites", "quantities",
     "system", "number", "kind", "verdict", "rung", "marks",
     "print", "paraphrase", "read_as", "compared_with", "on", "singular", "reason", "evidence",
     "corrected_latex",

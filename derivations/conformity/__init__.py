@@ -170,6 +170,7 @@ ROWS = (
         note="Exponents and variances of the normal laws; by it a share of parts is an integral "
         "over the measured deviation as well.",
         marks=("ours",),
+        quantities=tuple(DEFINITIONS),
     ),
 )
 

@@ -62,7 +62,11 @@ REACHED_BOTH = Part(
 
 
 def inverse_row(
-    number: str, latex: str, *parts: tuple[Expr, Expr], on: Part | None = None
+    number: str,
+    quantities: tuple[str, ...],
+    latex: str,
+    *parts: tuple[Expr, Expr],
+    on: Part | None = None,
 ) -> Claim:
     """State that sizes so found have the ratios that are wanted."""
     return Claim(
@@ -71,35 +75,41 @@ def inverse_row(
         all_of(*(Equality(found, wanted) for found, wanted in parts)),
         on=on,
         marks=("ours",),
+        quantities=quantities,
     )
 
 
 DESIGN_ROWS = (
     inverse_row(
         "largest ratio",
+        ("eccentricity_of_largest_ratio",),
         r"e=\frac{i_{\max}-1-k}{i_{\max}-1+k},\ k=\tfrac{R_1}{R_2}",
         (largest.subs(e, OF_LARGEST), largest_wanted),
         on=REACHED_LARGEST,
     ),
     inverse_row(
         "smallest ratio",
+        ("eccentricity_of_smallest_ratio",),
         r"e=\frac{k+1-i_{\min}}{k-1+i_{\min}}",
         (smallest.subs(e, OF_SMALLEST), smallest_wanted),
         on=REACHED_SMALLEST,
     ),
     inverse_row(
         "quotient of the extremes",
+        ("eccentricity_of_quotient",),
         r"q=\tfrac{i_{\max}}{i_{\min}}:\ \frac{1+e}{1-e}=\frac{q-1+\sqrt{(q-1)^2+4k^2q}}{2k}",
         (largest.subs(e, OF_QUOTIENT), quotient_wanted * smallest.subs(e, OF_QUOTIENT)),
         ((1 + OF_QUOTIENT) / (1 - OF_QUOTIENT), (EXCESS + ROOT_OF_QUOTIENT) / (2 * k)),
     ),
     inverse_row(
         "non-uniformity",
+        ("eccentricity_of_non_uniformity",),
         r"\delta=\tfrac{i_{\max}-i_{\min}}{1+k}:\ e=\frac n{2+\sqrt{4+n^2}},\ n=\delta\tfrac{1+k}k",
         (non_uniformity.subs(e, OF_NON_UNIFORMITY), non_uniformity_wanted),
     ),
     inverse_row(
         "both extremes",
+        ("eccentricity_of_extremes", "radii_of_extremes"),
         r"k=\sqrt{(i_{\max}-1)(i_{\min}-1)},\ "
         r"e=\frac{i_{\max}-i_{\min}}{(\sqrt{i_{\max}-1}+\sqrt{i_{\min}-1})^2}",
         (1 + RADII_OF_BOTH * (1 + OF_BOTH) / (1 - OF_BOTH), largest_wanted),
@@ -120,6 +130,12 @@ DESIGN_ROWS = (
         note="At e = 0 they are 1 + k, 1 + k, 1 and 0; as e nears 1 the largest ratio, the "
         "quotient and the non-uniformity pass every limit and the smallest ratio nears 1.",
         marks=("ours",),
+        quantities=(
+            "eccentricity_of_largest_ratio",
+            "eccentricity_of_smallest_ratio",
+            "eccentricity_of_quotient",
+            "eccentricity_of_non_uniformity",
+        ),
     ),
 )
 

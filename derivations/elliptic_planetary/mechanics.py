@@ -1,6 +1,21 @@
 """The mechanics of paper 1: velocity plan, inversion, ellipse, position."""
 
-from sympy import Eq, Expr, Integral, Matrix, atan, atan2, cos, diff, sin, symbols, tan
+from sympy import (
+    Eq,
+    Expr,
+    Integral,
+    Matrix,
+    atan,
+    atan2,
+    cancel,
+    cos,
+    diff,
+    factor_terms,
+    fraction,
+    sin,
+    symbols,
+    tan,
+)
 
 from .._linear import solve_linear
 from .symbols import (
@@ -53,7 +68,9 @@ def radius_of_mate(angle: Expr) -> Expr:
 
 
 # Position: the ratio integrated from phi10 = 0, phi30 = 0, over any number of turns.
-position = Integral(ratio_by_inversion.subs(rho, focal_radius.subs(theta, k * tau)), (tau, 0, phi1))
+on_ellipse = wheel_3_against_carrier.subs(rho, focal_radius.subs(theta, k * tau))
+above, below = fraction(cancel(on_ellipse))
+position = Integral(1 + factor_terms(above) / below, (tau, 0, phi1))
 lead = atan2(e * sin(x), 1 - e * cos(x))
 position_closed = (1 + k) * phi1 + 2 * lead
 position_principal = phi1 + 2 * atan((1 + e) / (1 - e) * tan(x / 2))

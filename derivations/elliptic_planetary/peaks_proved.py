@@ -62,6 +62,7 @@ PEAK_ROWS = (
         "before x = 0.",
         on=PROPER,
         marks=("ours",),
+        quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
     ),
     Claim(
         "acceleration, where it is extreme, without cancellation",
@@ -69,6 +70,7 @@ PEAK_ROWS = (
         Equality(cosine_of(T2_ACCELERATION), C_ACCELERATION),
         on=PROPER,
         marks=("ours",),
+        quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
     ),
     Claim(
         "acceleration, how large it is",
@@ -79,6 +81,7 @@ PEAK_ROWS = (
         ),
         on=PROPER,
         marks=("ours",),
+        quantities=("largest_acceleration",),
     ),
     Claim(
         "jerk, where it turns",
@@ -97,6 +100,7 @@ PEAK_ROWS = (
         "smallest there, at whole turns of x.",
         on=PROPER,
         marks=("ours",),
+        quantities=("jerk", "smallest_jerk", "largest_jerk", "angle_of_largest_jerk"),
     ),
     Claim(
         "jerk, largest at half a turn",
@@ -109,6 +113,7 @@ PEAK_ROWS = (
         note="There the numerator is nowhere below zero; it is zero at 1 + e^2 = 10 e, c = -1.",
         on=UP_TO_THRESHOLD,
         marks=("ours",),
+        quantities=("largest_jerk", "angle_of_largest_jerk"),
     ),
     Claim(
         "jerk, largest before half a turn",
@@ -121,5 +126,6 @@ PEAK_ROWS = (
         ),
         on=BEYOND,
         marks=("ours",),
+        quantities=("largest_jerk", "angle_of_largest_jerk"),
     ),
 )

@@ -168,7 +168,7 @@ FIGURES = (
         "of which the text at hand has no formula. Dots mark the extremes of the ratio, known in "
         "closed form: the largest where the satellite has made whole turns, the smallest half a "
         "turn later.",
-        "extremes of the ratio, second sign",
+        "different non-uniformity",
         draw_rates,
         height=140.0,
     ),

@@ -46,9 +46,9 @@ CORRECT_12 = (
 EQUATION_12 = PRINT.equation(
     "(12)",
     note=(
-        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) takes the "
+        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
         "root of that once more. Without it the factor before the arctangent is 2 and the "
-        "quotient inside is (1+e)/(1-e). Besides, the arctangent jumps back after each turn. "
+        "quotient inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. "
         "Compared with what (8), which is proved, gives when it is integrated from 0."
     ),
     corrected=Correction(CORRECT_12),
@@ -95,16 +95,6 @@ POSITION_ROWS = (
         },
     ),
     DX_SUPPLIED,
-    Claim(
-        "(10), first and last expression",
-        rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",
-        note=(
-            "Read as integrals from 0. The end of the chain is right, although its fourth "
-            "expression is not."
-        ),
-        on=BRANCH,
-        marks=("ours",),
-    ),
     PRINT.claim("since e <= 1", on=UP_TO_ONE, cites=("S31",)),
     PRINT.equation(
         "(11)",
@@ -149,6 +139,7 @@ POSITION_ROWS = (
         on=BRANCH,
         note="The right-hand side also holds beyond the branch.",
         marks=("ours",),
+        quantities=("position",),
     ),
 )
 
@@ -213,5 +204,6 @@ POSITION_CLAIMS = (
         derived={ratio_symbol: print_8},
         note="Reached at x = pi and x = 0 modulo 2 pi.",
         marks=("ours",),
+        quantities=("largest_ratio", "smallest_ratio"),
     ),
 )

@@ -138,6 +138,7 @@ RATIO_ROWS = (
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         marks=("ours",),
+        quantities=("ratio",),
     ),
     PRINT.equation(
         "(7)",

@@ -56,6 +56,7 @@ ROWS = (
         Equality(ONE_PASS, VARIANCE),
         note="Rounded, two nearly equal sums are subtracted.",
         marks=("ours",),
+        quantities=("standard_deviation",),
     ),
     Claim(
         "4.2.2, centred twice",
@@ -63,6 +64,7 @@ ROWS = (
         Equality(CENTRED_TWICE, VARIANCE),
         note="Exactly, c is 0; rounded, it takes the error of the mean out.",
         marks=("ours",),
+        quantities=("standard_deviation",),
     ),
 )
 

@@ -46,9 +46,9 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "acceleration by the model",
-        r"\varphi_3''=\frac{4E(1-E^2)\sin2\varphi_1}{(1+E^2-2E\cos2\varphi_1)^2};\ \text{pair 4-5 "
-        r"cylindrical: }\varphi_3''=\frac{R_4^2}{R_5^2}\cdot"
-        r"\frac{4e_2(1-e_2^2)\sin x}{(1+e_2^2-2e_2\cos x)^2},\ x=2\tfrac{R_4}{R_5}\varphi_1",
+        r"\varphi_3''=\frac{4E(1-E^2)\sin2\varphi_1}{(1+E^2-2E\cos2\varphi_1)^2},\quad "
+        r"E=\frac{e_1+e_2}{1+e_1e_2},\quad\varphi_3''=\frac{R_4^2}{R_5^2}\cdot"
+        r"\frac{4e_2(1-e_2^2)\sin x}{(1+e_2^2-2e_2\cos x)^2},\ x=2\frac{R_4}{R_5}\varphi_1",
         all_of(
             Equality(
                 4 * e * (1 - e**2) * sp.sin(2 * phi1) / (1 + e**2 - 2 * e * COS_4) ** 2,
@@ -64,8 +64,8 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
                 sp.diff(ratio_with_cylinders_45, phi1),
             ),
         ),
-        note="For two oval pairs, with E = (e1 + e2)/(1 + e1 e2), and for a cylindrical pair 4-5; "
-        "the output is counted with the carrier.",
+        note="First for two oval pairs, then for a cylindrical pair 4-5. The output is counted "
+        "with the carrier.",
         marks=("ours", "inferred"),
     ),
 )

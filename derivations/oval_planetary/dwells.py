@@ -61,6 +61,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         Equality(from_place(QUARTER), phi1 - sp.atan(OF_E * HALF)),
         on=BRANCH,
         marks=("ours",),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "dwells, position from the fastest place",
@@ -69,6 +70,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         Equality(from_place(sp.S.Zero), phi1 - sp.atan(HALF / OF_E)),
         on=BRANCH,
         marks=("ours",),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "dwells, where the output turns back",
@@ -81,6 +83,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         note="From there on it is nearer to the place the smaller q is: arctg(q t) rises with q.",
         on=RETURNS,
         marks=("ours",),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "dwells, how far the output turns back",
@@ -93,6 +96,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         note="Where the output turns back M does not change with t, so only q counts.",
         on=RETURNS,
         marks=("ours",),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "dwells, time spent at a speed",
@@ -108,6 +112,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         "place where it turns back after less.",
         on=PROPER,
         marks=("ours",),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "dwells, ratio within eta at an angle",
@@ -121,6 +126,7 @@ DWELL_ROWS: tuple[Row, ...] = (
         ),
         note="u written theta. At an angle x from a place this is of the second degree in e2.",
         marks=("ours",),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "dwells, exact",
@@ -136,6 +142,7 @@ DWELL_ROWS: tuple[Row, ...] = (
             ),
         ),
         marks=("ours",),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "dwells, equal circles",
@@ -148,5 +155,6 @@ DWELL_ROWS: tuple[Row, ...] = (
         "below its largest value M, sin(M) = e2, while the carrier turns by L, "
         "cos(L) sin(M) = sin(M - 2 b).",
         marks=("ours",),
+        quantities=("position_cylindrical",),
     ),
 )

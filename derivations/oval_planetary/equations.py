@@ -182,6 +182,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         derived={phi6: print_5},
         note="Over any number of turns; tan(phi6) = (1 + e1)/(1 - e1) tan(phi1).",
         marks=("ours",),
+        quantities=("position",),
     ),
     Claim(
         "(5), double angle",
@@ -194,6 +195,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
             )
         ),
         marks=("ours",),
+        quantities=("position", "ratio"),
     ),
     PRINT.equation(
         "(6)",
@@ -204,19 +206,18 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "(6), mesh with the sun",
-        r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=2a-\rho_4(\varphi_1)",
-        Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
-        note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
-        marks=("ours", "rebuilt", "uncertain", "inferred"),
-    ),
-    Claim(
-        "(6), sign",
-        r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
-        Equality(
-            print_radius(e1, sp.pi / 2 - phi6), focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6})
+        r"2a-\rho_4(\varphi_1)=\rho_5\left(\tfrac\pi2-\varphi_6\right)"
+        r"=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
+        all_of(
+            Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
+            Equality(
+                print_radius(e1, sp.pi / 2 - phi6),
+                focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6}),
+            ),
         ),
-        note="Nothing depends on the sign, which may be the bar of a fraction.",
-        marks=("ours",),
+        note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6). "
+        "Nothing depends on the sign, which may be the bar of a fraction.",
+        marks=("ours", "rebuilt", "uncertain", "inferred"),
     ),
     PRINT.equation(
         "(7)",
@@ -249,6 +250,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         Equality(print_radius(e, phi), mate * sp.diff(driven_angle(e, phi), phi)),
         note="The arcs are equal: congruent ovals roll without slip.",
         marks=("ours",),
+        quantities=("ratio",),
     ),
     PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred"), cites=("S25",)),
     Claim(
@@ -256,6 +258,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         marks=("ours", "inferred"),
+        quantities=("ratio",),
     ),
     PRINT.equation(
         "(10)",

@@ -190,7 +190,7 @@ def as_printed(code: EmittedForm) -> Statement:
 
 
 QUARTER = sp.Interval.open(-sp.pi / 2, sp.pi / 2)
-BRANCHES = Part("each angle on its first branch", dict.fromkeys((phi1, phi6, mount), QUARTER))
+BRANCHES = Part("each angle is on its first branch", dict.fromkeys((phi1, phi6, mount), QUARTER))
 PRINTED_RADII = {
     rho5: print_radius(e1, sp.pi / 2 - phi6_closed),
     rho6: print_radius(e2, phi6_closed + mount),

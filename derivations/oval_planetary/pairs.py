@@ -80,9 +80,11 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\frac1{1-\varphi_3'}=\frac{\mu^2(1+\cos2\varphi_1)+2\mu\nu\sin2\varphi_1"
         r"+(\lambda^2+\nu^2)(1-\cos2\varphi_1)}{2\lambda\mu}",
         Equality(1 / (1 - ratio_of_map(*COEFFICIENTS)), 1 / wheel_3_rate),
-        note="lambda = (1+e1)(1-e2^2), mu = (1-e1)(1+e2^2-2 e2 cos 2m), nu = 2(1+e1) e2 sin 2m: "
-        "the pairs compose as tan(chi) = lambda t/(mu + nu t), t = tan(phi1); the ratio is not 1.",
+        note="lambda = (1 + e1)(1 - e2^2), mu = (1 - e1)(1 + e2^2 - 2 e2 cos 2m), nu = 2 (1 + e1) "
+        "e2 sin 2m: the pairs compose as tan(chi) = lambda t/(mu + nu t), t = tan(phi1); the ratio "
+        "is not 1.",
         marks=("ours", "inferred"),
+        quantities=("ratio",),
     ),
     Claim(
         "coefficients without cancellation",
@@ -98,12 +100,14 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
             )
         ),
         marks=("ours",),
+        quantities=("ratio", "position", "acceleration"),
     ),
     Claim(
         "position, any mount",
         r"\int_0^{\varphi_1}\varphi_3'\,d\varphi_1\text{ as two arguments}",
         Equality(position_by_one_pair, integrate(ratio_of_map(lam, mu, nu))),
         marks=("ours",),
+        quantities=("position",),
     ),
     Claim(
         "position, any mount, one argument",
@@ -112,6 +116,7 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         Equality(position_of_map(lam, mu, nu, lam - mu), position_by_one_pair),
         note="The output never leaves (-pi, pi): two oval pairs only make it swing.",
         marks=("ours",),
+        quantities=("position",),
     ),
     Claim(
         "drift, oval pairs",
@@ -119,6 +124,7 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         advances(position_of_map(lam, mu, nu, lam - mu), sp.pi, sp.S.Zero),
         note="There is no mean drift, whatever the eccentricities and the mounting.",
         marks=("ours", "inferred"),
+        quantities=("position",),
     ),
     Claim(
         "amplitude",
@@ -129,6 +135,7 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         ),
         note="sin(phi3)^2 = E^2 sin(x)^2/(1 + E^2 - 2 E cos(x)); E written e.",
         marks=("ours",),
+        quantities=("position",),
     ),
     Claim(
         "reciprocating, oval pairs",
@@ -169,6 +176,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="(10) with the radii of pair 4-5 replaced by numbers, its sign as in the mechanics, "
         "and wheel 6 turned by (R4/R5) phi1.",
         marks=("ours", "inferred"),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "position, cylindrical pair 4-5",
@@ -176,6 +184,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"-\mathrm{arctg}\frac{e_2\sin x}{1-e_2\cos x}",
         Equality(position_45, integrate(ratio_with_cylinders_45)),
         marks=("ours", "inferred"),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "drift, cylindrical pair 4-5",
@@ -184,6 +193,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         advances(position_45, sp.pi * R5 / R4, sp.pi * (R5 / R4 - 1)),
         note="The mean ratio is 1 - R4/R5; only for R4 = R5 is there no drift.",
         marks=("ours", "inferred"),
+        quantities=("position_cylindrical",),
     ),
     Claim(
         "extremes, cylindrical pair 4-5",
@@ -211,6 +221,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "dwell is a double zero.",
         on=PROPER_45,
         marks=("ours", "inferred"),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "width of a dwell",
@@ -220,9 +231,10 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
             Equality(ratio_beside.subs(width, edge), -eta),
             Holds(sp.diff(ratio_beside, width) < 0),
         ),
-        note="For R4/R5 = (1+e2)/(1-e2), where the ratio falls on both sides of x = pi; in the "
+        note="For R4/R5 = (1 + e2)/(1 - e2), where the ratio falls on both sides of x = pi; in the "
         "carrier's angle the dwell is 2 (R5/R4) arctan(T) wide.",
         on=REACHED,
         marks=("ours", "inferred"),
+        quantities=("ratio_cylindrical",),
     ),
 )

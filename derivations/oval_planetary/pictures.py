@@ -43,8 +43,8 @@ def draw_positions(canvas: Any) -> None:
         panel.set_xticks(
             np.linspace(0, 2 * np.pi, 7), ["0", "π/3", "2π/3", "π", "4π/3", "5π/3", "2π"]
         )
+        panel.set_xlabel("carrier φ₁, rad")
     swing.sharex(turn)
-    turn.set_xlabel("carrier φ₁, rad")
 
 
 def _draw_swings(panel: Any) -> None:

@@ -131,7 +131,7 @@ FINDINGS = (
         weight=Weight.CONCLUSION,
         mend="(b), crossovers",
         check=Check(
-            "Tip: tg 20°·25 µm/6 = {0}; gauge: √(1 + 0.7279²)·2 µm/3 = {1}",
+            "Tip: tg 20°·25 µm/6 = {0}; gauge: √(1 + 0.7279²)·2 µm/3 = {1}.",
             RECOMMENDED_SPREADS[::-1],
             2,
             "µm",
@@ -176,7 +176,7 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "25 µm/6 = {0} for every tooth, divided by √50 {1} for their mean",
+            "25 µm/6 = {0} for every tooth; the mean of 50 such teeth has {0}/√50 = {1}.",
             (SPREAD_6, SPREAD_6 / sqrt(TEETH)),
             1,
             "µm",
@@ -199,9 +199,9 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.0035)^50 of "
-            "the wheels are good and rejected.",
-            (NORMAL_SHARE, rejected_by(6, 0)),
+            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.0035)^50 = "
+            "{2} of the wheels are good and rejected.",
+            (NORMAL_SHARE, rejected_by(6, 0), wheels_rejected(6)),
             2,
             "%",
         ),
@@ -222,7 +222,7 @@ FINDINGS = (
         ),
         weight=Weight.FORMULA,
         check=Check(
-            "A standard deviation of 50 µm/6 = {0}, or one of 50 µm/2 = {1}",
+            "A standard deviation of 50 µm/6 = {0}, or one of 50 µm/2 = {1}.",
             (Rational(GAUGE_UM, 6) * MICROMETRE, Rational(GAUGE_UM, 2) * MICROMETRE),
             1,
             "µm",

@@ -119,7 +119,7 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "step 3, IT grades",
-        r"120<d_a=156\le180~\mathrm{mm}\colon\ \mathrm{IT}6=25,\ \mathrm{IT}7=40,\ "
+        r"120<d_a=156\le180~\mathrm{mm},\quad\mathrm{IT}6=25,\ \mathrm{IT}7=40,\ "
         r"\mathrm{IT}8=63~\mu\mathrm{m}",
         all_of(
             less(S(RANGE[0]), S(TIP_DIAMETER)),
@@ -129,7 +129,7 @@ ALGORITHM_ROWS = (
                 for factor, value in GRADES.values()
             ),
         ),
-        note="ISO 286-1: 10, 16 and 25 i, i = 0.45 D^(1/3) + 0.001 D, D = sqrt(120*180) mm; "
+        note="ISO 286-1: 10, 16 and 25 i, i = 0.45 ∛D + 0.001 D, D = √(120·180) mm; "
         "d_a = m (z + 2), addendum of one module, as the height to the constant chord shows.",
         marks=("ours", "calibrated"),
     ),
@@ -214,7 +214,7 @@ ALGORITHM_ROWS = (
         derived={E_measured: reading},
         substituted={ds_height: K_m * dh},
         note="The indication less the nominal chord, to first order, for a tooth whose flanks are "
-        "turned to its true deviation and that is measured along a line deeper by Delta h; step 6 "
+        "turned to its true deviation and that is measured along a line deeper by Δh; step 6 "
         "is inserted.",
         marks=("rebuilt",),
     ),

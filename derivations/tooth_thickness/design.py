@@ -111,6 +111,7 @@ DESIGN_ROWS = (
             "cancels."
         ),
         marks=("ours",),
+        quantities=("constant_chord",),
     ),
     Claim(
         "height to the constant chord",
@@ -121,6 +122,7 @@ DESIGN_ROWS = (
         ),
         note="By the rack and by the involute, with an addendum of one module.",
         marks=("ours",),
+        quantities=("chord_height",),
     ),
     PRINT.datum(
         "data, smallest deviation",
@@ -244,7 +246,7 @@ PARAMETER_ROWS = (
     ),
     Claim(
         "controlled parameters, mean error",
-        r"\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
+        r"\mathrm E\,(E_{cs0}-E_{csu})=\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
         Equality(
             tan(alpha) * (2 * dh_gauge - e_tip) + ds_gauge,
             (reading - E_true).subs(dh, height_deviation),

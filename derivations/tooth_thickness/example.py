@@ -80,7 +80,7 @@ EXAMPLE_ROWS = (
         ),
         note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which is "
         "99.73 % for a normal law in the middle of the field. For what 50 teeth can show of it "
-        "see the next row.",
+        "see 'Table 1, 50 of 50, what it shows'.",
         marks=("calibrated",),
         cites=("S31",),
     ),

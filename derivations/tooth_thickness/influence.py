@@ -87,6 +87,7 @@ INFLUENCE_ROWS = (
             "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height."
         ),
         marks=("ours",),
+        quantities=("thickness_change_linear",),
     ),
     Claim(
         "(1), where 0.7284 is the slope",
@@ -111,7 +112,8 @@ INFLUENCE_ROWS = (
         says=good_to_the_last_place(excess_in_print),
         on=HEIGHTS_TO_0_1_MM,
         note="In its own words an approximation, judged as (1) was; the product is never too "
-        "small, see 'step 6, excess of the linear model'.",
+        "small: see 'step 6, excess of the linear model', on the page of the linearisation "
+        "bound.",
         marks=("rebuilt", "calibrated"),
         cites=("S36",),
     ),
@@ -131,6 +133,7 @@ INFLUENCE_ROWS = (
         ),
         note="The closed forms of the kernels, compared with the involute.",
         marks=("ours",),
+        quantities=("height_change", "thickness_change"),
     ),
     Claim(
         "step 6, curvature",
@@ -145,6 +148,7 @@ INFLUENCE_ROWS = (
         "By the second, cos(delta) >= r_b/y wherever S >= 0 and 0 <= delta < pi/2; by the third, "
         "deeper chords being thicker, r_b t falls by no more than y^2 does.",
         marks=("ours",),
+        quantities=("linearisation_bound",),
     ),
     Claim(
         "step 6, excess of the linear model",
@@ -165,5 +169,6 @@ INFLUENCE_ROWS = (
             "|dh| <= y_c - r_b, up to the tip."
         ),
         marks=("ours",),
+        quantities=("thickness_change_linear", "linearisation_bound"),
     ),
 )

@@ -238,7 +238,7 @@ PRINTED_SIZES = {
 # the 25 um of IT6 together are less.
 NARROW = Rational(1, 260)
 HEIGHTS_TO_0_1_MM = Part(
-    "heights off by up to 0.1 mm, tilts of both signs", {tilt: Interval(0, NARROW)}
+    "the height is off by up to 0.1 mm, either way", {tilt: Interval(0, NARROW)}
 )
 # The paper gives deviations in whole micrometres: one of them, as a share of 0.1 mm.
 LAST_SHARE = Rational(1, 100)

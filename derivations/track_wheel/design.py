@@ -92,6 +92,7 @@ DESIGN_ROWS: tuple[Row, ...] = (
         note="By (15), for a tilt about X_0 and an offset against the side that rises; beta and "
         "gamma are 0.",
         marks=MARKS,
+        quantities=("planar_error", "spatial_error"),
     ),
     Claim(
         "design, worst point",
@@ -105,6 +106,7 @@ DESIGN_ROWS: tuple[Row, ...] = (
         note="With t = tan(alpha/2) from 0 to 1, y_13 = rho - d = f - rho, d and f not negative. "
         "An offset in another direction adds no more than e in the plane, and nothing across it.",
         marks=MARKS,
+        quantities=("planar_error", "spatial_error"),
     ),
     Claim(
         "design, one tilt at most",
@@ -116,6 +118,7 @@ DESIGN_ROWS: tuple[Row, ...] = (
         ),
         note="t = tan(alpha/2), above 0 and up to 1; without a tilt both errors are e.",
         marks=MARKS,
+        quantities=("planar_error", "spatial_error"),
     ),
     Claim(
         "design, tilt for an error in the plane",
@@ -123,6 +126,7 @@ DESIGN_ROWS: tuple[Row, ...] = (
         Equality(inwards(radius_vector).subs(tilt_tangent, PLANAR_ROOT), planar_error),
         on=IN_PLANE,
         marks=MARKS,
+        quantities=("planar_error",),
     ),
     Claim(
         "design, tilt for an error in space",
@@ -131,5 +135,6 @@ DESIGN_ROWS: tuple[Row, ...] = (
         Equality(squared(radius_vector).subs(tilt_tangent, SPATIAL_ROOT), spatial_error**2),
         on=IN_SPACE,
         marks=MARKS,
+        quantities=("spatial_error",),
     ),
 )

@@ -82,8 +82,7 @@ FIGURE_ROWS: tuple[Row, ...] = (
         Distinct(DISPLACED_DISTANCE, DISTANCE),
         readings=(
             Reading(
-                "as deviations of location alone: no distance between two points of the part "
-                "changes",
+                "deviations of location alone: no distance between two points of the part changes",
                 Equality(DISPLACED_DISTANCE, DISTANCE),
             ),
         ),

@@ -95,7 +95,7 @@ FINDINGS = (
         weight=Weight.CONCLUSION,
         mend="Fig. 5, largest possible gain",
         check=Check(
-            "√(16² + 50² + 42² + 10² + 21²) = {0}; without the 42²: {1}",
+            "√(16² + 50² + 42² + 10² + 21²) = {0}; without the 42²: {1}.",
             (FIVE, WITHOUT_ELASTIC),
             1,
             "µm",
@@ -122,8 +122,8 @@ FINDINGS = (
         follows=(FollowingRow("(7)", renamed=RENAMED),),
         weight=Weight.NUMBER,
         check=Check(
-            "all K = 1, in mm: Δ² = 0.005061 + 0.15Δ gives {0}; in µm: Δ² = 5061 + 0.15Δ gives "
-            "{1}; with the temperature error squared, (1 - 0.15²)Δ² = 0.005061, {2}",
+            "All K = 1, in mm: Δ² = 0.005061 + 0.15Δ gives {0}; in µm: Δ² = 5061 + 0.15Δ gives "
+            "{1}; with the temperature error squared, (1 - 0.15²)Δ² = 0.005061 gives {2}.",
             (
                 total_by_printed_sum(sp.Integer(1)),
                 total_by_printed_sum(sp.Rational(1, 1000)),
@@ -155,7 +155,7 @@ FINDINGS = (
         check=Check(
             "Two points of the part, 2(R + A) apart along X_0, turned by 0.00103 about Y_0, are "
             "{0} apart along X_0 and {1} along Z_0; the root of the sum of squares is {2}, as "
-            "before",
+            "before.",
             (FARTHEST_APART * sp.cos(TURN), FARTHEST_APART * sp.sin(TURN), FARTHEST_APART),
             6,
             "mm",
@@ -180,7 +180,7 @@ FINDINGS = (
         ),
         weight=Weight.NUMBER,
         check=Check(
-            "√(5061/(1 - 0.15²)) = {0}; √(3·5061/(1 - 3·0.15²)) = {1}",
+            "√(5061/(1 - 0.15²)) = {0}; √(3·5061/(1 - 3·0.15²)) = {1}.",
             (RIGHT_TOTAL, total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES)),
             1,
             "µm",
@@ -194,7 +194,7 @@ FINDINGS = (
         weight=Weight.FORMULA,
         check=Check(
             "n = 2, K = 1, all K_i S_i T_i = 1, R_12 = 0.5: with j in the place of k the total is "
-            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed, the terms hold a j that has no value",
+            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed, the terms hold a j that has no value.",
             (sp.sqrt(3),),
         ),
     ),
@@ -215,8 +215,8 @@ FINDINGS = (
         ),
         weight=Weight.WORDING,
         check=Check(
-            "two independent errors of 3 µm and 4 µm, K = 1: (5) gives {0}, (3) with S_1 = 2 and "
-            "S_2 = 1 gives {1}",
+            "Two independent errors of 3 µm and 4 µm, K = 1: (5) gives {0}, (3) with S_1 = 2 and "
+            "S_2 = 1 gives {1}.",
             (sp.Rational(5, 1000), sp.sqrt(52) / 1000),
             1,
             "µm",
@@ -239,7 +239,7 @@ FINDINGS = (
         weight=Weight.WORDING,
         check=Check(
             "For gamma = 0 the second element of the first row is sin alpha sin beta in (14) and 0 "
-            "in ABC; 0.00103² times R + A = 45.25 mm is {0}",
+            "in ABC; 0.00103² times R + A = 45.25 mm is {0}.",
             (along_y(PRINTED_K).subs(LIKE_TABLE_1),),
             3,
             "µm",

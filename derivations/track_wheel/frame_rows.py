@@ -160,14 +160,14 @@ FRAME_ROWS: tuple[Row, ...] = (
             r" product of the matrices }C,B,A",
             Equality(product_of("CBA"), PRINTED_K),
         ),
-        note="ABC is the matrix of turns about x10, y10 and z10, which stay fixed.",
+        note="ABC is the matrix of turns about x_10, y_10 and z_10, which stay fixed.",
         cites=("S37",),
     ),
     PRINT.equation(
         "(14)",
         derived={MATRIX_K: project(TURNED_PART)},
-        note="Compared with the projections of a triad that is turned about its own axes x10, y11 "
-        "and z12, as the names of the frames suggest.",
+        note="Compared with the projections of a triad that is turned about its own axes x_10, "
+        "y_11 and z_12, as the names of the frames suggest.",
         cites=("S30", "S37"),
     ),
     Claim(
@@ -200,8 +200,8 @@ FRAME_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="They are the angles of three successive turns; they serve as a rotation vector only "
-        "to first order, which with the angles of Table 1 is off by 2.4e-5 mm at the distance R + "
-        "A from O_1, see 'Table 1, rotation vector'.",
+        "to first order, which with the angles of Table 1 is off by less than 0.1 µm at the "
+        "distance R + A from O_1, see 'Consequences, first order'.",
         cites=("S31",),
     ),
     PRINT.equation(

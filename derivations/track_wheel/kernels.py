@@ -47,7 +47,7 @@ RADIUS = printed_radius(THETA)
 # Seen from the pole the points of the circle lie between these, whatever the sign of A.
 LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
 TRACK = sp.ImmutableDenseMatrix([RADIUS * sp.cos(phi), RADIUS * sp.sin(phi), thickness])
-SHIFTED_INSIDE = Part("A of either sign", {amplitude: sp.S.Reals})
+SHIFTED_INSIDE = Part("A has either sign", {amplitude: sp.S.Reals})
 root, rho = sp.symbols("root rho", real=True)
 
 # Accuracy, in eps: 1/2 for an arithmetic operation, 1 for sin, cos and hypot.
@@ -100,9 +100,9 @@ CORRELATED = sp.sqrt(DOUBLE_SUM) / scatter
 SOLVED = sp.sqrt(SQUARES) / sp.sqrt(scatter**2 - (k_thermal * share) ** 2)
 
 NONNEGATIVE = sp.Interval(0, sp.oo)
-ANY_TOLERANCES = Part("tolerances from zero on", {tolerances: NONNEGATIVE})
+ANY_TOLERANCES = Part("no tolerance is negative", {tolerances: NONNEGATIVE})
 CORRELATION_MATRIX = Part(
-    "a symmetric matrix with ones on its diagonal that gives no negative square",
+    "the matrix is symmetric, has ones on its diagonal and gives no negative square",
     {tolerances: NONNEGATIVE},
     (
         sp.Eq(correlations[i, i], 1),
@@ -111,7 +111,7 @@ CORRELATION_MATRIX = Part(
     ),
 )
 SOLVABLE = Part(
-    "the temperature error below the total",
+    "the temperature error is below the total",
     {tolerances: NONNEGATIVE, share: NONNEGATIVE},
     (k_thermal * share < scatter,),
 )

@@ -107,7 +107,7 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
     },
     (NUMBER, UNIT_INTERVAL): {
         correlations: ("correlation coefficients", "R"),
-        correlations_t: ("correlation coefficients at time t", "R_#(t)"),
+        correlations_t: ("correlation coefficients at time t", "R_{#}(t)"),
     },
     (LENGTH, POSITIVE): {
         **{
@@ -203,7 +203,7 @@ TABLE = (
     ("tool wear", wear, r"\Delta_u=", "0.021", MM),
     ("radius", radius, "R=", "41.5", MM),
     ("amplitude", amplitude, "A=", "3.75", MM),
-    ("ball radius", ball_radius, "", "7.5", MM),
+    ("ball radius", ball_radius, "r_u=", "7.5", MM),
     ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
     ("turn about Y", beta, r"\beta=", "0.00103", RAD),
     ("turn about Z", gamma, r"\gamma=", "0", ""),

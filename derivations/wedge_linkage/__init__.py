@@ -37,7 +37,7 @@ FINDINGS = (
         weight=Weight.FORMULA,
         mend="(7) and (8), at R = 0",
         check=Check(
-            "R = 0 at x_5' = 60 cos 65° = {0}; y_9 there is 145 (sin 148.48° - sin 123.48°) = {1}",
+            "R = 0 at x_5' = 60 cos 65° = {0}; y_9 there is 145 (sin 148.48° - sin 123.48°) = {1}.",
             (UPRIGHT_RUN, upright_wedge(FIRST_SET)),
             2,
             "mm",

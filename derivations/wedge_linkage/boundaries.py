@@ -47,7 +47,6 @@ Displacement: TypeAlias = "sp.Rational | int | str"
 
 # Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
 START, CROSSING, DEVIATION = Rational(-40), Rational("-29.4"), "10"
-LAST_PLACE = Rational(1, 10)
 
 # "+" is the upper limit, "-" the lower; what is not named is at its nominal value.
 BOUNDARY_II = {
@@ -98,22 +97,6 @@ def upright_wedge(table: PublishedSizes) -> sp.Expr:
     """Return the position of the wedge there, by (10)."""
     sizes = limits(table, {})
     return print_10.subs(phi7, pi / 2 - alpha_KL).xreplace(sizes)
-
-
-def above(table: PublishedSizes, one: Signs, other: Signs, displacement: Displacement) -> Holds:
-    """State that curve `one` lies above curve `other` at a displacement (mm)."""
-    first, second = (position_of(table, signs, displacement) for signs in (one, other))
-    return less(second, first)
-
-
-def crossing(table: PublishedSizes) -> Conjunction:
-    """State that curves III and IV change order within half a last place around the crossing."""
-    return Conjunction(
-        (
-            above(table, BOUNDARY_III, BOUNDARY_IV, CROSSING - LAST_PLACE / 2),
-            above(table, BOUNDARY_IV, BOUNDARY_III, CROSSING + LAST_PLACE / 2),
-        )
-    )
 
 
 def deviations_round(

@@ -172,6 +172,7 @@ GROUP_ROWS = (
         note="Sine and cosine of the form are those of the solution; twice an arctangent stays "
         "within (-pi, pi), so that no turn is lost, wherever the radicand is not negative.",
         marks=("ours",),
+        quantities=("lever_angle",),
     ),
     PRINT.equation(
         "group 2",
@@ -260,6 +261,7 @@ GROUP_ROWS = (
             {kappa: sp.Interval(0, sp.oo), tau: POSITIVE},
         ),
         marks=("ours",),
+        quantities=("roller_lever_angle",),
     ),
     PRINT.equation(
         "group 4",

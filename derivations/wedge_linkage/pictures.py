@@ -34,7 +34,7 @@ CHOSEN = {"EF": 14.0, "FG": 14.0, "HI": 14.0, "IK": 60.0, "MN": 20.0, "NP": 10.0
 ASIDE_OF = {
     "A": (4, 3), "B": (-4, 4), "C": (4, -4), "D": (-4, 3), "E": (-4, -4), "F": (4, -6),
     "G": (-4, 4), "H": (4, -4), "I": (-3, 4), "K": (4, -4), "L": (5, 0), "M": (3, 5),
-    "N": (-4, -5), "P": (4, -3),
+    "N": (-4, -5), "P": (0, -5),
 }  # fmt: skip
 WRONG = LineStyle.WRONG["color"]
 
@@ -140,7 +140,8 @@ def draw_boundaries(canvas: Any, number: int) -> None:
         panel.set_xlim(START - 3, 1)
     for panel in (position, order, deviation):
         panel.axvline(CROSSING, **LineStyle.GUIDE)
-    turn.set_xlabel("pusher x₁, mm")
+    for panel in (spread, turn):
+        panel.set_xlabel("pusher x₁, mm")
 
 
 def _draw_positions(panel: Any, number: int) -> None:
@@ -236,8 +237,8 @@ def write_caption(number: int) -> str:
         "From the top: positions, and the curve of the legible digits, which breaks off; by how "
         "much III lies above IV; deviation from the nominal position, with the printed "
         f"±{PRINTED_DEVIATION:g} %; the spread and its largest value; and, near the place where "
-        "alpha_KL begins to act the other way, what lies above II: other combinations of limits, "
-        "and the bound certified for all sizes between the limits."
+        "\N{GREEK SMALL LETTER ALPHA}_KL begins to act the other way, what lies above II: other "
+        "combinations of limits, and the bound certified for all sizes between the limits."
     )
 
 

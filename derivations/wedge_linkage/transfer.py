@@ -76,6 +76,7 @@ def slopes_row(
         "built from them.",
         on=on,
         marks=("ours",),
+        quantities=("velocity", "sensitivities"),
     )
 
 
@@ -123,5 +124,6 @@ TRANSFER_ROWS = (
             where=(*MOVABLE.where, l_KL**2 - PRINTED_R**2 > 0),
         ),
         marks=("ours",),
+        quantities=("velocity",),
     ),
 )

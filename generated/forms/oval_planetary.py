@@ -236,7 +236,7 @@ def position_floor(
     Proved to be that by atan2, for each angle beside pi m; the computed floor and tangent
     disagree at the ends.
 
-    Domain as that of `position`, each angle on its first branch.
+    Domain as that of `position`, each angle is on its first branch.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)

@@ -218,7 +218,7 @@ def radius_printed(
 
         radius_printed = A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2)
 
-    Domain as that of `radius`, A of either sign.
+    Domain as that of `radius`, A has either sign.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -264,7 +264,7 @@ def track_printed(
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*sin(phi)]
         [H]
 
-    Domain as that of `track`, A of either sign.
+    Domain as that of `track`, A has either sign.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -315,7 +315,7 @@ def error_sum_thermal_direct(
         error_sum_thermal_direct = sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*
             tolerances[i]**2))/sqrt(total_scatter**2 - thermal_scatter**2*thermal_share**2)
 
-    Domain as that of `error_sum_thermal`, the temperature error below the total.
+    Domain as that of `error_sum_thermal`, the temperature error is below the total.
 
     """
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = _as_floats(

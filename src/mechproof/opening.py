@@ -84,4 +84,7 @@ def open_paper(location: Path, paper: Paper) -> Opened:
     counted = Counter([*(row.number for row in rows), *derived])
     if twice := [number for number, count in counted.items() if count > 1]:
         raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
+    known = {quantity.name for quantity in paper.quantities}
+    if unknown := sorted({name for row in rows for name in row.quantities} - known):
+        raise DerivationError(f"{location}: rows name quantities that there are none of: {unknown}")
     return opened

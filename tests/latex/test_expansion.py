@@ -229,7 +229,7 @@ def test_a_printed_condition_and_that_of_the_row_narrow_together() -> None:
     (judgement,) = verdicts(r"|w|=w\text{ if }w>0", on=part)
     assert judgement.verdict is Verdict.PROVED
     assert judgement.on == "w > 0 and w > -1 and x < w"
-    assert "on w > 0 and w > -1 and x < w" in judgement.reason
+    assert "where w > 0 and w > -1 and x < w" in judgement.reason
     (judgement,) = verdicts(r"|w|=-w\text{ if }w>0", on=part)
     assert judgement.verdict is Verdict.REFUTED
     # What a sign has instead of its row does not hide the print either; one text is shown once.

@@ -23,10 +23,11 @@ from drawn import (
     words,
     write_texts,
 )
+from PIL import Image
 
 from mechproof.derivation import packaged_directory
 from mechproof.plot.canvas import COLUMN, MILLIMETRE, SMALL, make_canvas, use_style
-from mechproof.plot.figures import find_figures, render_svg, write_png
+from mechproof.plot.figures import find_figures, render_svg, write_files, write_png
 
 ALL = [(system, name) for system, names in NAMES.items() for name in names]
 
@@ -92,6 +93,23 @@ def test_svg_is_one_element_the_same_each_time_and_shares_no_id() -> None:
         assert seen.isdisjoint(ids)
         seen |= set(ids)
         assert set(ids) == set(re.findall(r"(?:href=\"|url\()#([\w.-]+)", text))
+
+
+def read_words(svg: str) -> str:
+    """Return the text of a drawing, its lines joined."""
+    return " ".join("".join(ET.fromstring(svg).itertext()).split())
+
+
+def test_files_have_the_caption_below_the_drawing(tmp_path: Path) -> None:
+    figure = figures("tooth_thickness")["fig-4"]
+    write_png(figure, tmp_path / "bare.png")
+    png, svg = write_files(figure, tmp_path, "told")
+    told = read_words(svg.read_text(encoding="utf-8"))
+    assert f"{figure.number}. {figure.title} {figure.caption}" in told
+    assert figure.caption not in read_words(render_svg(figure))
+    with Image.open(tmp_path / "bare.png") as bare, Image.open(png) as whole:
+        assert whole.width == bare.width
+        assert whole.height > 1.2 * bare.height
 
 
 def test_text_in_the_svg_is_text() -> None:

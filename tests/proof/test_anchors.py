@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechproof.proof.anchors import find_equation, find_only_equation, name_anchors, slugify
 from mechproof.proof.verdict import Verdict
-from mechproof.report.phrases import LOOKS, set_numbers, set_prose, set_value
+from mechproof.report.phrases import LOOKS, set_numbers, set_prose, set_reason, set_value
 
 
 def test_rows_are_named_by_their_numbers() -> None:
@@ -55,7 +55,8 @@ def test_numbers_are_set_as_people_write_them() -> None:
 
 def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
     assert set_prose("x_5 at phi1 = 12 um, beta_DE; a rod R2") == (
-        "x<sub>5</sub> at φ<sub>1</sub> = 12 \N{MICRO SIGN}m, β<sub>DE</sub>; a rod R<sub>2</sub>"
+        "x<sub>5</sub> at φ<sub>1</sub> = 12\N{NO-BREAK SPACE}\N{MICRO SIGN}m, β<sub>DE</sub>; "
+        "a rod R<sub>2</sub>"
     )
     assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
         "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
@@ -63,4 +64,25 @@ def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
     assert set_prose("Delta_n**2*K, tau**2, x1**2, C99") == (
         "Δ<sub>n</sub>²·K, τ², x<sub>1</sub>², C99"
     )
-    assert set_prose("<b_1> & 'pi'") == "&lt;b<sub>1</sub>&gt; &amp; &#39;π&#39;"
+    assert set_prose("<b_1> & pi") == "&lt;b<sub>1</sub>&gt; &amp; π"
+    assert set_prose("dphi3/dphi1, dy9, dS, K^T p, T^-1, e**nu") == (
+        "dφ<sub>3</sub>/dφ<sub>1</sub>, dy<sub>9</sub>, dS, K<sup>T</sup> p, T⁻¹, "
+        "e<sup>\N{GREEK SMALL LETTER NU}</sup>"
+    )
+
+
+def test_signs_roots_and_quotes_in_sentences_are_set_as_people_write_them() -> None:
+    minus, left, right = (
+        "\N{MINUS SIGN}",
+        "\N{LEFT SINGLE QUOTATION MARK}",
+        "\N{RIGHT SINGLE QUOTATION MARK}",
+    )
+    assert set_prose("-3 at [-40, -E_c], A-C, 4-5, --out, x - 1") == (
+        f"{minus}3 at [{minus}40, {minus}E<sub>c</sub>], A-C, 4-5, --out, x {minus} 1"
+    )
+    assert set_prose("u sqrt(n), sqrt(2*x) of (13)-(16)") == ("u √n, √(2·x) of (13)\N{EN DASH}(16)")
+    assert set_prose("the paper's 'Table 1, (b)' of x5'") == (
+        f"the paper{right}s {left}Table 1, (b){right} of x<sub>5</sub>&#39;"
+    )
+    assert set_reason("both hold") == "Both hold."
+    assert set_reason("j has no value.") == "j has no value."

@@ -300,6 +300,20 @@ def test_what_is_long_is_shown_whole() -> None:
     assert compared(Conjunction((Conjunction(parts), *parts))) == compared(Conjunction(parts))
 
 
+def test_rational_factors_stand_before_sums_and_long_fractions_have_their_digits() -> None:
+    count, family = sp.Symbol("n", integer=True, positive=True), sp.IndexedBase("K", real=True)
+    place = sp.Symbol("i", integer=True)
+    spread = sp.Sum(family[place] ** 2 / 36, (place, 1, count))
+    sizes = (
+        Variable(family, "coefficients"),
+        Variable(count, "their number", within=sp.S.Naturals),
+    )
+    about = Paper("system", "citation", (*VARIABLES, *sizes), ())
+    judged = judge(row(Equality(psi, 6 * sp.sqrt(spread + e**2 / 36))), about)
+    assert judged.compared_with == r"\sqrt{e^{2} + \sum_{i=1}^{n} K_{i}^{2}}"
+    assert compared(Holds(sp.Rational(941, 1000) ** 50 < e)) == r"0.0478058639687778\ldots < e"
+
+
 SYSTEMS = find_systems(packaged_directory())
 LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
 

@@ -139,7 +139,7 @@ def test_a_condition_shows_where_it_fails():
 def test_where_a_row_is_proved_is_shown():
     judgement = judge(row(Equality(TURN, x), on=NEAR_ZERO, singular=("x = pi/2",)), PAPER)
     assert (judgement.on, judgement.singular) == ("|x| < 1", ("x = pi/2",))
-    assert judgement.reason.endswith("; on |x| < 1; singular at x = pi/2")
+    assert judgement.reason.endswith("; where |x| < 1; singular at x = pi/2")
     assert judgement.as_dict()["on"] == "|x| < 1"
     assert judgement.as_dict()["singular"] == ["x = pi/2"]
 

@@ -69,6 +69,11 @@ def test_links_and_styles_are_dropped() -> None:
         (r"66~\mathrm{mm}", "<mrow><mn>66<mtext>\N{NO-BREAK SPACE}<mtext>mm"),
         (r"\varphi_3'", "<mrow><msubsup><mi>φ<mn>3<mi>\N{PRIME}"),
         (r"a\pm b", "<mrow><mi>a<mo>±<mi>b"),
+        (r"\varphi_3''", "<mrow><msubsup><mi>φ<mn>3<mi>\N{DOUBLE PRIME}"),
+        (r"\varphi_3'''", "<mrow><msubsup><mi>φ<mn>3<mi>\N{TRIPLE PRIME}"),
+        (r"35^\circ", "<mrow><mrow><mn>35<mi>°"),
+        (r"2~\mu\mathrm m", "<mrow><mn>2<mtext>\N{NO-BREAK SPACE}<mtext>µm"),
+        (r"\mathrm{IT}6", "<mrow><mtext>IT<mn>6"),
         (r"\text{x\_}", "<mrow><mover><mrow><mi>x<mo>~"),
         (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
     ],
@@ -76,6 +81,23 @@ def test_links_and_styles_are_dropped() -> None:
 def test_what_the_library_leaves_open_is_mended(latex: str, expected: str | None) -> None:
     found = shape(latex)
     assert "atan2" in found if expected is None else found == expected
+
+
+@pytest.mark.parametrize(
+    ("latex", "forms"),
+    [
+        ("x=-1", [None, "prefix"]),
+        ("a-b", [None]),
+        (r"[-37,-2]", [None, "prefix", None, "prefix", None]),
+        (r"|a|-|b|", ["prefix", "postfix", None, "prefix", "postfix"]),
+        (r"a|b", [None]),
+    ],
+)
+def test_signs_and_bars_are_set_close_to_what_they_belong_to(
+    latex: str, forms: list[str | None]
+) -> None:
+    operators = fromstring(write_formula(latex)).iter(f"{MATH}mo")
+    assert [part.get("form") for part in operators] == forms
 
 
 def test_brackets_around_low_things_are_not_stretched() -> None:
@@ -102,7 +124,7 @@ def test_sentences_are_told_from_formulas(latex: str, is_one: bool) -> None:
 
 def test_a_sentence_keeps_its_blanks_and_escapes() -> None:
     written = write_print(r"\text{the 95 \% interval of x\_1 is }\bar q\pm 2u,\ n=198")
-    assert '<p class="sentence">the 95 % interval of x_1 is <math' in written
+    assert '<p class="sentence">the 95\N{NO-BREAK SPACE}% interval of x_1 is <math' in written
 
 
 def test_long_formulas_within_words_break_at_commas_and_scroll() -> None:

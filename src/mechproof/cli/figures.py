@@ -25,8 +25,8 @@ def figures(
 ) -> None:
     """Draw the papers' figures from the kernels, with what was found marked in them.
 
-    Each is written as PNG and SVG, SYSTEM.FIGURE.png; what is printed is the file and what it
-    shows. A folder has figures if its pictures.py binds FIGURES.
+    Each is written with its caption as PNG and SVG, SYSTEM.FIGURE.png; what is printed is the file
+    and what it shows. A folder has figures if its pictures.py binds FIGURES.
 
     Exit status 0: drawn; 1: a derivation or a drawing fails, the others are drawn; 2: bad usage.
     """

@@ -6,6 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from typing import Any
 
 import sympy as sp
 
@@ -96,7 +97,12 @@ def _leave_out(names: Container[str], paper: Paper) -> Paper:
 def _state_refusal(quantity: Quantity, reason: str) -> Row:
     shown = _show(quantity.name)
     number = number_form(quantity, quantity.shipped[-1])
-    return Claim(number, rf"\text{{{shown} has a kernel}}", Unwritten(reason), marks=("ours",))
+    return _claim_of(quantity, number, rf"\text{{{shown} has a kernel}}", Unwritten(reason))
+
+
+def _claim_of(quantity: Quantity, number: str, latex: str, says: Statement, **about: Any) -> Claim:
+    """Make a row on the source of a quantity."""
+    return Claim(number, latex, says, marks=("ours",), quantities=(quantity.name,), **about)
 
 
 def _show(name: str) -> str:
@@ -133,12 +139,6 @@ def number_form(quantity: Quantity, form: Form) -> str:
     return f"{KERNEL}{name_rival(quantity, form)}"
 
 
-def list_form_numbers(quantity: Quantity) -> list[str]:
-    """List the numbers that rows on the forms and the derivatives of a quantity may have."""
-    own = [number for form in quantity.forms for number in _number_rows(quantity, form)]
-    return [*own, *list_derivative_numbers(quantity)]
-
-
 def number_shipped(paper: Paper) -> frozenset[str]:
     """Return the numbers of the rows on which the kernels of a paper rest."""
     forms = ((q, form) for q in paper.quantities for form in q.shipped)
@@ -161,7 +161,8 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     written = WrittenForm(quantity, kernel.code, stage)
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
-    yield Claim(
+    yield _claim_of(
+        quantity,
         number,
         rf"\text{{the source of {shown} computes "
         + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
@@ -169,32 +170,32 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
         note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
         on=on,
         holds_on=form.holds_on,
-        marks=("ours",),
     )
     obligations = kernel.obligations[place]
     if obligations:
-        yield Claim(
+        yield _claim_of(
+            quantity,
             f"{number}{LEGAL}",
             rf"\text{{the rewrites of {shown} are legal}}",
             Conjunction(tuple(map(Holds, obligations))),
             note=f"What {rewrites} ask for.",
             on=on,
-            marks=("ours",),
         )
     for solved in enclosures:
         if isinstance(solved, Solved):
-            yield Claim(
+            yield _claim_of(
+                quantity,
                 f"{number}{CONVERGES}",
                 rf"\text{{Newton's steps in {shown} lead to the one root in the bracket}}",
                 _state_steps(written, solved),
                 note=f"{solved.exact.steps} steps leave no more than 2**-64 of the bracket.",
                 on=_widen(on),
-                marks=("ours",),
             )
     for enclosure in enclosures:
         if isinstance(enclosure, Solved):
             continue
-        yield Claim(
+        yield _claim_of(
+            quantity,
             f"{number}{NEAR_ZERO}",
             rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
             _state_enclosure(written, enclosure),
@@ -203,7 +204,6 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
                 f"|{enclosure.symbol}| <= {enclosure.limit}",
                 {enclosure.symbol: sp.Interval(-enclosure.limit, enclosure.limit)},
             ),
-            marks=("ours",),
         )
 
 

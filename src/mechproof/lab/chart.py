@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Collection, Mapping, Sequence
 from io import BytesIO
@@ -33,6 +34,14 @@ from mechproof.measured import Record
 # As many pixels as a README is wide.
 DPI, WIDTH = 110, 9.2
 COLOURS = 256
+# What is typed in the text below a chart, and how it is written; powers stand raised.
+SIGNS = {
+    "<=": "≤",
+    ">=": "≥",
+    " * ": "·",
+    " - ": "\N{NO-BREAK SPACE}\N{MINUS SIGN}\N{NO-BREAK SPACE}",
+}
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
 
 
@@ -132,18 +141,20 @@ def _describe(record: Record, workload: str, count: int) -> str:
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
         f"{record.taken[:10]}. Errors in {record.error_unit}."
     )
-    what = " ".join(filter(None, (what, record.lacking, _keep_together(tell_where(record)))))
+    what = " ".join(filter(None, (what, record.lacking, tell_where(record))))
     return "\n".join(
         [
             "time per point, ns (in brackets: over that of the shipped kernel)",
-            *textwrap.wrap(what, 120),
+            *textwrap.wrap(_set_signs(what), 120),
         ]
     )
 
 
-def _keep_together(text: str) -> str:
-    """Put spaces that do not break around what is subtracted."""
-    return text.replace(" - ", "\N{NO-BREAK SPACE}-\N{NO-BREAK SPACE}")
+def _set_signs(text: str) -> str:
+    """Write relations, products and powers as people do; nothing breaks before a difference."""
+    for typed, written in SIGNS.items():
+        text = text.replace(typed, written)
+    return re.sub(r"\*\*(-?\d+)", lambda power: power[1].translate(RAISED), text)
 
 
 def find_limits(marks: Sequence[ChartPoint], copy: float | None) -> tuple[float, float]:

@@ -7,6 +7,7 @@ is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mech
 from __future__ import annotations
 
 import re
+import textwrap
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from mechproof.arguments.scalars import check_real, require
-from mechproof.plot.canvas import COLUMN, make_canvas, use_style
+from mechproof.plot.canvas import COLUMN, SMALL, make_canvas, use_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
@@ -40,6 +41,9 @@ FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
 FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
+# Of a caption, in mm: how wide a letter is on the average, and how far lines are apart.
+POINT = 25.4 / 72
+LETTER, LINE = 0.54 * SMALL * POINT, 1.35 * SMALL * POINT
 
 
 class DrawingError(RuntimeError):
@@ -125,11 +129,17 @@ def draw(figure: Figure) -> Canvas:
     """
     with use_style():
         canvas = make_canvas(figure.width, figure.height)
+    _draw_on(figure, canvas)
+    return canvas
+
+
+def _draw_on(figure: Figure, canvas: Any) -> None:
+    """Draw on a canvas, or on the part of one that has the size of the figure."""
+    with use_style():
         try:
             figure.draw(canvas)
         except Exception as error:
             raise DrawingError(_tell(figure, _find_line(error), error)) from error
-    return canvas
 
 
 def _tell(figure: Figure, line: str, error: Exception) -> str:
@@ -159,14 +169,32 @@ def write_png(figure: Figure, path: Path) -> None:
 
 
 def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
-    """Draw a figure once and write it as PNG and SVG; return the files. Raises as `write_png`."""
-    canvas = draw(figure)
+    """Write a figure with its caption below as PNG and SVG; return the files.
+
+    Raises as `write_png`.
+    """
+    canvas = _draw_with_caption(figure)
     pixels, text = _save_png(figure, canvas), _save_svg(figure, canvas)
     files = folder / f"{stem}.png", folder / f"{stem}.svg"
     folder.mkdir(parents=True, exist_ok=True)
     files[0].write_bytes(pixels)
     files[1].write_text(text, encoding="utf-8")
     return files
+
+
+def _draw_with_caption(figure: Figure) -> Canvas:
+    """Draw a figure at its size above its number, title and caption. Raises as `draw`."""
+    number = f"{figure.number}. " if figure.number else ""
+    letters = int(figure.width / LETTER)
+    lines = textwrap.wrap(f"{number}{figure.title} {figure.caption}", letters)
+    room = (len(lines) + 1) * LINE
+    with use_style():
+        canvas = make_canvas(figure.width, figure.height + room)
+        parts: Any = canvas.subfigures(2, 1, height_ratios=(figure.height, room))
+        above, below = parts
+        below.text(0.01, 1.0, "\n".join(lines), fontsize=SMALL, va="top", linespacing=1.3)
+    _draw_on(figure, above)
+    return canvas
 
 
 def _save_svg(figure: Figure, canvas: Canvas) -> str:

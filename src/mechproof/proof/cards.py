@@ -56,7 +56,7 @@ def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> C
 
 def _tell_proof(by: str, on: str) -> str:
     """Say how a formula is proved, and where it holds if not everywhere."""
-    return f"{by}; on {on}" if by and on else by
+    return f"{by}; where {on}" if by and on else by
 
 
 def _split_member(printed: str, mend: str) -> tuple[str, str]:

@@ -33,7 +33,7 @@ _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 _LONG_NAME = re.compile(r"[A-Za-z]{3,}(_\w+)?$")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
-# Numbers with so many parts are written by so many digits.
+# Numbers with so many parts, and fractions of longer numbers, are written by so many digits.
 _LONGEST_NUMBER, _DIGITS = 200, 15
 # A formula may become so many times longer when our letters are written by the paper's, or have so
 # many parts.
@@ -113,12 +113,30 @@ def _write_part(statement: Statement, letters: _Letters) -> str:
 
 
 def _write(formula: sp.Basic, letters: _Letters) -> str:
-    formula = letters.spell_out(formula)
+    formula = _take_factors_out(letters.spell_out(formula))
     numbers = {part: sp.Dummy() for part in _find_numbers(formula)}
     shown = {symbol: _write_number(part, letters.names) for part, symbol in numbers.items()}
     written = {**_write_words(formula), **letters.names, **shown}
     text: str = _Printer(written).doprint(replace_parts(formula, numbers))
     return text
+
+
+def _take_factors_out(formula: sp.Basic) -> sp.Basic:
+    """Take rational factors out of indexed sums, and out of powers of what is added to them."""
+    if not formula.has(sp.Sum):
+        return formula
+    taken = formula.replace(sp.Sum, _take_factor_out)
+    return taken.replace(lambda part: part.is_Pow and part.base.is_Add, _split_power)
+
+
+def _take_factor_out(term: sp.Expr, *limits: sp.Tuple) -> sp.Expr:
+    factor, rest = term.as_coeff_Mul()
+    return factor * sp.Sum(rest, *limits)
+
+
+def _split_power(power: sp.Pow) -> sp.Expr:
+    factor, rest = power.base.primitive()
+    return factor**power.exp * rest**power.exp
 
 
 def _weigh(formula: sp.Basic, most: int | None = None) -> int:
@@ -131,11 +149,16 @@ def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
     """Find the numbers that SymPy would compute to put the terms around them in order."""
     if isinstance(formula, sp.Expr) and not find_free(formula):
         whole = list(islice(sp.preorder_traversal(formula), _LONGEST_NUMBER))
-        if isinstance(formula, ExprWithLimits) or len(whole) == _LONGEST_NUMBER:
+        is_long = len(whole) == _LONGEST_NUMBER or _is_long_fraction(formula)
+        if isinstance(formula, ExprWithLimits) or is_long:
             yield formula
             return
     for part in formula.args:
         yield from _find_numbers(part)
+
+
+def _is_long_fraction(number: sp.Expr) -> bool:
+    return isinstance(number, sp.Rational) and max(abs(number.p), number.q) >= 10 ** (2 * _DIGITS)
 
 
 def _write_number(number: sp.Expr, names: _NAMED) -> str:
@@ -143,6 +166,10 @@ def _write_number(number: sp.Expr, names: _NAMED) -> str:
     if isinstance(number, ExprWithLimits):
         return str(_Printer(names).doprint(number))
     return rf"{balls.evaluate_until(number, {}, 64).mid().str(_DIGITS, radius=False)}\ldots"
+
+
+def _is_subtracted(term: sp.Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0].could_extract_minus_sign())
 
 
 class _Printer(LatexPrinter):  # type: ignore[misc]
@@ -170,6 +197,12 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
             return rf"\text{{{part.name.translate(_ESCAPES)}}}"
         written: str = super()._print(part, **settings)
         return written
+
+    def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
+        """Order terms as people do: 1 + e^2 - 2 e cos(x), and no sign before the first."""
+        terms = list(expr.args)
+        first = next((t for t in terms if not _is_subtracted(t)), terms[0])
+        return [first, *(term for term in terms if term is not first)]
 
     def _print_element(self, element: sp.Indexed) -> str:
         name = self._print(element.base)

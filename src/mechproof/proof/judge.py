@@ -44,7 +44,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         answer = Answer(Verdict.UNDECIDED, "none", _explain(error))
     on = row.on.text if row.on else ""
     is_charged = row.corrected is not None and answer.verdict is not Verdict.PROVED
-    where = [f"on {on}"] if on else []
+    where = [f"where {on}"] if on else []
     where += [f"singular at {', '.join(row.singular)}"] if row.singular else []
     reason = "; ".join([answer.reason, *where])
     reason = f"{reason}. {row.note}" if row.note else reason
@@ -65,6 +65,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         corrected_by=answer.corrected_by,
         compared_with=write_compared(row.statement, paper.variables),
         cites=row.cites,
+        quantities=row.quantities,
     )
 
 

@@ -323,7 +323,7 @@ def _describe(completion: Completion, answer: Answer) -> Evidence:
 
 
 def _define(statement: Definition, domain: Domain) -> Answer:
-    reason = f"introduces {statement.symbol}; dimensions and bound symbols agree"
+    reason = "introduces a symbol; dimensions and bound symbols agree"
     return Answer(Verdict.DEFINITION, "definition", reason)
 
 

@@ -18,7 +18,6 @@ from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
 from mechproof.record.findings import WEIGHTS
-from mechproof.record.forms import is_on_kernel
 
 # The `$id` of ledger.schema.json, which lies beside this module.
 SCHEMA = "urn:mechproof:ledger:1"
@@ -26,10 +25,14 @@ PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
-KERNELS = "sources of kernels"
+KERNELS = "our rows on kernels"
 REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS, KERNELS)
-SECTIONS = ("the paper, row by row", "consequences", "what the source of its kernels computes")
+SECTIONS = (
+    "the paper, row by row",
+    "consequences",
+    "what its kernels rest on, and what their source computes",
+)
 # What means something in Markdown, and how it is written as itself.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
 INTRODUCTION = """# Ledger
@@ -44,8 +47,8 @@ which a row was decided; the last section explains each. The last column says wh
 `mechproof certify` proves a row once more with Coq, or why there is none ([COQ.md](COQ.md)). The
 formulas of what is proved, and what they were compared with, are folded away below each table.
 
-Marks say what a row rests on; rows marked *ours* are counted apart, and of these
-those on the sources of kernels:
+Marks say what a row rests on; rows marked *ours* are counted apart, and of these those on kernels:
+what their formulas rest on, and what their source computes:
 
 """
 
@@ -103,7 +106,7 @@ def classify(judgement: Judgement) -> str:
     """Return what a row is counted as."""
     if "ours" not in judgement.marks:
         return CLASSES[judgement.kind]
-    return KERNELS if is_on_kernel(judgement.number) else OURS
+    return KERNELS if judgement.quantities else OURS
 
 
 def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:

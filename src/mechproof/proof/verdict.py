@@ -148,7 +148,8 @@ class Judgement(Displayed):
     """One line of the ledger; `on` is the part of the paper's domain that it is said of.
 
     `compared_with` is the LaTeX of the other side; `cites` are the sentences of the transcription
-    that it judges; `place` is where a paper's own source has it.
+    that it judges, `quantities` those whose formulas or kernels rest on it; `place` is where a
+    paper's own source has it.
     """
 
     system: str
@@ -167,6 +168,7 @@ class Judgement(Displayed):
     corrected_by: str
     compared_with: str
     cites: tuple[str, ...] = ()
+    quantities: tuple[str, ...] = ()
     place: Place | None = None
 
     @property
@@ -187,6 +189,7 @@ class Judgement(Displayed):
             "number": self.number,
             **({"place": str(self.place)} if self.place else {}),
             "cites": list(self.cites),
+            "quantities": list(self.quantities),
             "kind": self.kind,
             "verdict": self.verdict.value,
             "reason": self.reason,

@@ -21,6 +21,8 @@ from mechproof.record import Paper
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
+# Fields of a judgement that are lists of texts.
+LISTED = ("marks", "singular", "cites", "quantities")
 LAYERS = ("record", "latex", "arithmetic", "proof")
 
 
@@ -84,9 +86,7 @@ def read_judgement(entry: Any) -> Judgement | None:
     try:
         evidence = tuple(Evidence(**item) for item in entry["evidence"])
         changed: dict[str, Any] = {"verdict": Verdict(entry["verdict"])}
-        changed["marks"] = tuple(entry["marks"])
-        changed["singular"] = tuple(entry["singular"])
-        changed["cites"] = tuple(entry["cites"])
+        changed |= {name: tuple(entry[name]) for name in LISTED}
         changed["place"] = Place(**entry["place"]) if entry["place"] else None
         return Judgement(**{**entry, **changed, "evidence": evidence})
     except (KeyError, TypeError, ValueError):

@@ -17,11 +17,6 @@ KERNEL = "kernel "
 DERIVATIVES = "derivatives of "
 
 
-def is_on_kernel(number: str) -> bool:
-    """Return whether a row by its number is on what the source of a kernel computes."""
-    return number.removeprefix(DERIVATIVES).startswith(KERNEL)
-
-
 class EmittedForm(Protocol):
     """A form as its emitted source has it: what a proof compares."""
 

@@ -89,7 +89,8 @@ class Row:
     between independent symbols. `substituted` is put into both members before they are compared
     (tg(x/2) -> U). `defines` are symbols that the print introduces. `links` has by number, from
     1 on, what one relation has instead. `cites` are the sentences of the transcription that the
-    row judges, by their numbers (S52). `read_as` is filled in by the reader.
+    row judges, by their numbers (S52). `quantities` are those, by their names, on whose pages a row
+    of ours stands, as their formulas or kernels rest on it. `read_as` is filled in by the reader.
     """
 
     kind: ClassVar[Literal["equation", "claim", "datum"]]
@@ -110,12 +111,15 @@ class Row:
     defines: tuple[sp.Basic, ...] = ()
     links: Mapping[int, ChainLink] = field(default_factory=lambda: MappingProxyType({}))
     cites: tuple[str, ...] = ()
+    quantities: tuple[str, ...] = ()
     read_as: str = ""
 
     def __post_init__(self) -> None:
         marks = {*self.marks, *(mark for link in self.links.values() for mark in link.marks)}
         if unknown := marks - set(MARKS):
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {tuple(MARKS)}")
+        if self.quantities and "ours" not in self.marks:
+            raise ValueError(f"row {self.number!r}: quantities: only rows of ours name them")
         if self.says is not None:
             check_statement(self.says)
 

@@ -17,8 +17,6 @@ LONG = 40
 MANY, MOST = 49, 60
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
-# A line does not begin with it.
-TIED_COMMA = "\u2060, "
 # Words that a finding marks within a sentence.
 MARKED = re.compile(r"\{\\color\{(red|green)\}\{(.*)\}\}", re.DOTALL)
 
@@ -48,10 +46,16 @@ def write_lines(latex: str) -> Markup:
 def write_sentence(latex: str) -> Markup:
     """Write words as words, and the formulas between them as such."""
     parts = (
-        Markup(escape(read_text(part))) if is_text else _write_within(part)
+        Markup(escape(_set_words(part))) if is_text else _write_within(part)
         for is_text, part in list_parts(latex)
     )
     return Markup("").join(parts)
+
+
+def _set_words(words: str) -> str:
+    """Read words; no line begins with the sign of a percentage, (1)-(3) has a dash."""
+    told = read_text(words).replace(" %", "\N{NO-BREAK SPACE}%")
+    return told.replace(")-(", ")\N{EN DASH}(")
 
 
 def _write_within(latex: str) -> Markup:
@@ -64,7 +68,10 @@ def _write_within(latex: str) -> Markup:
     before = " " if re.match(r"\s|\\[ ,;]|~", latex) else ""
     bare = re.sub(r"^(?:\s|\\[ ,;]|~)+|(?:\s|\\[ ,;]|~)+$", "", latex)
     parts = list(_split(bare, COMMA)) if len(bare) > LONG else [bare]
-    return before + Markup(TIED_COMMA).join(map(_write_inline, filter(None, parts)))
+    shown = list(map(_write_inline, filter(None, parts)))
+    # A line does not begin with a comma.
+    tied = (Markup('<span class="tied">{},</span> ').format(formula) for formula in shown[:-1])
+    return before + Markup("").join((*tied, *shown[-1:]))
 
 
 def _write_inline(latex: str) -> Markup:

@@ -21,6 +21,7 @@ ATTRIBUTES = frozenset({
     "lspace", "mathvariant", "maxsize", "minsize", "movablelimits", "rspace", "scriptlevel",
     "separator", "stretchy", "width", "xmlns",
 })  # fmt: skip
+MICROMETRE = re.compile(r"\\mu\s*\\mathrm\s*(?:\{m\}|m(?![A-Za-z]))")
 UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
 # SymPy's name for the angle of a vector, and everyone else's.
@@ -35,6 +36,9 @@ SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 SMALLER = 0.71
 NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
+# Signs that may belong to a number, and what such a sign stands after.
+SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
+PRIMES = {"′": 1, "″": 2, "‴": 3}
 
 
 def write_formula(latex: str, display: Display = "inline") -> Markup:
@@ -43,7 +47,8 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 
 def _convert(latex: str, display: str) -> str:
-    plain = DUMMY.sub(_as_letter, UPRIGHT.sub(_as_text, latex).replace(*TWO_ARGUMENTS))
+    upright = UPRIGHT.sub(_as_text, MICROMETRE.sub(r"\\mathrm{µm}", latex))
+    plain = DUMMY.sub(_as_letter, upright.replace(*TWO_ARGUMENTS))
     try:
         math = convert_to_element(plain, display=display)
     except Exception:  # The library raises many kinds, which the user's own paper may meet.
@@ -99,11 +104,60 @@ def _mend(element: Element) -> None:
         element.tag, element.attrib = "mi", {}
     if element.tag == "mi" and element.text:
         _mend_name(element, element.text)
+    if element.tag == "mo" and element.text == "∞":
+        element.tag = "mi"
     for child in element:
         _mend(child)
     _space_functions(element)
     _keep_low(element)
     _close_numbers(element)
+    _pair_bars(element)
+    _tie_signs(element)
+    _join_primes(element)
+    _raise_degrees(element)
+
+
+def _tie_signs(row: Element) -> None:
+    """Set the sign of a number close to it, where nothing stands before it to be added to."""
+    before = None
+    for part in row:
+        if part.tag == "mo" and (part.text or "x") in SIGNS and _awaits_number(before):
+            part.set("form", "prefix")
+        if not _is_blank(part):
+            before = part
+
+
+def _awaits_number(before: Element | None) -> bool:
+    if before is None:
+        return True
+    is_met = before.tag == "mo" and (before.text or "x") in BEFORE_SIGNS
+    return is_met and before.get("form") != "postfix"
+
+
+def _pair_bars(row: Element) -> None:
+    """Set the bars of an amount close to it: the first of two opens, the second closes."""
+    bars = [part for part in row if part.tag == "mo" and part.text == "|"]
+    for place, bar in enumerate(bars if len(bars) % 2 == 0 else []):
+        bar.set("form", "postfix" if place % 2 else "prefix")
+
+
+def _join_primes(element: Element) -> None:
+    """Join the primes over an index into one sign: the library puts a power on the first."""
+    if element.tag != "msup" or element[0].tag != "msubsup":
+        return
+    (base, index, prime), more = element[0], element[1]
+    count = PRIMES.get(prime.text or "", 9) + PRIMES.get(more.text or "", 9)
+    if joined := next((sign for sign, number in PRIMES.items() if number == count), None):
+        element.tag, more.text = "msubsup", joined
+        element[:] = [base, index, more]
+
+
+def _raise_degrees(element: Element) -> None:
+    """Write degrees by their sign: a raised ring is a small thing."""
+    if element.tag == "msup" and "".join(element[1].itertext()) == "∘":
+        element.tag = "mrow"
+        for ring in element[1].iter("mo"):
+            ring.tag, ring.text = "mi", "°"
 
 
 def _keep_low(row: Element) -> None:
@@ -147,7 +201,8 @@ def _is_blank(element: Element) -> bool:
 
 def _is_function(element: Element) -> bool:
     base = element[0] if element.tag in ("msup", "msub", "msubsup") and len(element) else element
-    return base.tag in ("mi", "mtext") and (base.text or "").isalnum() and len(base.text or "") > 1
+    name = (base.text or "") if base.tag in ("mi", "mtext") else ""
+    return name.isalnum() and name.islower() and len(name) > 1
 
 
 def _opens(element: Element) -> bool:

@@ -137,7 +137,8 @@ class PaperView:
     sections: tuple[Section, ...]
     figures: tuple[str, ...]
     loose: tuple[str, ...]
-    symbols: tuple[SymbolView, ...]
+    printed_symbols: tuple[SymbolView, ...]
+    own_symbols: tuple[SymbolView, ...]
     quantities: tuple[tuple[str, str], ...]
 
 
@@ -164,7 +165,8 @@ def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> Pape
         sections=tuple(section for section in sections if section.entries),
         figures=tuple(figures),
         loose=tuple(name for name in figures if name not in shown),
-        symbols=tuple(_describe_symbol(v, paper) for v in paper.variables),
+        printed_symbols=tuple(_describe_symbol(v, paper) for v in paper.variables if v.latex),
+        own_symbols=tuple(_describe_symbol(v, paper) for v in paper.variables if not v.latex),
         quantities=tuple((quantity.name, quantity.summary) for quantity in paper.quantities),
     )
 
@@ -232,7 +234,8 @@ def _list_sections(
         for finding in paper.findings
         for follower in finding.followers
     }
-    views = _view_rows(source, anchors)
+    elsewhere = {row.number for row in paper.rows if row.quantities}
+    views = [view for view in _view_rows(source, anchors) if view.number not in elsewhere]
     printed = [view for view in views if view.number not in follows]
     yield Section(
         "rows", "The paper, row by row", "", tuple(_place(printed, figures, mark_equations=True))
@@ -240,7 +243,7 @@ def _list_sections(
     yield Section(
         "consequences",
         "Consequences",
-        "What the rows mean for the paper's own numbers and conclusions, computed by the kernels.",
+        "What the rows mean for the paper's own numbers and conclusions, each number recomputed.",
         tuple(_place([view for view in views if view.number in follows], figures)),
     )
     about = (name_symbols(paper), source.checks)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from markupsafe import Markup, escape
@@ -54,14 +54,13 @@ LEFT: Mapping[State, VerdictStyle] = {
 }
 ORDER = tuple(LOOKS)
 
+# The sign of a number or a term, which no letter, digit or bracket stands before; no option.
+SIGNED = re.compile(r"(?<![\w)\]\-.^])-(?=[\w.(|])")
 MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
 EXPONENT = re.compile(r"(?<=[\w)\]])\*\*(-?\d+)\b")
 POWER = re.compile(r"(\d)e([+-]?\d+)\b")
-CARET = re.compile(r"(?<=[\w)])\^(\d+)\b")
-TIMES = re.compile(r"(?<=[\w)\]])\*(?=[\w(|])")
-UNIT = re.compile(r"(?<=\d )um\b")
-DEGREES = re.compile(r"(?<=\d) deg\b")
+RAISED_NAME = re.compile(r"(?<=[\w)])(?:\*\*|\^)([A-Za-z]+)\b")
 GREEK = {
     name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
     for case, names in (
@@ -76,7 +75,34 @@ SUPERSCRIPTS = str.maketrans("-0123456789", RAISED)
 # A Greek letter by its name, or a letter with an index, which ends before a power.
 SIGN = rf"[^\W{RAISED}]"
 NAME = re.compile(
-    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d(?!{SIGN})))(?:_({SIGN}+)|(\d+))?)(?!{SIGN})"
+    rf"(?<![\w&#.])(d(?=(?:{'|'.join(GREEK)}|[^\W\d_])\d))?(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d(?!{SIGN})))(?:_({SIGN}+)|(\d+))?)(?!{SIGN})"
+)
+
+
+def _raise(power: re.Match[str]) -> str:
+    return power[1].translate(SUPERSCRIPTS)
+
+
+# What is typed within a sentence, and how people write it, in this order.
+SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = tuple(
+    (re.compile(pattern), written)
+    for pattern, written in (
+        (r"(?<=[\w)])\^(-?\d+)\b", _raise),
+        (r"(?<=\d )um\b", "\N{MICRO SIGN}m"),
+        (r"(?<=[\w)\]]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
+        (r"(?<=\d) deg\b", "\N{DEGREE SIGN}"),
+        (r"\bsqrt\((\w+)\)|\bsqrt(?=\()", r"√\1"),
+        (r"(?<=\))-(?=\()", "\N{EN DASH}"),
+        # Straight quotes around words and in them; primes of letters are none.
+        (r"(?<=[A-Za-z])'(?=[a-z])", "\N{RIGHT SINGLE QUOTATION MARK}"),
+        (r'"([^"]+)"', "\N{LEFT DOUBLE QUOTATION MARK}\\1\N{RIGHT DOUBLE QUOTATION MARK}"),
+        (
+            r"(?<![\w)])'(?=[\w(])([^']*[\w).%?])'(?!\w)",
+            "\N{LEFT SINGLE QUOTATION MARK}\\1\N{RIGHT SINGLE QUOTATION MARK}",
+        ),
+        # A line does not begin with the unit of its number.
+        (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns)\b)", "\N{NO-BREAK SPACE}"),
+    )
 )
 
 
@@ -88,11 +114,8 @@ def look_of(verdict: str) -> VerdictStyle:
 def set_numbers(text: str) -> str:
     """Set balls and powers as people write them: [1.5 +/- 2e-9] is 1.5 ± 2·10⁻⁹."""
     apart = BALL.sub(r"\1 ± \2", text).replace("<=", "≤").replace(">=", "≥").replace(" - ", MINUS)
-    return POWER.sub(_raise_ten, EXPONENT.sub(_raise, apart))
-
-
-def _raise(power: re.Match[str]) -> str:
-    return power[1].translate(SUPERSCRIPTS)
+    raised = POWER.sub(_raise_ten, EXPONENT.sub(_raise, apart))
+    return SIGNED.sub("\N{MINUS SIGN}", raised)
 
 
 def _raise_ten(power: re.Match[str]) -> str:
@@ -108,15 +131,23 @@ def set_prose(text: str) -> Markup:
 
     The text is escaped first.
     """
-    plain = TIMES.sub("·", UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text))))
-    plain = DEGREES.sub("°", plain.replace("+-", "±"))
-    return Markup(NAME.sub(_set_name, str(escape(plain))))
+    plain = set_numbers(text.replace("+-", "±"))
+    for pattern, written in SET:
+        plain = pattern.sub(written, plain)
+    raised = RAISED_NAME.sub(r"<sup>\1</sup>", str(escape(plain)))
+    return Markup(NAME.sub(_set_name, raised))
 
 
 def _set_name(name: re.Match[str]) -> str:
-    index = name[2] or name[3] or ""
-    letter, index = GREEK.get(name[1], name[1]), GREEK.get(index, index)
-    return f"{letter}<sub>{index}</sub>" if index else letter
+    index = name[3] or name[4] or ""
+    letter, index = GREEK.get(name[2], name[2]), GREEK.get(index, index)
+    return f"{name[1] or ''}{letter}<sub>{index}</sub>" if index else letter
+
+
+def set_reason(text: str) -> Markup:
+    """Set a reason as a sentence; one that begins with a letter of a formula keeps it."""
+    begun = text[:1].upper() + text[1:] if re.match(r"[a-z]{2,}(?=[ .;]|$)", text) else text
+    return set_prose(begun if begun.endswith((".", "?", "!")) or not begun else f"{begun}.")
 
 
 def set_value(text: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -15,8 +16,9 @@ from mechproof.codegen.docstrings import (
     tell_accuracy,
     tell_unit,
 )
-from mechproof.codegen.forms import list_form_numbers, number_form
+from mechproof.codegen.forms import number_form
 from mechproof.lab.chart_points import find_time, find_usual_set, list_workloads
+from mechproof.lab.sampling.point_sets import SWEEP
 from mechproof.measured import IN_C, Record, Searched
 from mechproof.programs.kernel import Kernel, build_functions, input_names, shape_of
 from mechproof.proof.anchors import name_anchors
@@ -29,6 +31,10 @@ from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
 from mechproof.report.rows import RowView, describe_row, name_symbols
+from mechproof.report.turns import goes_on, tell_turned
+
+# A point is shown with no more numbers of one argument.
+MANY = 4
 
 
 @dataclass(frozen=True)
@@ -72,12 +78,13 @@ class FormView:
 class Measured:
     """What the record says of the quantity: the worst error found, where, when and on what.
 
-    `usual` says what usual calls are.
+    `usual` says what usual calls are, `absolute` what their error is told in besides eps.
     """
 
     worst: str
     usual: Markup
     unit: str
+    absolute: str
     points: str
     searched: Markup
     taken: str
@@ -101,12 +108,14 @@ class QuantityView:
     domain: Markup
     notes: tuple[tuple[str, Markup], ...]
     stated: Markup
+    turned: Markup
     proved: tuple[Markup, ...]
     measured: Measured | None
     forms: tuple[FormView, ...]
     calls: tuple[tuple[str, str, str], ...]
     sources: Sources | None
     charts: tuple[str, ...]
+    rests_on: tuple[RowView, ...]
     rows: tuple[RowView, ...]
 
 
@@ -129,16 +138,18 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
             formula=_write_definition(quantity, paper),
             given=tuple(_write_given(quantity, paper)),
-            domain=set_prose(describe_domain(quantity, paper).replace("oo", "∞")),
+            domain=set_prose(re.sub(r"\boo\b", "∞", describe_domain(quantity, paper))),
             notes=tuple(_pick_notes(kernel, paper)),
             stated=_tell_stated(quantity),
+            turned=tell_turned(quantity, paper),
             proved=tuple(set_prose(form.proved) for form in forms if form.proved),
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(list_calls(quantity, source, header)),
             sources=write_sources(kernel, source) if kernel else None,
             charts=tuple(_name_charts(record)) if record else (),
-            rows=tuple(_list_rows(quantity, source)),
+            rests_on=tuple(_list_rows(quantity, source, of_paper=True)),
+            rows=tuple(_list_rows(quantity, source, of_paper=False)),
         )
 
 
@@ -153,9 +164,11 @@ def _name_charts(record: Record) -> Iterator[str]:
 def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
     """Write the formula behind the letter that it gives, or the name of the function."""
     definition, given = quantity.definition, paper.given
-    names = [symbol for symbol, value in given.items() if value == definition]
+    printed = {v.symbol for v in paper.variables if v.latex}
+    names = [s for s, value in given.items() if value == definition and s in printed]
     if definition in given:
-        names, definition = [definition], given[definition]
+        names = [definition] if definition in printed else names
+        definition = given[definition]
     arguments = ",".join(
         write_latex(symbol, paper.variables) for a in quantity.arguments for symbol in a.symbols
     )
@@ -164,13 +177,16 @@ def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
     return write_lines(f"{left}={write_latex(definition, paper.variables)}")
 
 
-def _list_rows(quantity: Quantity, source: JudgedDerivation) -> Iterator[RowView]:
-    """View the rows that say what the sources of its forms and derivatives compute."""
-    judged = {j.number: j for j in source.ledger.judgements}
-    anchors, symbols = name_anchors(judged), name_symbols(source.ledger.paper)
-    for number in list_form_numbers(quantity):
-        if number in judged:
-            yield describe_row(judged[number], anchors[number], symbols, source.checks)
+def _list_rows(
+    quantity: Quantity, source: JudgedDerivation, *, of_paper: bool
+) -> Iterator[RowView]:
+    """View the rows of the paper's module that it rests on, or those on its sources."""
+    judgements, paper = source.ledger.judgements, source.ledger.paper
+    stated = {row.number for row in paper.rows}
+    anchors, symbols = name_anchors(row.number for row in judgements), name_symbols(paper)
+    for row in judgements:
+        if quantity.name in row.quantities and of_paper == (row.number in stated):
+            yield describe_row(row, anchors[row.number], symbols, source.checks)
 
 
 def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
@@ -220,8 +236,9 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
     machine = record.machine
     return Measured(
         worst="none" if worst is None else f"{worst:.3g}",
-        usual=set_prose(find_usual_set(record)),
+        usual=set_prose(_tell_usual(record, quantity)),
         unit=record.error_unit,
+        absolute="" if quantity.unit == "1" else tell_unit(quantity.unit),
         points=f"{sum(row.points - row.undecided for row in rows):,}",
         searched=set_prose(searched),
         taken=record.taken[:10],
@@ -231,13 +248,24 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
     )
 
 
+def _tell_usual(record: Record, quantity: Quantity) -> str:
+    """Say on which points usual errors are taken; a sweep ends after so many half turns."""
+    usual = find_usual_set(record)
+    if goes_on(quantity) and usual.startswith("sweep"):
+        return f"{usual}, over {SWEEP // 2} turns of {quantity.arguments[0].name}"
+    return usual
+
+
 def _tell_searched(found: Searched, quantity: Quantity) -> str:
     at = ", ".join(map(_tell_point, quantity.arguments, found.at))
     return f"{found.scaled:.3g} ({found.way}) at {at}"
 
 
 def _tell_point(argument: Argument, value: object) -> str:
+    """Say what an argument is; of many numbers, how many they are: the record has them."""
     parts = value if isinstance(value, tuple | list) else [value]
+    if len(parts) > MANY:
+        return f"{argument.name} of {len(parts)}"
     numbers = [f"{part:.6g}" if isinstance(part, float) else str(part) for part in parts]
     return f"{argument.name} = {numbers[0] if len(numbers) == 1 else _enclose(numbers)}"
 

@@ -20,6 +20,7 @@ from mechproof.report.phrases import (
     look_of,
     set_numbers,
     set_prose,
+    set_reason,
     set_value,
 )
 
@@ -96,7 +97,7 @@ def describe_row(
         marks=row.marks,
         printed=write_print(row.printed_latex),
         read_as=row.read_as,
-        reason=set_prose(row.reason),
+        reason=set_reason(row.reason),
         compared=_write_compared(row.compared_with),
         compared_is_long=len(row.compared_with) > LONG,
         evidence=witnesses[:SHOWN],

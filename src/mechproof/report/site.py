@@ -130,7 +130,7 @@ def _sort_findings(papers: Sequence[PaperView]) -> list[FindingView]:
 def _find_legend(papers: Sequence[PaperView], quantities: Sequence[QuantityView]) -> Legend:
     """Find what occurs in the rows of the papers and in the forms of their quantities."""
     rows = [e.row for paper in papers for section in paper.sections for e in section.entries]
-    rows += [row for quantity in quantities for row in quantity.rows]
+    rows += [row for quantity in quantities for row in (*quantity.rests_on, *quantity.rows)]
     forms = [form for quantity in quantities for form in quantity.forms]
     looks = {row.look for row in rows} | {form.look for form in forms}
     marks = {mark for row in rows for mark in row.marks}
