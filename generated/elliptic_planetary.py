@@ -285,8 +285,8 @@ def ratio(
     (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 - 2**-10, as long as no result
-    overflows or falls below the normal range: at most 11.59 eps with np.tan within 1 ulp, found
-    6.15; at most 13.31 eps compiled, found 7.57.
+    overflows or falls below the normal range: at most 10 eps with np.tan within 1 ulp, found
+    6.15; at most 10.82 eps compiled, found 7.57.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -366,12 +366,12 @@ def position(
     and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved of half-angle atan, where |x| <= 2**26, as long as no result overflows or falls below
-    the normal range: at most 4.35 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
-    found 3.38; at most 4.54 eps compiled, found 3.54.
+    the normal range: at most 4.34 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
+    found 3.38; at most 4.51 eps compiled, found 3.72.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
-    2**-10, as long as no result overflows or falls below the normal range: at most 5.78 eps
-    with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.98; at most 5.56 eps compiled,
+    2**-10, as long as no result overflows or falls below the normal range: at most 4.64 eps
+    with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.98; at most 5.5 eps compiled,
     found 3.48.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
@@ -468,8 +468,8 @@ def acceleration(
     0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
-    below the normal range: at most 21.88 eps with np.tan within 1 ulp, found 10.23; at most
-    25.49 eps compiled, found 11.46.
+    below the normal range: at most 14.55 eps with np.tan within 1 ulp, found 10.23; at most
+    15.86 eps compiled, found 11.46.
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 

@@ -17,6 +17,11 @@ ValueError: shapes do not broadcast or a last axis is wrong, or `out` has anothe
 Accuracy is tested: on the stated arguments no search has found a result that is off by
 more. It is of float64, in which float32 is computed, too; eps = 2**-52.
 
+What is proved holds for all arguments that its line states, of float64 rounded to nearest,
+on the assumptions of that line: the results that they speak of are those of all operations
+on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
+proved than is tested, since a proof adds up roundings that may never meet.
+
 What errors are relative to:
 
     the way that the chord's end rolls (height_change) = r_b*(1 + t_c + |tilt|)*|tilt|
@@ -139,6 +144,10 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     Accuracy, tested: 4 eps of the value.
 
+    Proved, where alpha <= 11/14, as long as no result overflows or falls below the normal
+    range: at most 3.5 eps with np.cos within 1 ulp, found 2.17; at most 3.19 eps compiled,
+    found 2.43.
+
     Source: paper on tooth thickness, design data; basic rack.
 
     """
@@ -186,6 +195,10 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     Domain: 0 < m < oo, 0 < alpha < pi/4.
 
     Accuracy, tested: 3 eps of the value.
+
+    Proved, where alpha <= 11/14, as long as no result overflows or falls below the normal
+    range: at most 1.88 eps with np.sin within 1 ulp, found 1.39; at most 1.56 eps compiled,
+    found 1.38.
 
     Source: paper on tooth thickness, design data; basic rack.
 
@@ -241,6 +254,10 @@ def height_change(
 
     Accuracy, tested: 15 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
+
+    Proved, where |tilt| <= 1 and alpha <= 11/14, as long as no result overflows or falls below
+    the normal range: at most 4.34 eps with np.sin within 1 ulp and np.tan within 1 ulp, found
+    2.96; at most 4.06 eps compiled, found 3.06.
 
     Source: paper on tooth thickness, step 6, on the involute.
 
@@ -325,6 +342,10 @@ def thickness_change(
     Accuracy, tested: 29 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
     |tilt|) and 1e-30 <= m and m*z <= 1e300.
 
+    Proved, where |tilt| <= 1 and alpha <= 11/14, as long as no result overflows or falls below
+    the normal range: at most 9.44 eps with np.sin within 1 ulp and np.tan within 1 ulp, found
+    5.28; at most 9.56 eps compiled, found 5.81.
+
     Source: paper on tooth thickness, step 6, on the involute.
 
     """
@@ -377,6 +398,10 @@ def thickness_change_linear(
     Domain: 0 < alpha < pi/4.
 
     Accuracy, tested: 5 eps of the value.
+
+    Proved, where alpha <= 11/14, as long as no result overflows or falls below the normal
+    range: at most 1.51 eps with np.tan within 1 ulp, found 1.02; at most 2.78 eps compiled,
+    found 1.81.
 
     Source: paper on tooth thickness, equation (1) with the exact derivative.
 
@@ -502,6 +527,10 @@ def thickness_error(
     Domain: 0 < alpha < pi/4.
 
     Accuracy, tested: 6 eps of the sum of its terms' sizes.
+
+    Proved, where alpha <= 11/14, as long as no result overflows or falls below the normal
+    range: at most 2.01 eps with np.tan within 1 ulp, found 1.52; at most 3.28 eps compiled,
+    found 2.31.
 
     Source: paper on tooth thickness, steps 5 and 6 corrected.
 

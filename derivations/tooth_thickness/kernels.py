@@ -20,6 +20,7 @@ from .bounds import (
     first_order,
     within_a_hundredth,
 )
+from .charts import DEPTHS, ERRORS, ERRORS_NEGATED, FLANK_CHARTS, RACK
 from .mechanics import (
     PRINTED_INFLUENCE,
     K_m,
@@ -117,7 +118,7 @@ QUANTITIES = (
         (MODULE, ANGLE),
         chord,
         # 4.161 mm of the paper is for a module of 3 mm.
-        (Form("squared cosine", chord), handbook("1.387")),
+        (Form("squared cosine", chord, charts=RACK), handbook("1.387")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
         accuracy=ACCURACY["constant_chord"],
@@ -128,7 +129,7 @@ QUANTITIES = (
         (MODULE, ANGLE),
         chord_height,
         # So is 2.243 mm.
-        (Form("double angle", chord_height), handbook("0.7476")),
+        (Form("double angle", chord_height, charts=RACK), handbook("0.7476")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
         accuracy=ACCURACY["chord_height"],
@@ -139,7 +140,7 @@ QUANTITIES = (
         FLANK,
         height_change,
         (
-            Form(SHIPPED, height_change, ("cosine_minus_one",)),
+            Form(SHIPPED, height_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
             Form(
                 "difference of two distances",
                 r_b * (distance(alpha) - distance(alpha + tilt)),
@@ -166,7 +167,7 @@ QUANTITIES = (
         FLANK,
         thickness_change,
         (
-            Form(SHIPPED, thickness_change, ("cosine_minus_one",)),
+            Form(SHIPPED, thickness_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
             Form(
                 "difference of two chords",
                 2 * r_b * (half_chord(alpha + tilt) - half_chord(alpha)),
@@ -205,7 +206,7 @@ QUANTITIES = (
         (replace(HEIGHT, usual=(0, 0.1, 10)), ANGLE),
         LINEAR,
         (
-            Form("tangent", LINEAR),
+            Form("tangent", LINEAR, charts=DEPTHS),
             Form(
                 "printed (1)",
                 PRINTED_INFLUENCE * dh,
@@ -241,7 +242,7 @@ QUANTITIES = (
         (TIP, GAUGE, ANGLE),
         ERROR,
         (
-            Form("tangent", ERROR),
+            Form("tangent", ERROR, charts=ERRORS, mirrors=ERRORS_NEGATED),
             Form(
                 "printed (1), steps 5 and 6",
                 PRINTED_INFLUENCE * (e_tip + dh_gauge),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -18,6 +19,7 @@ from mechproof.roundoff.certificate import (
     RoundingClaim,
 )
 from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.running import IN_DOUBLES
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 
@@ -56,7 +58,8 @@ OFF = "|x| <= 22/7 and |pi - |x|| >= 2**-40"
 
 PLAIN = "|x| <= 2**26"
 TURNED = "|alpha|, |beta|, |gamma| <= "
-# The same of the size of x and of e, and of the largest size of an angle.
+RACK, TILTED = "alpha <= 11/14", "|tilt| <= 1 and alpha <= 11/14"
+# The same of the size of x and of e, of the largest size of an angle, and of alpha and the tilt.
 STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
     HALF: lambda x, e: x <= Fraction(22, 7),
     FAR: lambda x, e: x <= 2**26 and e <= 1 - Fraction(1, 2**10),
@@ -66,6 +69,8 @@ STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
         f"{TURNED}{reach}": lambda x, e, most=Fraction(reach): x <= most
         for reach in ("11/7", "22/7")
     },
+    RACK: lambda alpha, tilt: alpha <= Fraction(11, 14),
+    TILTED: lambda alpha, tilt: alpha <= Fraction(11, 14) and abs(tilt) <= 1,
 }
 
 
@@ -74,8 +79,10 @@ def test_the_worst_inputs_are_where_the_claims_say(claim: RoundingClaim) -> None
     at = {name: Fraction(float.fromhex(text)) for name, text in claim.at.items()}
     if "e" in at:
         place = abs(at["phi1"] * at["R1"] / at["R2"]), at["e"]
-    else:
+    elif "gamma" in at:
         place = max(abs(at[str(angle)]) for angle in ("alpha", "beta", "gamma")), Fraction(0)
+    else:
+        place = at["alpha"], at.get("tilt", Fraction(0))
     assert any(STATED[text](*place) for text in claim.where)
 
 
@@ -111,3 +118,31 @@ def test_charts_cover_what_they_say(key: tuple[str, str], text: str, lowest: flo
     assert find_covered(subject, charts, given).all()
     missing = [chart for chart in charts if chart is not charts[-1]]
     assert not find_covered(subject, missing, given).all()
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("constant_chord", "chord_height", "thickness_change_linear", "thickness_error"),
+        *("height_change", "thickness_change"),
+    ],
+)
+def test_charts_cover_all_wheels_and_flanks(name: str) -> None:
+    """All profile angles, sizes of any order and signs have coordinates in some chart."""
+    subject = next(s for s in subjects().values() if s.kernel.name == name)
+    rng = np.random.default_rng(13)
+    given = {
+        "alpha": draw_small(rng, np.pi / 4, 12),
+        "m": draw_small(rng, 1e6, 12),
+        "z": np.rint(1 / draw_small(rng, 1, 6)),
+        **{
+            argument: rng.choice((-1.0, 1.0), 4000) * draw_small(rng, 1, 12)
+            for argument in ("tilt", "dh", "e_tip", "height_error")
+        },
+    }
+    points = {argument: given[argument] for argument in subject.straight.inputs}
+    form = subject.form
+    assert subject.inside.holds(points, IN_DOUBLES).all()
+    if len(form.charts) > 1:
+        missing = replace(subject, form=replace(form, charts=form.charts[1:]))
+        assert not missing.inside.holds(points, IN_DOUBLES).all()

@@ -24,7 +24,7 @@ from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff import computed_stages as subject_module
 from mechproof.roundoff.certificate import RoundingClaim, holds
 from mechproof.roundoff.certificate_files import find_certificate
-from mechproof.roundoff.compiled_kernels import WAY
+from mechproof.roundoff.compiled_kernels import WAY, list_expansions
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.error_tables import ErrorTable
@@ -35,6 +35,10 @@ from mechproof.roundoff.worst import draw
 SYSTEMS = {
     "elliptic_planetary": ("ratio", "position", "acceleration"),
     "track_wheel": ("rotation", "displacement"),
+    "tooth_thickness": (
+        *("constant_chord", "chord_height", "height_change", "thickness_change"),
+        *("thickness_change_linear", "thickness_error"),
+    ),
 }
 NAMES = [f"{system}.{name}" for system, names in SYSTEMS.items() for name in names]
 
@@ -198,3 +202,13 @@ def test_without_roundings_compiled_steps_have_the_value_of_the_others(name: str
                         strict=True,
                     )
                     assert all(abs(one - other) < arb(2) ** -150 for one, other in pairs)
+
+
+def test_a_function_of_another_library_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What NumPy's tangent is off by says nothing of that of a compiled kernel."""
+    paper = paper_of("tooth_thickness")
+    (kernel,) = (k for k in list_functions(paper) if k.name == "thickness_change_linear")
+    known = {kind: e for kind, e in list_expansions().items() if kind != "tan"}
+    monkeypatch.setattr(subject_module, "list_expansions", lambda: known)
+    with pytest.raises(ValueError, match="nothing is proved of tan as it is compiled"):
+        list(list_computed_stages(kernel, paper))

@@ -103,6 +103,18 @@ class Interval:
         """Return the hull of both."""
         return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
 
+    def intersection(self, other: Interval) -> Interval:
+        """Return what is in both; where one is not finite the other."""
+        one, two = self.is_finite, other.is_finite
+        return Interval(
+            np.where(
+                one & two, np.maximum(self.low, other.low), np.where(one, self.low, other.low)
+            ),
+            np.where(
+                one & two, np.minimum(self.high, other.high), np.where(one, self.high, other.high)
+            ),
+        )
+
     def power(self, exponent: int) -> Interval:
         """Return a whole power."""
         if exponent < 0:

@@ -4,7 +4,9 @@ Each step is its operation times 1 + d with a d of its own. By the mean value th
 at most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
 reverse over intervals that hold every such d, so no term of second order is left out. Rounding is
 Higham's standard model (2002, chapter 2). FPTaylor (Solovyev et al. 2018) bounds the same sum at d
-= 0 and adds a bound of the second order; here nothing is to be added.
+= 0 and adds a bound of the second order; here nothing is to be added. An error relative to the
+value adds up by condition numbers besides (`condition_numbers`): as all roundings grow from nothing
+the value changes by shares of itself, and a sum C of them makes exp(C) - 1 of it at most.
 """
 
 from __future__ import annotations
@@ -29,6 +31,7 @@ from mechproof.arithmetic.intervals import (
 )
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
+from mechproof.roundoff.condition_numbers import CarriedConditions, find_condition_numbers
 from mechproof.roundoff.endpoint_rounding import (
     RoundedEndpoints,
     limit_by_spacing,
@@ -45,6 +48,7 @@ from mechproof.roundoff.grids import (
     find_own_grid,
 )
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
+from mechproof.roundoff.rounded_steps import RoundedStep, take_least
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
@@ -64,19 +68,6 @@ class ErrorScale:
 
     scale: IntervalMonomial | None
     holds_value: bool
-
-
-@dataclass
-class RoundedStep:
-    """The value of a step before its rounding, its slopes, and the size of its rounding."""
-
-    step: Step
-    exact: IntervalMonomial
-    slopes: Slopes
-    relative: Ends
-    absolute: Ends | None
-    # Of a number that is no double, what its rounding is, with its sign, as a share of itself.
-    known: Interval | None = None
 
 
 class ErrorAnalysis:
@@ -100,11 +91,15 @@ class ErrorAnalysis:
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, IntervalMonomial] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
-        self.computed = {name: monomial.expanded() for name, monomial in given.items()}
+        self.computed = {
+            name: UNKNOWN if name in self._scaled else monomial.expanded()
+            for name, monomial in given.items()
+        }
         self._grids: dict[str, Grid] | None = None
         if has_grids:
             self._grids = {name: find_own_grid(span) for name, span in self.computed.items()}
         self.rounded: list[RoundedStep] = []
+        self._made = frozenset(step.result for step in straight.steps)
         for step in straight.steps:
             self._move(step, stated.get(step.result))
 
@@ -183,7 +178,7 @@ class ErrorAnalysis:
         limit = None
         is_rounded = step.kind != "approximate"
         grid = find_grid(step.kind, [self._find_grid(o) for o in step.operands])
-        is_exact = is_exact | are_doubles(grid, found.span)
+        is_exact = is_exact | are_doubles(grid, found.span) | _shifts(step.kind, given)
         relative = np.where(is_exact, 0.0, EPS * step.ulps)
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
@@ -191,7 +186,7 @@ class ErrorAnalysis:
                 # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
                 limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
-                limit = _least(limit, _limit_by_terms(step.kind, given))
+                limit = take_least(limit, _limit_by_terms(step.kind, given))
             limit = np.where(is_exact, 0.0, limit)
         span = (
             found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
@@ -248,7 +243,8 @@ class ErrorAnalysis:
     def sum_errors(self, output: Operand, bar: ErrorScale) -> Ends:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
         total = sum(self.list_errors(output, bar).values(), np.float64(0.0))
-        total = total * (1 + EPS * len(self.rounded))
+        # The value that errors are a share of is that of the steps with part of their roundings.
+        total = total * (1 + EPS * len(self.rounded)) * (1 + 2 * EPS * total)
         return np.where(np.isfinite(total), total, np.inf)
 
     def compare(self, output: Operand, bar: ErrorScale) -> Ends:
@@ -258,7 +254,11 @@ class ErrorAnalysis:
 
     def list_errors(self, output: Operand, bar: ErrorScale) -> dict[str, Ends]:
         """Bound what each step adds to the error of an output, in eps of the scale."""
-        inverses = [self._one / scale for scale in self._list_scales(output, bar)]
+        scales = self._list_scales(output, bar)
+        inverses = [self._one / scale for scale in scales]
+        # Relative to itself the output has its condition number from the start.
+        value = self.value(output)
+        carried = CarriedConditions(output, [ONE if s is value else UNKNOWN for s in scales])
         slopes = {output: self._one}
         errors = {}
         numbers = None
@@ -271,20 +271,37 @@ class ErrorAnalysis:
                 part = (slope * rounded.exact).scaled(rounded.known)
                 numbers = part if numbers is None else numbers + part
                 continue
-            errors[rounded.step.result] = _weigh(slope, inverses, rounded)
+            overs = [slope * inverse for inverse in inverses]
+            found = [(over * rounded.exact).expanded() for over in overs]
+            conditions = carried.take(rounded.step.result, found)
+            errors[rounded.step.result] = rounded.weigh(overs, conditions)
+            if bar.holds_value:
+                self._carry(rounded, conditions, carried)
             if np.any(rounded.relative):
                 slope = slope.scaled(around(1.0, rounded.relative))
             if rounded.step.result == output and bar.holds_value and np.any(rounded.relative):
                 # The rounding of the value itself, of which the scale has no less.
-                errors[output] = _least(errors[output], rounded.relative / EPS)
+                errors[output] = take_least(errors[output], rounded.relative / EPS)
             for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         if numbers is not None:
             sizes = [(numbers * inverse).expanded().largest() for inverse in inverses]
-            errors[CONSTANT] = _least(*sizes) / EPS
+            errors[CONSTANT] = take_least(*sizes) / EPS
         return errors
+
+    def _carry(
+        self, rounded: RoundedStep, conditions: Sequence[Interval], carried: CarriedConditions
+    ) -> None:
+        """Carry condition numbers on to the steps whose results this one takes."""
+        step = rounded.step
+        taken = [o if isinstance(o, str) and o in self._made else 0.0 for o in step.operands]
+        if step.kind in RESTS or not any(taken):
+            return
+        given = [self.value(operand) for operand in step.operands]
+        numbers = find_condition_numbers(step.kind, given, rounded.exact, rounded.slopes)
+        carried.carry(conditions, rounded.relative, taken, numbers)
 
     def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
         """List what the scale is at least: the value, and each of two terms of one sign."""
@@ -298,35 +315,17 @@ class ErrorAnalysis:
         return [*scales, value, *(terms if signs in ({1}, {-1}) else [])]
 
 
-def _weigh(
-    slope: IntervalMonomial, inverses: Sequence[IntervalMonomial], rounded: RoundedStep
-) -> Ends:
-    """Bound a step's share by the size of its result and by the spacing of doubles there."""
-    bounds = []
-    for over in (slope * inverse for inverse in inverses):
-        if np.any(rounded.relative):
-            share = (over * rounded.exact).expanded().largest()
-            bounds.append(share * (rounded.relative / EPS))
-        if rounded.absolute is not None:
-            bounds.append(over.expanded().largest() * (rounded.absolute / EPS))
-    if not bounds:
-        return np.float64(0.0)
-    # An exact operation adds nothing, even where its slope is not known.
-    absolute = 0.0 if rounded.absolute is None else rounded.absolute
-    is_exact = np.maximum(rounded.relative, absolute) == 0
-    return np.where(is_exact, 0.0, _least(*bounds) * (1 + 4 * EPS))
-
-
-def _least(*bounds: Ends) -> Ends:
-    """Return the lowest of bounds of one thing; those that are not finite say nothing."""
-    least = np.float64(np.inf)
-    for bound in bounds:
-        least = np.fmin(least, bound)
-    return least
-
-
 def _within_one(span: Interval) -> Interval:
     return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
+
+
+def _shifts(kind: str, given: Sequence[Interval]) -> Mask:
+    """Say where all that is computed is multiplied or divided by one power of two."""
+    factors = {"multiply": given, "square": given, "divide": given[1:]}.get(kind, ())
+    known: Mask = False
+    for factor in factors:
+        known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == HALF)
+    return known
 
 
 def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:

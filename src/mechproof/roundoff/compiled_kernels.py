@@ -16,7 +16,7 @@ from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.program import Operand, Operation, Program
 from mechproof.roundoff.expansions import Expansion
 from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import EXACT
+from mechproof.roundoff.steps import EXACT, HALF
 
 WAY = "compiled"
 # Whose error is what is proved.
@@ -27,6 +27,13 @@ PARTS = ("tangent_above", "tangent_below")
 def _expand_function(kind: str, name: str) -> Expansion:
     program = Program(("y",), (Operation("q", name, ("y",)),), ("q",))
     return Expansion(program, {"q": PROVED}, {"q": kind})
+
+
+def _expand_tangent() -> Expansion:
+    """Take the tangent for the exact quotient of its two parts, which is rounded."""
+    operations = (Operation("w", "tan", ("y",)), Operation("q", "copy", ("w",)))
+    program = Program(("y",), operations, ("q",))
+    return Expansion(program, {"w": PROVED, "q": HALF}, {"w": "tan"})
 
 
 def _expand_quotient() -> Expansion:
@@ -94,6 +101,7 @@ def list_expansions() -> Mapping[str, Expansion]:
     return MappingProxyType(
         {
             **{kind: _expand_function(kind, kind) for kind in ("sin", "cos")},
+            "tan": _expand_tangent(),
             "small_arctan": _expand_function("small_arctan", "arctan"),
             "arctan_quotient": _expand_quotient(),
             "tangent_quotient": _expand_tangent_quotient(),

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel, build_kernel, input_names
 from mechproof.programs.operations import SYMBOLIC, Arithmetic
-from mechproof.programs.program import Operand, Program
+from mechproof.programs.program import CONSTANTS, Operand, Program
 from mechproof.programs.scalar import defer_in_stage, map_affinely
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
@@ -33,12 +34,21 @@ from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.regions import ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage, keep_needed
+from mechproof.roundoff.steps import (
+    CONSTANT,
+    EXACT,
+    Step,
+    StraightLineProgram,
+    flatten_stage,
+    keep_needed,
+)
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
 
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 # Compiled kernels have their own, of which nothing is proved.
 UNPROVED = frozenset({"exp", "log"})
+# In doubles, as kernels compare with them.
+NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
 PLAIN_REWRITES = ("half_angle_tangent",)
 
 
@@ -167,7 +177,7 @@ class ComputedStage:
     def holds(self, points: Mapping[str, Any]) -> Any:
         """Say where the stage is taken."""
         programs = [p for p in (self.kernel.code.inside, self.stage.when) if p]
-        inside = [run(p, points, IN_DOUBLES)[0] for p in programs]
+        inside = [run(p, {**NUMBERS, **points}, IN_DOUBLES)[0] for p in programs]
         return np.logical_and.reduce(inside) if inside else True
 
 
@@ -218,6 +228,7 @@ def _compile(
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(find_compensated(expanded))
     _check_kinds(straight)
+    _check_functions(straight)
     _check_signs(straight, kernel, form)
     affine = _find_map(kernel.quantity, stage, straight)
     if affine:
@@ -233,6 +244,16 @@ def _check_kinds(straight: StraightLineProgram) -> None:
     if unknown := sorted({step.kind for step in straight.steps} - (KINDS - UNPROVED)):
         raise ValueError(
             f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
+        )
+
+
+def _check_functions(straight: StraightLineProgram) -> None:
+    """Refuse functions of NumPy: compiled kernels have their own."""
+    assumed = {step.kind for step in straight.steps if not step.proved} & FUNCTIONS.keys()
+    if assumed:
+        raise ValueError(
+            f"nothing is proved of {', '.join(sorted(assumed))} as it is compiled: "
+            "leave out the charts"
         )
 
 

@@ -207,14 +207,15 @@ def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
     one, other = map(name_size, program.inputs)
     # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
     sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
-    find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps)))
+    scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
+    straight = replace(found.straight, scaled=scaled)
     above, below = (other, one) if is_steep else (one, other)
 
     def sides(w: Series) -> tuple[Series, Series]:
         (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)
         return value, arb.pi() / 2 - w.atan() if is_steep else w.atan()
 
-    bounds = _bound(found.straight, {above: None, below: 1.0}, low, high)
+    bounds = _bound(straight, {above: None, below: 1.0}, low, high)
     return _put_on(bounds, _enclose(sides, low, high))
 
 

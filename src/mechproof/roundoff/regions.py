@@ -15,9 +15,10 @@ import sympy as sp
 
 from mechproof.arithmetic.balls import to_ball
 from mechproof.arithmetic.cover import Box, Boxes, Side
-from mechproof.arithmetic.intervals import ONE, PI, between, enclose_ball, exactly
+from mechproof.arithmetic.intervals import ONE, PI, Interval, between, enclose_ball, exactly
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
+from mechproof.roundoff.fused import add_exactly
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 
 # Half a turn and a little: where the nearest number of turns is no matter of rounding.
@@ -100,7 +101,9 @@ def express(
     if value in monomials:
         return monomials[value]
     if value.is_Number:
-        return variables.constant(enclose_ball(to_ball(value)))
+        number = float(value)
+        span = exactly(number) if sp.Rational(number) == value else enclose_ball(to_ball(value))
+        return variables.constant(span)
     parts = [express(part, variables, monomials) for part in value.args[:1] if value.is_Pow] or [
         express(part, variables, monomials) for part in value.args
     ]
@@ -110,8 +113,24 @@ def express(
         raise ValueError(f"chart: {value} is no polynomial of its coordinates")
     total = parts[0]
     for part in parts[1:]:
-        total = total + part if value.is_Add else total * part
+        total = _add_nearly(total, part) if value.is_Add else total * part
     return total
+
+
+def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonomial:
+    """Return a sum whose ends are moved outward only where they are rounded.
+
+    So 1 - d is at most 1 where d is not negative, and no binade is passed that no number passes.
+    """
+    total = one + other
+    if any(total.powers):
+        return total
+    a, b = one.expanded(), other.expanded()
+    (low, below), (high, above) = add_exactly(a.low, b.low), add_exactly(a.high, b.high)
+    span = Interval(
+        np.where(below == 0, low, total.span.low), np.where(above == 0, high, total.span.high)
+    )
+    return IntervalMonomial(total.variables, span, total.powers)
 
 
 def _raise(monomial: IntervalMonomial, power: int) -> IntervalMonomial:

@@ -134,8 +134,9 @@ def draw(
     with np.errstate(all="ignore"):
         values = compute(*coordinates.values())
     return {
-        names[symbol]: np.broadcast_to(value, count).astype(float)
+        names[symbol]: np.rint(drawn) if symbol.is_integer else drawn
         for symbol, value in zip(region.chart.arguments, values, strict=True)
+        for drawn in [np.broadcast_to(value, count).astype(float)]
     }
 
 

@@ -1,0 +1,43 @@
+"""Coordinates over which the rounding errors of paper 3 are bounded."""
+
+from __future__ import annotations
+
+from sympy import Expr, Interval, Rational, Symbol, oo
+
+from mechproof.record import Chart
+
+from .mechanics import alpha, dh, dh_gauge, e_tip, m, tilt, z
+
+# A profile angle is less than pi/4.
+UP_TO = Rational(11, 14)
+WHERE = f"alpha <= {UP_TO}"
+ANGLES, LENGTHS, SIGNED = {alpha: Interval(0, UP_TO)}, Interval(0, oo), Interval(-oo, oo)
+RACK = (Chart(WHERE, {m: m, alpha: alpha}, {m: LENGTHS, **ANGLES}),)
+DEPTHS = (Chart(WHERE, {dh: dh, alpha: alpha}, {dh: SIGNED, **ANGLES}),)
+
+# Of two errors of which either is larger one is a share of the other; the larger one is not
+# negative, but for the signs of both.
+SHARE = Symbol("share")
+
+
+def by_larger(larger: Symbol, smaller: Symbol, most: Expr) -> Chart:
+    """Make the chart of two errors, one at most so many times the other."""
+    arguments = {larger: larger, smaller: most * larger * SHARE, alpha: alpha}
+    return Chart(WHERE, arguments, {larger: LENGTHS, SHARE: Interval(-1, 1), **ANGLES})
+
+
+ERRORS_NEGATED = ((e_tip, dh_gauge),)
+ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, Rational(1, 2)))
+
+# Wheels with many teeth are those with a small inverse of their number.
+INVERSE = Symbol("1/z", positive=True)
+
+
+def along(side: Expr) -> Chart:
+    """Make the chart of tilts to one side."""
+    arguments = {tilt: side, m: m, z: 1 / INVERSE, alpha: alpha}
+    within = {m: LENGTHS, INVERSE: Interval(0, 1), **ANGLES, tilt: Interval(0, 1)}
+    return Chart(f"|tilt| <= 1 and {WHERE}", arguments, within)
+
+
+FLANK_CHARTS = (along(tilt), along(-tilt))
