@@ -209,10 +209,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
-    if not left and _is_sum_of_sizes(nodes, other, known):
-        return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     if not left:
-        return Sign(Role.CONSTRAINT, sides=sides)
+        return Sign(Role.CONSTRAINT, None, "", sides, *_find_number(nodes, sides))
     is_number = not (one.free_symbols and other.free_symbols)
     if is_number:
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
@@ -268,24 +266,6 @@ def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, 
         if isinstance(inside, Degrees) and isinstance(inside.number, Number):
             return sign + inside.number.text, other, "°"
     return "", None, ""
-
-
-def _is_sum_of_sizes(nodes: Sequence[Node], number: Any, known: Known) -> bool:
-    """Return whether a number is said of a sum of letters: with a unit, in theirs, or at sizes."""
-    if not (is_sum_of_letters(nodes[0]) and _is_number(nodes[1])):
-        return False
-    letters = {part.symbol for part in walk(nodes[0]) if isinstance(part, Letter)}
-    is_length = number != 0 and known.symbols.find_alike(letters) is not None
-    has_unit = is_length or isinstance(_split_sign(nodes[1])[1], Measure)
-    return has_unit or letters <= known.symbols.usual.keys()
-
-
-def is_sum_of_letters(node: Node) -> bool:
-    """Return whether a node is a sum of letters, of which each may have a number before it."""
-    if not isinstance(node, Add):
-        return False
-    parts = [p for _, t in node.terms for p in (t.factors if isinstance(t, Product) else (t,))]
-    return all(isinstance(part, Letter | Number) for part in parts)
 
 
 def _split_sign(node: Node) -> tuple[str, Node]:

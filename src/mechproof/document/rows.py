@@ -23,6 +23,7 @@ from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse
 from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.size_tables import SizeTables
+from mechproof.document.sizes import collect_sizes
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
@@ -121,7 +122,8 @@ class Document:
         self.told = tables.told
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
-        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files)
+        sizes = collect_sizes(zip(self.printed, read, strict=True), self.known)
+        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, sizes)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):
             if isinstance(signs, Left):

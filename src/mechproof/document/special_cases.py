@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -12,15 +11,10 @@ from sympy.core.relational import Relational
 
 from mechproof.document.relations import narrow
 from mechproof.document.roles import Known, Role, Sign
-from mechproof.document.scales import Scales, agrees
 from mechproof.document.symbols import ORDERS
-from mechproof.document.units import read_unit
 from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
-from mechproof.record import Conjunction, Equality, Part, PrintedNumber, Row, Statement
-
-# One digit, or zeros of which nobody knows whether they are digits.
-_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+from mechproof.record import Conjunction, Equality, Part, Row, Statement
 
 
 def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
@@ -104,51 +98,6 @@ def split_branches(says: Statement, known: Known) -> Statement:
         return says
     parts = (Equality(one.subs(c), other.subs(c), says.rebuilt_from) for c in choices)
     return Conjunction(tuple(parts))
-
-
-def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
-    """Return what a number says of a letter at the sizes, or why that is not judged."""
-    special = "a single value: nothing says for which sizes, or to how many digits"
-    if not sign.number:
-        return special
-    if sign.unit and own is None:
-        return "a number with a unit, but no letter into whose unit it could be converted"
-    usual = dict(known.symbols.usual)
-    value = known.settle(sign.value)
-    # A letter that has a size, too, may be meant by either.
-    formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
-    if missing := sorted(map(str, value.free_symbols - usual.keys())):
-        return f"it depends on sizes that are not declared: {', '.join(missing)}"
-    scales = Scales(known.symbols, shown=[own] if sign.unit and own else [])
-    factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
-    readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
-    values = [one.xreplace(usual) / factor for reading in readings for one in reading]
-    if (
-        value.free_symbols
-        and _FEW_DIGITS.match(sign.number)
-        and sp.Rational(sign.number) not in values
-    ):
-        return special
-    stated = [PrintedNumber(sign.number, one) for one in values]
-    return next(filter(agrees, stated), stated[0])
-
-
-def constrain_sum(sign: Sign, own: sp.Basic | None, known: Known) -> Equality | None:
-    """State what a number says of a sum of letters whose sizes are not all declared.
-
-    It counts in the unit of the letter `own`; letters without units have that of the number.
-    """
-    symbols = known.symbols
-    letters: set[sp.Basic] = getattr(sign.value, "free_symbols", set())
-    terms = sp.Add.make_args(sign.value) if isinstance(sign.value, sp.Add) else ()
-    is_sum = bool(terms) and all(term.as_coeff_Mul()[1] in letters for term in terms)
-    unit = read_unit(sign.unit) if sign.unit else None
-    meant = unit.dimension if unit and own else symbols.find_dimension(own)
-    is_fit = {symbols.find_dimension(letter) for letter in letters} == {meant}
-    if not (is_sum and is_fit) or letters <= symbols.usual.keys():
-        return None
-    factor = Scales(symbols).convert(own, unit) if own else sp.S.One
-    return Equality(sign.value, sp.Rational(sign.number) * factor, "member")
 
 
 def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:

@@ -15,12 +15,11 @@ from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.sides import have_same_letters, list_related, list_sides
+from mechproof.document.sizes import Sizes
 from mechproof.document.special_cases import (
-    constrain_sum,
     list_rates,
     list_values,
     put_in,
-    round_at_sizes,
     specialise,
     split_branches,
     state_modulo,
@@ -46,6 +45,7 @@ class TaskMaker:
     known: Known
     papers: Mapping[bool, Paper]
     files: Files
+    sizes: Sizes
 
     def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
         """Make the tasks of an equation; `reader` knows the values of all letters."""
@@ -65,9 +65,6 @@ class TaskMaker:
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
         own = next((s.letter for s in signs if s.letter is not None), None)
-        if own is None and signs:
-            # A number of several letters.
-            own = self.known.symbols.find_alike(getattr(signs[0].value, "free_symbols", ()))
         pairs = [*zip(read_row(row, reader), signs, strict=True)]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
@@ -114,13 +111,16 @@ class TaskMaker:
             sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
         if sign.role in (Role.DERIVATIVE, Role.REPEATED):
             row = stay_within_pieces(row, sign, self.known)
-        if sign.role is Role.NUMBER and (sum_ := constrain_sum(sign, own, self.known)):
-            row, sign = replace(row, says=sum_), replace(sign, role=Role.CONSTRAINT)
-        elif sign.role is Role.NUMBER:
-            number = round_at_sizes(sign, own, self.known)
-            if isinstance(number, str):
-                return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
-            row = replace(row, says=number)
+        stated: PrintedNumber | Equality | str | None = None
+        if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
+            stated = self.sizes.state(sign, own, printed.group)
+        if isinstance(stated, str):
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
+        if stated:
+            is_size = isinstance(stated, PrintedNumber)
+            sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
+            note = f"{row.note} {self.sizes.tell(sign) if is_size else ''}".strip()
+            row = replace(row, says=stated, note=note)
         row = replace(row, says=split_branches(row.statement, self.known))
         turn = look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
@@ -131,7 +131,8 @@ class TaskMaker:
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         letters |= list_related(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        has_units = not (letters & self.known.symbols.bare or sign.number or is_special)
+        is_number = stated is not None or sign.role is Role.SIZE
+        has_units = not (letters & self.known.symbols.bare or is_number or is_special)
         paper = self.papers[has_units]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
