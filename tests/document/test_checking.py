@@ -244,6 +244,15 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"],
     ),
+    "values of a law by pieces": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k<\psi\le u\end{cases}",
+            r"s(0)=0",
+            r"s(u)=2aku-ak^2",
+            r"s(u)=2aku-2ak^2",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
+    ),
     "a law that jumps has no derivative there": (
         [
             r"s=\begin{cases}a\psi&\psi\le1\\a\psi+h&\psi>1\end{cases}",
@@ -252,6 +261,58 @@ CASES = {
             r"s'(2)=a",
         ],
         ["DEFINITION", "PROVED", "not read", "DEFINITION"],
+    ),
+    "a law in displays of its own, and where its pieces meet": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s(\psi)=2ak\psi-ak^2\quad\text{for }k<\psi\le u",
+            r"s=2aku-ak^2,\quad\psi>u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=2ak,\quad k<\psi\le u",
+            r"s''=2a,\quad 0\le\psi<k",
+            r"s''=a,\quad 0\le\psi<k",
+            r"s(0)=0",
+            r"s=a\sin^2\psi,\quad 0\le\psi\le k",
+        ],
+        [*["DEFINITION"] * 3, *["PROVED"] * 3, "REFUTED", "PROVED", "REFUTED", *["PROVED"] * 3],
+    ),
+    "a piece that does not begin where the one before it ends, beside its velocity": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s=2ak\psi+ak^2,\quad k<\psi\le u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "two values at one place": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k\le\psi\le u"],
+        ["DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "a law may jump": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k<\psi\le u"],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "a velocity may jump": (
+        [
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=0,\quad k\le\psi\le u",
+            r"s''=2a,\quad 0<\psi<k",
+            r"s''=a,\quad 0<\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "not judged"],
+    ),
+    "ranges that overlap are no pieces of one law": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=2a\psi,\quad 0\le\psi\le m"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "pieces whose other letters are matrices": (
+        [
+            r"s=a\psi,\quad\psi\le k",
+            r"s=ak,\quad\psi>k",
+            r"RR^T=R^TR",
+            r"s'=a,\quad\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "PROVED", "PROVED"],
     ),
     "two letters that are zero define nothing": (
         [r"\dot x=\dot\varphi=0", ROD, r"\dot x=-r\dot\varphi\sin\varphi"],
@@ -341,6 +402,8 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
 # What a block says besides.
 SAID = {
     "an identity may be claimed": "%% identity (1)\n",
+    "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
+    "values of a law by pieces": "%% where 0<k<u\n",
     "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",
 }
 

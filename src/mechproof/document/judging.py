@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
+from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -73,6 +74,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         return str(error)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return "the two sides differ, but a decimal may have been rounded"
+    if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
+        return "the pieces differ where they meet: a jump, or a misprint?"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
             f"it differs from {task.sign.first}, but may be another solution or case; if it is "

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import TypeVar
+
+import sympy as sp
 
 from mechproof.document.block import Declared, read_block
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.laws import Piece
 from mechproof.document.letters import (
     collect_letters,
     find_shapes,
@@ -72,13 +76,15 @@ class Document:
             for names in group_alike(self.taken)
         ]
 
-    def _declare(self) -> None:
+    def _declare(self, laws: Mapping[sp.Basic, list[Piece]] = MappingProxyType({})) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
         self.known = Known(self.symbols)
         give_values(self.block.values, self.known)
+        self.known.define_laws(laws)
 
     def _parse_all(self) -> list[list[Sign] | Left]:
-        """Read all equations once; again where letters are matrices, or such without a value."""
+        """Read all equations once; again where letters are matrices, or laws have pieces."""
+        laws: dict[sp.Basic, list[Piece]] = {}
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
@@ -88,12 +94,15 @@ class Document:
                     replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
                     for x in self.block.letters
                 ]
-                self._declare()
+                self._declare(laws)
+                continue
+            if not laws and (laws := self.known.join_pieces()):
+                self._declare(laws)
                 continue
             symbols, entries = self.symbols.show_entries(self.known.values)
             if not entries or self.known.entries:
                 return read
-            self._declare()
+            self._declare(laws)
             self.symbols = self.known.symbols = symbols
             self.known.entries = entries
 
@@ -131,7 +140,7 @@ class Document:
                 continue
             made = self._guard(printed, partial(maker.make, printed, signs, again))
             rows += [made] if isinstance(made, Left) else made
-        return [*rows, *compared]
+        return [*rows, *maker.make_seams(), *compared]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:

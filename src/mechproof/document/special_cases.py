@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.document.laws import read_piece
 from mechproof.document.relations import narrow
 from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.symbols import ORDERS
@@ -52,8 +53,9 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     """
     if not isinstance(row.says, Equality) or sign.letter is None:
         return row
-    sides = (row.says.printed, row.says.rebuilt)
     by, steps = known.symbols.find_steps(sign.letter)
+    sides = _choose_pieces(row.on, by, (row.says.printed, row.says.rebuilt), known)
+    row = replace(row, says=replace(row.says, printed=sides[0], rebuilt=sides[1]))
     laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
     ends = list_ends(*sides) if sign.role is Role.DERIVATIVE else []
     apart = dict.fromkeys(sp.Ne(*e.args) for e in ends if not _joins(e, by, [*sides, *laws]))
@@ -64,6 +66,25 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     part = row.on or Part("", {})
     text = f"{part.text}, on {text}" if part.text else text
     return replace(row, on=_narrow(Part(text, part.within, (*part.where, *apart)), outer, known))
+
+
+def _choose_pieces(
+    on: Part | None, by: sp.Basic, sides: tuple[Any, Any], known: Known
+) -> tuple[Any, Any]:
+    """Return sides in which a law by pieces is the one that is meant in just this range."""
+    own = read_piece("", None, on.where, by) if on else None
+    if own is None:
+        return sides
+    chosen: dict[sp.Basic, sp.Basic] = {}
+    settled = known.settle(sides[0]), known.settle(sides[1])
+    for law in {law for side in settled for law in side.atoms(sp.Piecewise)}:
+        for value, said in law.args:
+            piece = read_piece("", value, sp.And.make_args(said), by)
+            if piece and piece.range == own.range:
+                chosen[law] = value
+    if not chosen:
+        return sides
+    return settled[0].xreplace(chosen), settled[1].xreplace(chosen)
 
 
 def _narrow(part: Part, ends: Iterable[Relational], known: Known) -> Part:

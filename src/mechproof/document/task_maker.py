@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,6 +11,7 @@ import sympy as sp
 from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
 from mechproof.document.displays import Printed
+from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.roles import Known, Role, Sign
@@ -70,6 +71,33 @@ class TaskMaker:
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
         return [self._prepare(printed, *part, own) for part in parts]
 
+    def make_seams(self) -> Iterator[Task]:
+        """Make tasks of the places where the pieces of laws meet that are printed one by one.
+
+        A letter whose derivative is printed does not jump, nor does one at a place of two pieces.
+        """
+        for letter, pieces in self.known.laws.items():
+            by, steps = self.known.symbols.find_steps(letter)
+            order = steps.index(letter)
+            is_smooth = not order and self.known.met[steps[1]] > 0
+            for seam in find_seams(pieces):
+                before, behind = (one.xreplace({by: seam.place}) for one in seam.values)
+                printed = [
+                    x for x in self.printed if x.name in (seam.before.name, seam.behind.name)
+                ]
+                row = Equation(
+                    f"{self.known.name_law(letter)}, {letter} at {by} = {seam.place}",
+                    r"\quad ".join(one.latex.string for one in printed),
+                    says=Equality(before, behind, "member"),
+                    read_as=f"{before} = {behind}",
+                )
+                sides = (self.known.settle(before), self.known.settle(behind))
+                letters = sides[0].free_symbols | sides[1].free_symbols
+                paper = self.papers[not letters & self.known.symbols.bare]
+                asserts = is_smooth or (seam.is_shared and not order)
+                sign, place = Sign(Role.SEAM), printed[-1].locate(self.files)
+                yield Task(row, place, sign, paper, asserts, residual=sides[0] - sides[1])
+
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
         task = self._make(printed, row, sign, own)
@@ -96,8 +124,10 @@ class TaskMaker:
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
             row = replace(row, says=Equality(*members, "member"))
         is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
-        if isinstance(says, Equality) and is_introduced:
-            row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
+        if isinstance(says, Equality | PrintedNumber) and is_introduced:
+            pieces = (side for side in sign.sides if side not in (None, sign.letter))
+            value = next(pieces, self.known.values[sign.letter])
+            row = replace(row, says=Definition(sign.letter, value))
         if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
             values = [side for side in sign.sides if not side.free_symbols]
             row = replace(row, says=Definition(sign.letter, values[0]))
