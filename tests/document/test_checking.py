@@ -158,8 +158,38 @@ CASES = {
         ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
     ),
     "what a constraint may turn into the smallest value is not accused": (
-        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2"],
-        ["not judged", "DEFINITION"],
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2", r"bk=hm"],
+        ["not judged", "DEFINITION", "DEFINITION"],
+    ),
+    "a constraint that a letter of its own makes true excuses nothing": (
+        [
+            r"k=\sin2\alpha",
+            r"k=\sin\alpha\cos\alpha",
+            r"\tan\beta=\frac{\tan\alpha}{1+\cos^2\alpha}",
+        ],
+        ["DEFINITION", "REFUTED", "DEFINITION"],
+    ),
+    "a constraint may restrict other letters, too": (
+        [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
+        ["DEFINITION", "not judged", "DEFINITION"],
+    ),
+    "a letter on which a side does not depend is none of its letters": (
+        [
+            r"k=m\cos\alpha",
+            r"n=m\sin\alpha",
+            r"k^2+n^2=m^2",
+            r"k^2+n^2=2m^2",
+            r"k^2+n^2=m^2\cos\beta",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "not judged", "DEFINITION"],
+    ),
+    "a step may follow from another member of a chain": (
+        [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
+        ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
+    ),
+    "letters of which only some have units": (
+        [r"x=rk", r"rk\cos\alpha=x\cos\alpha", r"m=\frac{x}{l}", r"\frac{x}{n}=\frac{rk}{n}"],
+        ["DEFINITION", "PROVED", "DEFINITION", "PROVED"],
     ),
     "nothing excuses another extremum": (
         [r"\min_\psi(a\cos\psi+c)=a+c", r"kn=m^2"],

@@ -18,6 +18,7 @@ from mechproof.document.displays import Printed, find_displays
 from mechproof.document.laws import Piece
 from mechproof.document.letters import (
     collect_letters,
+    drop_transposition,
     find_shapes,
     group_alike,
     is_vector,
@@ -69,6 +70,7 @@ class Document:
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_unit(prints)
         letters = collect_letters(prints, imaginary=self.block.imaginary).letters
+        letters = drop_transposition(letters, prints)
         shapes = dict(find_shapes(prints))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [

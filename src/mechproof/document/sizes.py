@@ -132,7 +132,12 @@ class Sizes:
         # A letter that has a size, too, may be meant by either.
         formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
         if missing := sorted(map(str, value.free_symbols - sizes.keys())):
-            return f"it depends on sizes that are not declared: {', '.join(missing)}"
+            # A further member of its chain may have no other letters.
+            others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
+            formulas = [x for x in others if x.free_symbols <= sizes.keys()]
+            if not formulas:
+                return f"it depends on sizes that are not declared: {', '.join(missing)}"
+            value = formulas[0]
         unit = read_unit(sign.unit) if sign.unit else None
         if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
             return _UNFIT

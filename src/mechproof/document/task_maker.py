@@ -15,7 +15,12 @@ from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.roles import Known, Role, Sign
-from mechproof.document.sides import have_same_letters, list_related, list_sides
+from mechproof.document.sides import (
+    have_same_letters,
+    is_solvable,
+    list_related,
+    list_sides,
+)
 from mechproof.document.sizes import Sizes
 from mechproof.document.special_cases import (
     list_rates,
@@ -31,7 +36,7 @@ from mechproof.document.text import Files
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.proof.verdict import Left, State
-from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row
+from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row, Statement
 
 
 @dataclass(frozen=True)
@@ -101,6 +106,8 @@ class TaskMaker:
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
         task = self._make(printed, row, sign, own)
+        if isinstance(task, Task) and sign.role is Role.STEP:
+            return replace(task, others=tuple(self._exchange_members(printed, row, sign, own)))
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
@@ -115,6 +122,23 @@ class TaskMaker:
             other = replace(row, says=Equality(sides[0], sides[1], "member"))
             others.append(self._make(printed, other, replace(sign, first=name), own))
         return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
+
+    def _exchange_members(
+        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
+    ) -> Iterator[Task]:
+        """Yield a step with a letter of it taken from another member of its chain."""
+        letters = {s for side in sign.sides for s in getattr(side, "free_symbols", ())}
+        for letter in sorted(letters & self.known.others.keys(), key=str):
+            for name, value in self.known.others[letter]:
+                if isinstance(value, sp.MatrixBase) or name.endswith(f" of {printed.name}"):
+                    continue
+                sides = [side.xreplace({letter: value}) for side in sign.sides]
+                other = replace(row, says=Equality(sides[0], sides[1], "member"))
+                made = self._make(
+                    printed, other, replace(sign, first=name, sides=tuple(sides)), own
+                )
+                if isinstance(made, Task):
+                    yield made
 
     def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row; `own` is the letter that its chain is about."""
@@ -159,7 +183,7 @@ class TaskMaker:
             )
         sides = list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        letters |= list_related(row.says)
+        letters |= list_related(row.says) | _list_printed(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
         is_number = stated is not None or sign.role is Role.SIZE
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
@@ -188,7 +212,13 @@ class TaskMaker:
             is_either,
             is_solution,
             follows=follows,
+            is_loose=residual is not None and self._is_loose(residual),
         )
+
+    def _is_loose(self, residual: sp.Expr) -> bool:
+        """Return whether a letter that no other equation has makes a residual zero."""
+        alone = (s for s in residual.free_symbols if is_met_once(s, self.known))
+        return any(is_solvable(residual, letter) for letter in alone)
 
     def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
         """Return the names of equations that are named by their labels."""
@@ -213,3 +243,9 @@ class TaskMaker:
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)
+
+
+def _list_printed(says: Statement | None) -> set[sp.Basic]:
+    """Return the letters of both sides as they are printed: of some no unit may be known."""
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    return {letter for side in sides for letter in side.free_symbols}

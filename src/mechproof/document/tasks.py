@@ -23,7 +23,8 @@ class Task:
     `is_either` tells a constraint that may also be meant as an identity: both sides have the same
     letters, and the block does not say which it is. `is_solution` tells a later print of a letter
     that may be another solution. `others` compare the same print with further members of the chain
-    that it is compared with. `follows` names what the block says that it follows from.
+    that it is compared with. `follows` names what the block says that it follows from. `is_loose`
+    tells that a letter that no other equation has makes it true, whatever the others are.
     """
 
     row: Row
@@ -38,6 +39,7 @@ class Task:
     is_solution: bool = False
     others: tuple[Task, ...] = ()
     follows: tuple[str, ...] = ()
+    is_loose: bool = False
 
     @property
     def is_rounded(self) -> bool:
