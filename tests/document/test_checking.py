@@ -187,6 +187,23 @@ CASES = {
         [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
         ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
     ),
+    "a trace": (
+        [
+            r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",
+            r"k=\operatorname{tr}R=2\cos\alpha",
+            r"\operatorname{tr}(R^2)=2\cos2\alpha",
+            r"k=\mathrm{tr}(R)=2\sin\alpha",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "what is said to follow is compared with nothing else": (
+        [
+            r"r\sin\psi=l\sin\beta",
+            r"s=r\cos\psi+l\cos\beta=r\cos\psi+\sqrt{l^2-r^2\sin^2\psi}",
+            r"s'=-\frac{r\sin(\psi+\beta)}{\cos\beta}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "not judged"],
+    ),
     "letters of which only some have units": (
         [r"x=rk", r"rk\cos\alpha=x\cos\alpha", r"m=\frac{x}{l}", r"\frac{x}{n}=\frac{rk}{n}"],
         ["DEFINITION", "PROVED", "DEFINITION", "PROVED"],
@@ -433,6 +450,7 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
 SAID = {
     "an identity may be claimed": "%% identity (1)\n",
     "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
+    "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",
     "values of a law by pieces": "%% where 0<k<u\n",
     "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",
 }

@@ -223,7 +223,7 @@ def _compare_members(
     """Judge later prints of a letter by all members that stand of the chain that printed it."""
     numbers = []
     for n, task in enumerate(tasks):
-        if not task.others:
+        if not task.others or task.follows:
             continue
         standing = _list_standing(task, tasks, rows)
         is_proved = rows[n].outcome == Verdict.PROVED.value

@@ -213,12 +213,19 @@ class TaskMaker:
             is_solution,
             follows=follows,
             is_loose=residual is not None and self._is_loose(residual),
+            ties_running=residual is not None and self._ties_running(residual),
         )
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
         alone = (s for s in residual.free_symbols if is_met_once(s, self.known))
         return any(is_solvable(residual, letter) for letter in alone)
+
+    def _ties_running(self, residual: sp.Expr) -> bool:
+        """Return whether a letter on which others depend stands in a residual without these."""
+        moving, letters = self.known.symbols.moving, residual.free_symbols
+        met = {by for s, (by, rates) in moving.items() if letters & {s, *rates}}
+        return bool(({by for by, _ in moving.values()} & letters) - met)
 
     def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
         """Return the names of equations that are named by their labels."""

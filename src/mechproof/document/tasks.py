@@ -24,7 +24,9 @@ class Task:
     letters, and the block does not say which it is. `is_solution` tells a later print of a letter
     that may be another solution. `others` compare the same print with further members of the chain
     that it is compared with. `follows` names what the block says that it follows from. `is_loose`
-    tells that a letter that no other equation has makes it true, whatever the others are.
+    tells that a letter that no other equation has makes it true, whatever the others are;
+    `ties_running` that it has a letter on which others depend and none of those: if it holds for
+    all values, a letter depends on it of which that is not said.
     """
 
     row: Row
@@ -40,6 +42,7 @@ class Task:
     others: tuple[Task, ...] = ()
     follows: tuple[str, ...] = ()
     is_loose: bool = False
+    ties_running: bool = False
 
     @property
     def is_rounded(self) -> bool:
