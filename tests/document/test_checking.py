@@ -158,8 +158,55 @@ CASES = {
         ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
     ),
     "what a constraint may turn into the smallest value is not accused": (
-        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2"],
-        ["not judged", "DEFINITION"],
+        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2", r"bk=hm"],
+        ["not judged", "DEFINITION", "DEFINITION"],
+    ),
+    "a constraint that a letter of its own makes true excuses nothing": (
+        [
+            r"k=\sin2\alpha",
+            r"k=\sin\alpha\cos\alpha",
+            r"\tan\beta=\frac{\tan\alpha}{1+\cos^2\alpha}",
+        ],
+        ["DEFINITION", "REFUTED", "DEFINITION"],
+    ),
+    "a constraint may restrict other letters, too": (
+        [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
+        ["DEFINITION", "not judged", "DEFINITION"],
+    ),
+    "a letter on which a side does not depend is none of its letters": (
+        [
+            r"k=m\cos\alpha",
+            r"n=m\sin\alpha",
+            r"k^2+n^2=m^2",
+            r"k^2+n^2=2m^2",
+            r"k^2+n^2=m^2\cos\beta",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "not judged", "DEFINITION"],
+    ),
+    "a step may follow from another member of a chain": (
+        [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
+        ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
+    ),
+    "a trace": (
+        [
+            r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",
+            r"k=\operatorname{tr}R=2\cos\alpha",
+            r"\operatorname{tr}(R^2)=2\cos2\alpha",
+            r"k=\mathrm{tr}(R)=2\sin\alpha",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "what is said to follow is compared with nothing else": (
+        [
+            r"r\sin\psi=l\sin\beta",
+            r"s=r\cos\psi+l\cos\beta=r\cos\psi+\sqrt{l^2-r^2\sin^2\psi}",
+            r"s'=-\frac{r\sin(\psi+\beta)}{\cos\beta}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "not judged"],
+    ),
+    "letters of which only some have units": (
+        [r"x=rk", r"rk\cos\alpha=x\cos\alpha", r"m=\frac{x}{l}", r"\frac{x}{n}=\frac{rk}{n}"],
+        ["DEFINITION", "PROVED", "DEFINITION", "PROVED"],
     ),
     "nothing excuses another extremum": (
         [r"\min_\psi(a\cos\psi+c)=a+c", r"kn=m^2"],
@@ -244,6 +291,15 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"],
     ),
+    "values of a law by pieces": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k<\psi\le u\end{cases}",
+            r"s(0)=0",
+            r"s(u)=2aku-ak^2",
+            r"s(u)=2aku-2ak^2",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
+    ),
     "a law that jumps has no derivative there": (
         [
             r"s=\begin{cases}a\psi&\psi\le1\\a\psi+h&\psi>1\end{cases}",
@@ -252,6 +308,58 @@ CASES = {
             r"s'(2)=a",
         ],
         ["DEFINITION", "PROVED", "not read", "DEFINITION"],
+    ),
+    "a law in displays of its own, and where its pieces meet": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s(\psi)=2ak\psi-ak^2\quad\text{for }k<\psi\le u",
+            r"s=2aku-ak^2,\quad\psi>u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=2ak,\quad k<\psi\le u",
+            r"s''=2a,\quad 0\le\psi<k",
+            r"s''=a,\quad 0\le\psi<k",
+            r"s(0)=0",
+            r"s=a\sin^2\psi,\quad 0\le\psi\le k",
+        ],
+        [*["DEFINITION"] * 3, *["PROVED"] * 3, "REFUTED", "PROVED", "REFUTED", *["PROVED"] * 3],
+    ),
+    "a piece that does not begin where the one before it ends, beside its velocity": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s=2ak\psi+ak^2,\quad k<\psi\le u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "two values at one place": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k\le\psi\le u"],
+        ["DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "a law may jump": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k<\psi\le u"],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "a velocity may jump": (
+        [
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=0,\quad k\le\psi\le u",
+            r"s''=2a,\quad 0<\psi<k",
+            r"s''=a,\quad 0<\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "not judged"],
+    ),
+    "ranges that overlap are no pieces of one law": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=2a\psi,\quad 0\le\psi\le m"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "pieces whose other letters are matrices": (
+        [
+            r"s=a\psi,\quad\psi\le k",
+            r"s=ak,\quad\psi>k",
+            r"RR^T=R^TR",
+            r"s'=a,\quad\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "PROVED", "PROVED"],
     ),
     "two letters that are zero define nothing": (
         [r"\dot x=\dot\varphi=0", ROD, r"\dot x=-r\dot\varphi\sin\varphi"],
@@ -341,6 +449,9 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
 # What a block says besides.
 SAID = {
     "an identity may be claimed": "%% identity (1)\n",
+    "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
+    "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",
+    "values of a law by pieces": "%% where 0<k<u\n",
     "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",
 }
 

@@ -97,8 +97,22 @@ CASES = {
     r"\min_k(2k-k^2)=0": ["PROVED"],
     # It holds for positive lengths only.
     r"\max_\psi(d\cos\psi)=d": ["not judged"],
-    # A value that is not steady there, or none that is found.
-    r"\max_\psi(a\cos\psi+c)=a-c": ["not judged"],
+    r"\max_\psi(a\cos\psi+c)=a-c": ["REFUTED"],
+    r"\max_\psi(d\cos\psi)=|d|": ["PROVED"],
+    r"\max_\psi(a\cos\psi+d\sin\psi)=\sqrt{a^2+d^2}": ["PROVED"],
+    r"\max_\psi(a\cos\psi+d\sin\psi)=\sqrt{a^2-d^2}": ["REFUTED"],
+    r"\max_\psi(2a\cos3\psi-d\sin3\psi+c)=\sqrt{4a^2+d^2}+c": ["PROVED"],
+    r"\max_\psi(2a\cos3\psi-d\sin3\psi+c)=\sqrt{2a^2+d^2}+c": ["REFUTED"],
+    r"\max_\psi(a\cos\psi+d\sin\psi+c)=\sqrt{a^2+d^2}": ["REFUTED"],
+    r"\min_\psi(a\cos\psi+d\sin\psi+c)=c-\sqrt{a^2+d^2}": ["PROVED"],
+    r"\min_\psi(a\cos\psi+d\sin\psi+c)=c+\sqrt{a^2+d^2}": ["REFUTED"],
+    r"\max_\psi(a\cos(\psi+\alpha)+d\sin\psi)=\sqrt{a^2+d^2-2ad\sin\alpha}": ["PROVED"],
+    r"\max_\psi(a\cos(\psi+\alpha)+d\sin\psi)=\sqrt{a^2+d^2-2ad\cos\alpha}": ["REFUTED"],
+    r"\max_t\dot z=\sqrt{a^2\nu^2}": ["PROVED"],
+    # Two waves, a product of them, and a value that no one place has.
+    r"\max_\psi(a\cos\psi+d\sin2\psi)=\sqrt{a^2+d^2}": ["not judged"],
+    r"\max_\psi(a\cos\psi\sin\psi)=\frac a3": ["not judged"],
+    r"\max_k(\cos k+\sin k)=\sqrt2": ["not judged"],
     r"\max_k(2k-k^2)=2": ["not judged"],
     r"p=\max_k(2k-k^2)": ["not judged"],
     r"\max_\psi h<a": ["not judged"],
@@ -132,9 +146,27 @@ SIZES = r"""%% mechproof
 NUMBERS = {
     r"x=r+l=28.2\,\mathrm{cm}": "PROVED",
     r"x=r+l=28.2\,\mathrm{m}": "REFUTED",
-    # No letter says in which unit it would be.
-    r"\frac{r+l}2=\frac{l+r}2=14.1\,\mathrm{cm}": "not read",
-    r"\frac{r+l}2=\frac{l+r}2=141.0\,\mathrm{N}": "not read",
+    r"\frac{r+l}2=\frac{l+r}2=14.1\,\mathrm{cm}": "PROVED",
+    r"\frac{r+l}2=\frac{l+r}2=14.2\,\mathrm{cm}": "REFUTED",
+    r"\frac{r+l}2=\frac{l+r}2=141.0\,\mathrm{N}": "not judged",
+    r"(r+l)/2=141\,\mathrm{mm}": "PROVED",
+    r"(r+l)/2=282\,\mathrm{mm}": "REFUTED",
+    r"rl=161.6\,\mathrm{cm}^2": "PROVED",
+    r"rl=161.6\,\mathrm{mm}^2": "REFUTED",
+    r"rl=161.6\,\mathrm{mm}": "not judged",
+    r"rl=80\cdot202=16160\,\mathrm{mm}^2": "PROVED",
+    r"rl=80\cdot202=16170\,\mathrm{mm}^2": "REFUTED",
+    # Rounded to hundreds, or wrong.
+    r"rl=16200\,\mathrm{mm}^2": "not judged",
+    r"rl=8080\,\mathrm{mm}^2": "REFUTED",
+    r"\frac rl=0.396": "PROVED",
+    r"\frac rl=2.525": "REFUTED",
+    # A special position.
+    r"\frac rl=1": "DEFINITION",
+    r"\frac\alpha2=21.6^\circ": "DEFINITION",
+    r"rx=16160\,\mathrm{mm}^2": "DEFINITION",
+    r"rx=16160\,\mathrm{mm}": "not judged",
+    r"\max_\alpha(l\cos\alpha)=20.2\,\mathrm{cm}": "not read",
     r"r+l=282.5\,\mathrm{mm}": "REFUTED",
     r"r+l=28.2\,\mathrm{cm}": "PROVED",
     r"r+2l=484": "PROVED",
@@ -170,3 +202,39 @@ def test_the_values_of_a_condition_are_meant_and_not_the_sizes(number: str, outc
     block = SIZES.replace("l=202 mm", "\\alpha=0.5")
     text = rf"$$x=r\cos\alpha$$ $$x={number}\text{{ for }}\alpha=0$$"
     assert check("paper.tex", block + text).rows[-1].outcome == outcome
+
+
+# What stands behind two sizes that are printed, and what becomes of it.
+PRINTED = r"$$r=80\,\mathrm{mm},\qquad l=20.2\,\mathrm{cm}$$"
+AT_PRINTED = {
+    r"$$(r+l)/2=141\,\mathrm{mm}$$": "PROVED",
+    r"$$(r+l)/2=142\,\mathrm{mm}$$": "REFUTED",
+    r"$$r/l=0.396$$": "PROVED",
+    r"$$r/l=0.369$$": "REFUTED",
+    r"$$x=\frac{rl}{r+l}=57.3\,\mathrm{mm}$$": "PROVED",
+    r"$$x=\frac{rl}{r+l}=53.7\,\mathrm{mm}$$": "REFUTED",
+    # 20.2 cm may be 201.6 mm.
+    r"$$r/l=0.3968$$": "not judged",
+    # It may be said of another example.
+    r"$$x=2r$$ $$r/l=0.396$$": "PROVED",
+    r"$$x=2r$$ $$r/l=0.369$$": "not judged",
+    r"$$r+l=282\,\mathrm{mm}$$ $$r/l=0.369$$": "REFUTED",
+    # Two sizes of one letter are none.
+    r"$$r=70\,\mathrm{mm}$$ $$r/l=0.369$$": "DEFINITION",
+    r"$$r=8\,\mathrm{cm}$$ $$r/l=0.369$$": "REFUTED",
+}
+
+
+@pytest.mark.parametrize("latex", AT_PRINTED)
+@pytest.mark.parametrize("unit", [" [mm]", ""])
+def test_numbers_are_compared_at_the_sizes_that_are_printed(latex: str, unit: str) -> None:
+    block = SIZES.replace(" [mm]", unit).replace("%% sizes r=80 mm, l=202 mm\n", "")
+    *_, row = check("paper.tex", f"{block}{PRINTED}{latex}").rows
+    assert row.outcome == AT_PRINTED[latex]
+
+
+@pytest.mark.parametrize(("unit", "outcome"), [(" [mm]", "PROVED"), ("", "not judged")])
+def test_a_number_without_a_unit_counts_in_that_of_its_letter(unit: str, outcome: str) -> None:
+    block = SIZES.replace(" [mm]", unit).replace("%% sizes r=80 mm, l=202 mm\n", "")
+    *_, row = check("paper.tex", rf"{block}{PRINTED}$$x=\frac{{rl}}{{r+l}}=57.3$$").rows
+    assert row.outcome == outcome

@@ -10,6 +10,7 @@ from pathlib import Path
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
 from mechproof.document.consequences import GIVEN, list_letters
 from mechproof.document.judging import (
+    COMPARED,
     LIMIT,
     Key,
     judge_beside,
@@ -34,8 +35,6 @@ _EITHER = (
 )
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
-# What is compared, even if letters that only one side has could make both sides equal.
-_COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 
 
 @dataclass(frozen=True)
@@ -194,7 +193,7 @@ def _leave_open(
         found = rows[number].judgement
         if not found or found.rung != GIVEN:
             continue
-        if task.sign.role in _COMPARED:
+        if task.sign.role in COMPARED:
             other = task.sign.first or "the member before"
             reason = f"it differs from {other} and has other letters: a constraint, or a misprint?"
             yield number, _make_row(task, reason)
@@ -224,7 +223,7 @@ def _compare_members(
     """Judge later prints of a letter by all members that stand of the chain that printed it."""
     numbers = []
     for n, task in enumerate(tasks):
-        if not task.others:
+        if not task.others or task.follows:
             continue
         standing = _list_standing(task, tasks, rows)
         is_proved = rows[n].outcome == Verdict.PROVED.value
@@ -275,6 +274,8 @@ def _follow(
         common = [g for g in given if g != n and list_letters(tasks[g]) & list_letters(task)]
         if not is_refuted:
             common = [g for g in common if g < n]
+        if is_refuted:
+            common = [g for g in common if not tasks[g].is_loose]
         if common and rows[n].outcome in _UNPROVED:
             numbers.append((key, n, tuple(common)))
     for place, answer in run_tasks(judge_beside, numbers, limit=limit):

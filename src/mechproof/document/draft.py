@@ -12,9 +12,11 @@ from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.inline import Inline, find_inline, say_of_others
 from mechproof.document.letters import (
     Collected,
     collect_letters,
+    drop_transposition,
     is_vector,
     name_symbol,
 )
@@ -32,7 +34,13 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[
 _NEAR = 400
 # Seconds to find out whether a letter is a matrix.
 _LIMIT = 10.0
-_DEPENDS = re.compile(r"(.+?)\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
+_DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
+# A derivative of a letter by another.
+_QUOTIENT = re.compile(
+    r"\\frac\s*\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?:\^\s*\{?\d\}?)?\s*"
+    r"(?P<of>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}\s*"
+    r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
+)
 # Letters that could be something else where nothing declares them.
 _ASKED = {
     "e": r"a letter here, Euler's number elsewhere",
@@ -54,17 +62,25 @@ def draft_block(source: Source) -> str:
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
     unit = find_unit(prints)
-    collected = collect_letters(prints, guess=True, imaginary=unit)
-    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
     said = dict(find_said(source))
+    collected = collect_letters(prints, guess=True, imaginary=unit, said=said)
+    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
+    entries = _list_entries(collected, shapes, prints)
+    inline = _find_inline(source, entries)
+    for name, one in inline.items():
+        known = said.get(name, Said("", "", one.line))
+        said[name] = replace(known, unit=known.unit or one.unit)
     lines = [
         line
-        for name, entry in _list_entries(collected, shapes).items()
+        for name, entry in entries.items()
         for line in _write(name, entry, shapes.get(name), said.get(name))
     ]
-    if collected.factors:
+    lines += _propose_values(displays, entries, said, inline)
+    depending = {name for name, entry in entries.items() if entry.running}
+    factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
+    if factors:
         lines.append("# A bracket follows each of these: they are taken to multiply it.")
-        lines += [f"factor {name}" for name in collected.factors]
+        lines += [f"factor {name}" for name in factors]
     lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
     lines += _ask_what_follows(source, displays)
@@ -73,6 +89,50 @@ def draft_block(source: Source) -> str:
         lines.append(f"# {displays[number].name}, line {place.line}: its letters are missing here:")
         lines.append(f"#   {' '.join(reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
+
+
+def _propose_values(
+    displays: Sequence[Printed],
+    entries: Mapping[str, _Entry],
+    said: Mapping[str, Said],
+    inline: Mapping[str, Inline],
+) -> Iterator[str]:
+    """Yield what sentences say that letters are: their sizes, and what no display says of them."""
+    letters = [name for entry in entries.values() for name in entry.names]
+    defined = {name_symbol(one.latex.string.partition("=")[0]) for one in displays}
+    running = {one.running for one in entries.values()}
+    alike: dict[str, str] = {}
+    for name, one in inline.items():
+        line = ""
+        if name in defined:
+            continue
+        if one.number is None and _has_letter(one.value, name, letters):
+            line = f"let {one.letter}={one.value}"
+            for other, value in say_of_others(one, letters):
+                if name_symbol(other) not in {*defined, *inline}:
+                    alike[other] = value
+        is_special = one.number is None or one.number.value == 0 or one.letter in running
+        if one.number is not None and not is_special:
+            size = one.write_size(said[name].unit if name in said else "")
+            line = f"sizes {one.letter}={size}" if size else ""
+        if line:
+            yield from (f"# line {one.line} says:", line)
+    if alike:
+        yield "# By analogy:"
+        yield from (f"let {letter}={value}" for letter, value in alike.items())
+
+
+def _find_inline(source: Source, entries: Mapping[str, _Entry]) -> dict[str, Inline]:
+    """Return what sentences say of letters, of each one thing only."""
+    found: dict[str, dict[str, Inline]] = {}
+    for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
+        found.setdefault(name_symbol(one.letter), {}).setdefault(one.value, one)
+    return {name: next(iter(ones.values())) for name, ones in found.items() if len(ones) == 1}
+
+
+def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
+    """Return whether a value is one of other letters."""
+    return any(name_symbol(x) in name_symbol(value) for x in letters if name_symbol(x) != own)
 
 
 def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
@@ -88,20 +148,33 @@ def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[s
         if name in before and after < len(starts) and starts[after] - offset < _NEAR:
             met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
     for after, found in met.items():
-        if len(found) > 1:
+        if found:
             one, others = displays[after].name, ", ".join(found)
-            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from them?"
+            them = "them" if len(found) > 1 else "it"
+            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from {them}?"
             yield f"# follows {one}: {others}"
 
 
-def _list_entries(collected: Collected, shapes: Mapping[str, tuple[int, int]]) -> dict[str, _Entry]:
+def _list_entries(
+    collected: Collected, shapes: Mapping[str, tuple[int, int]], prints: Sequence[str]
+) -> dict[str, _Entry]:
     """Return the letters by the names of their symbols; a derivative says what its letter is of.
 
     Vectors and matrices are not differentiated: their derivatives are letters of their own.
     """
     entries: dict[str, _Entry] = {}
-    for letter in (*collected.letters, *collected.guessed):
+    quotients = [match for latex in prints for match in _QUOTIENT.finditer(latex)]
+    by = {name_symbol(match["of"]): match["by"] for match in quotients}
+    letters = drop_transposition([*collected.letters, *collected.guessed], prints)
+    for base, running in map(_split, letters):
+        if running:
+            by.setdefault(name_symbol(base), running)
+    for letter in letters:
         base, running = _split(letter)
+        plain = base.rstrip("'")
+        if by.get(name_symbol(plain), "t") != "t":
+            base = plain
+        running = running or by.get(name_symbol(base), "")
         if running and (is_vector(base) or name_symbol(base) in shapes):
             base, running = letter, ""
         entry = entries.setdefault(name_symbol(base), _Entry())
@@ -133,4 +206,5 @@ def _write(
     others = "".join(f" | {other}" for other in alike)
     shape = f" {size[0]}x{size[1]}" if size else ""
     unit = f" [{found.unit}]" if found and found.unit else ""
-    yield f"{first}{running}{others}{shape} : {found.meaning if found else ''}{unit}".rstrip()
+    meaning = f"{found.meaning if found else ''}{unit}".strip()
+    yield f"{first}{running}{others}{shape} : {meaning}".rstrip()

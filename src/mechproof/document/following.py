@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.consequences import find_consequence
+from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
@@ -24,6 +25,7 @@ from mechproof.record import Definition, Equality, Paper
 
 ELIMINATION = "elimination"
 _NO_NUMBERS = "only equations of numbers or of printed matrices are compared with others"
+_UNTIED = "does a letter depend on another there? Say so in the block of letters, x(t)"
 _OPEN = (Verdict.REFUTED, Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
@@ -41,6 +43,9 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
         answer = min(answers, key=_weigh, default=_NO_NUMBERS)
         if isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED:
             break
+    is_refuted = isinstance(answer, Judgement) and answer.verdict is Verdict.REFUTED
+    if is_refuted and task.sign.role is Role.DERIVATIVE and any(t.ties_running for t in given):
+        return f"{', '.join(task.follows)}: {_UNTIED}"
     return answer
 
 

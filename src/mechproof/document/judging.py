@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
+from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -21,6 +22,8 @@ from mechproof.record import Equality, Holds, Part, RecordError
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
+# What is compared, even if letters that only one side has could make both sides equal.
+COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 # Seconds for one equation.
 LIMIT = 60.0
 # Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
@@ -73,16 +76,15 @@ def _judge_alone(task: Task) -> Judgement | str:
         return str(error)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return "the two sides differ, but a decimal may have been rounded"
+    if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
+        return "the pieces differ where they meet: a jump, or a misprint?"
     if found.verdict is Verdict.REFUTED and task.is_solution:
         return (
             f"it differs from {task.sign.first}, but may be another solution or case; if it is "
             f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
         )
-    if (
-        found.verdict is Verdict.REFUTED
-        and task.asserts
-        and (letters := _list_to_be_positive(task))
-    ):
+    is_compared = task.asserts or task.sign.role in COMPARED
+    if found.verdict is Verdict.REFUTED and is_compared and (letters := _list_to_be_positive(task)):
         return (
             "it holds only where these are positive; if they are, say so in the block of letters: "
             f"where {letters}"
@@ -101,20 +103,26 @@ def _judge_alone(task: Task) -> Judgement | str:
 
 def _list_to_be_positive(task: Task) -> str:
     """Return the letters of which nothing is said, if an equation holds where they are positive."""
-    says = task.row.statement
     free = Domain.of(task.paper, task.row.on)
     met = sorted(list_letters(task), key=str)
     letters = [s for s in met if free.within.get(s) == sp.S.Reals]
-    if not letters:
+    if not letters or not _holds_for(task, letters):
         return ""
+    for letter in letters[:]:
+        others = [other for other in letters if other != letter]
+        letters = others if others and _holds_for(task, others) else letters
+    return ", ".join(f"{letter}>0" for letter in letters)
+
+
+def _holds_for(task: Task, letters: Sequence[sp.Basic]) -> bool:
+    """Return whether an equation holds where some of its letters are positive."""
     within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
-    positive = Part("all letters are positive", within)
+    positive = Part("some letters are positive", within)
     try:
-        answer = decide(says, Domain.of(task.paper, task.row.on, positive))
+        answer = decide(task.row.statement, Domain.of(task.paper, task.row.on, positive))
     except (RecordError, ContradictionError):
-        return ""
-    is_shown = answer.verdict is Verdict.PROVED
-    return ", ".join(f"{letter}>0" for letter in letters) if is_shown else ""
+        return False
+    return answer.verdict is Verdict.PROVED
 
 
 def _is_nowhere_true(task: Task) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -37,12 +37,16 @@ _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
 # A bracket, and what of it holds arguments: one letter, or several parts.
 _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
+# A power of e that is none of a length.
+_NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
 # Prints in which such a letter is no quantity.
 _NO_LETTER = {
-    "e": re.compile(r"(?<![A-Za-z\\])e\s*\^"),
+    "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
-    "i": re.compile(r"i\s*(?:=|\\in)|e\s*\^"),
+    "i": re.compile(rf"i\s*(?:=\s*\d|\\in)|e\s*\^{_NO_SQUARE}"),
 }
+# The letter, where it is no sign of a transposed matrix.
+_PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z])")
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
     r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
@@ -87,15 +91,19 @@ class Collected:
 
 
 def collect_letters(
-    printed: Iterable[str], *, guess: bool = False, imaginary: str = ""
+    printed: Iterable[str],
+    *,
+    guess: bool = False,
+    imaginary: str = "",
+    said: Collection[str] = (),
 ) -> Collected:
     """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
 
-    `imaginary` is the letter of the imaginary unit.
+    `imaginary` is the letter of the imaginary unit; `said` are letters that words explain.
     """
     prints = list(printed)
     letters: dict[str, None] = {}
-    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary)
+    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
     unread: dict[int, str] = {}
     for number, latex in enumerate(prints):
         found = _collect_from(latex, guesses)
@@ -109,11 +117,15 @@ def collect_letters(
 
 @dataclass
 class _Guesses:
-    """What would mend refusals of the prints `all_prints`; `declares` allows letters, too."""
+    """What would mend refusals of the prints `all_prints`; `declares` allows letters, too.
+
+    Those that are `said` are quantities, whatever else is printed so.
+    """
 
     all_prints: str
     declares: bool
     imaginary: str
+    said: Collection[str]
     factors: dict[str, None] = field(default_factory=dict)
     letters: dict[str, None] = field(default_factory=dict)
     functions: dict[str, str] = field(default_factory=dict)
@@ -138,7 +150,8 @@ class _Guesses:
         return _enter(named[1], self.letters)
 
     def _is_taken_up(self, name: str) -> bool:
-        return name in _NO_LETTER and bool(_NO_LETTER[name].search(self.all_prints))
+        is_open = name in _NO_LETTER and name not in self.said
+        return is_open and bool(_NO_LETTER[name].search(self.all_prints))
 
 
 def _enter(name: str, names: dict[str, None]) -> bool:
@@ -187,3 +200,9 @@ def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
             rows = [row for row in match["body"].split(r"\\") if row.strip()]
             columns = rows[0].count("&") + 1 if rows else 1
             yield name_symbol(match["name"]), (len(rows), columns)
+
+
+def drop_transposition(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
+    """Return letters without a T that stands above matrices and nowhere else."""
+    is_sign = any(find_shapes(prints)) and not any(map(_PLAIN_T.search, prints))
+    return [letter for letter in letters if not (is_sign and letter == "T")]

@@ -11,12 +11,14 @@ import sympy as sp
 from mechproof.document.block import Block
 from mechproof.document.displays import Printed
 from mechproof.document.letters import name_symbol
-from mechproof.document.roles import EQUAL, Known, is_sum_of_letters
+from mechproof.document.roles import EQUAL, Known
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Letter, Measure, walk
+from mechproof.latex.tree import Approach, At, Derivation, Extremum, Measure, Table, walk
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
+# What a number behind it is no size of.
+_NO_SIZE = (Approach, At, Derivation, Extremum, Table)
 
 
 def refuse_units(read: Print) -> None:
@@ -24,7 +26,7 @@ def refuse_units(read: Print) -> None:
     for chain in read.chains:
         limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
         beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
-        if not (isinstance(chain.members[0], Letter) or is_sum_of_letters(chain.members[0])):
+        if any(isinstance(node, _NO_SIZE) for node in walk(chain.members[0])):
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
             for node in walk(part):

@@ -8,7 +8,7 @@ bare number is a size.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -17,6 +17,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.laws import Piece, join_pieces, order_pieces, read_piece
 from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
@@ -56,6 +57,7 @@ class Role(StrEnum):
     NUMBER = "number"
     VALUE = "value at a place"
     CONSTRAINT = "constraint"
+    SEAM = "seam"
     RELATION = "relation"
 
 
@@ -84,6 +86,7 @@ class Known:
     `others` are the further members of the chains that printed them first, and which these are;
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
+    `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
     """
 
     symbols: Symbols
@@ -95,6 +98,8 @@ class Known:
     cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
     entries: Values = field(default_factory=dict)
+    pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -121,6 +126,22 @@ class Known:
                 break
             self.printed[rate] = name
             above = rate
+
+    def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
+        """Return the laws that pieces are together, of letters that nothing else gives."""
+        ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
+        return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
+
+    def define_laws(self, laws: Mapping[sp.Basic, list[Piece]]) -> None:
+        """Take laws by pieces as definitions, but for derivatives of others."""
+        for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
+            self.laws[letter] = laws[letter]
+            if letter not in self.values:
+                self.define(letter, join_pieces(laws[letter]), self.name_law(letter))
+
+    def name_law(self, letter: sp.Basic) -> str:
+        """Return which equations print the pieces of a law."""
+        return " and ".join(dict.fromkeys(one.name for one in self.laws[letter]))
 
     def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
         """Yield what else is printed of a letter, or of the one whose derivative it is."""
@@ -186,6 +207,11 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if has_place and symbol in known.met:
             return Sign(Role.VALUE, sides=sides)
         is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
+        if not left and chain.condition and not is_matrix:
+            _note_piece(name, read, chain.condition, (symbol, value), known)
+            is_piece = any(name == one.name for one in known.laws.get(symbol, ()))
+            if is_piece and known.printed.get(symbol) == known.name_law(symbol):
+                return Sign(Role.DEFINITION, symbol, name, sides)
         if not value.free_symbols and not is_matrix:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
             return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
@@ -209,14 +235,23 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
-    if not left and _is_sum_of_sizes(nodes, other, known):
-        return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     if not left:
-        return Sign(Role.CONSTRAINT, sides=sides)
+        return Sign(Role.CONSTRAINT, None, "", sides, *_find_number(nodes, sides))
     is_number = not (one.free_symbols and other.free_symbols)
     if is_number:
         return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _note_piece(
+    name: str, read: Print, condition: Chain, sides: tuple[sp.Basic, Any], known: Known
+) -> None:
+    """Note what is printed of a letter in a range of the one on which it depends."""
+    symbol, value = sides
+    by, steps = known.symbols.find_steps(symbol)
+    relations = read.meaning().relate(condition) if by not in steps else ()
+    if piece := read_piece(name, value, relations, by):
+        known.pieces.setdefault(symbol, []).append(piece)
 
 
 def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:
@@ -268,24 +303,6 @@ def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, 
         if isinstance(inside, Degrees) and isinstance(inside.number, Number):
             return sign + inside.number.text, other, "°"
     return "", None, ""
-
-
-def _is_sum_of_sizes(nodes: Sequence[Node], number: Any, known: Known) -> bool:
-    """Return whether a number is said of a sum of letters: with a unit, in theirs, or at sizes."""
-    if not (is_sum_of_letters(nodes[0]) and _is_number(nodes[1])):
-        return False
-    letters = {part.symbol for part in walk(nodes[0]) if isinstance(part, Letter)}
-    is_length = number != 0 and known.symbols.find_alike(letters) is not None
-    has_unit = is_length or isinstance(_split_sign(nodes[1])[1], Measure)
-    return has_unit or letters <= known.symbols.usual.keys()
-
-
-def is_sum_of_letters(node: Node) -> bool:
-    """Return whether a node is a sum of letters, of which each may have a number before it."""
-    if not isinstance(node, Add):
-        return False
-    parts = [p for _, t in node.terms for p in (t.factors if isinstance(t, Product) else (t,))]
-    return all(isinstance(part, Letter | Number) for part in parts)
 
 
 def _split_sign(node: Node) -> tuple[str, Node]:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import TypeVar
+
+import sympy as sp
 
 from mechproof.document.block import Declared, read_block
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.laws import Piece
 from mechproof.document.letters import (
     collect_letters,
+    drop_transposition,
     find_shapes,
     group_alike,
     is_vector,
@@ -23,6 +28,7 @@ from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse
 from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.size_tables import SizeTables
+from mechproof.document.sizes import collect_sizes
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
@@ -64,6 +70,7 @@ class Document:
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_unit(prints)
         letters = collect_letters(prints, imaginary=self.block.imaginary).letters
+        letters = drop_transposition(letters, prints)
         shapes = dict(find_shapes(prints))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [
@@ -71,13 +78,15 @@ class Document:
             for names in group_alike(self.taken)
         ]
 
-    def _declare(self) -> None:
+    def _declare(self, laws: Mapping[sp.Basic, list[Piece]] = MappingProxyType({})) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
         self.known = Known(self.symbols)
         give_values(self.block.values, self.known)
+        self.known.define_laws(laws)
 
     def _parse_all(self) -> list[list[Sign] | Left]:
-        """Read all equations once; again where letters are matrices, or such without a value."""
+        """Read all equations once; again where letters are matrices, or laws have pieces."""
+        laws: dict[sp.Basic, list[Piece]] = {}
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
@@ -87,12 +96,15 @@ class Document:
                     replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
                     for x in self.block.letters
                 ]
-                self._declare()
+                self._declare(laws)
+                continue
+            if not laws and (laws := self.known.join_pieces()):
+                self._declare(laws)
                 continue
             symbols, entries = self.symbols.show_entries(self.known.values)
             if not entries or self.known.entries:
                 return read
-            self._declare()
+            self._declare(laws)
             self.symbols = self.known.symbols = symbols
             self.known.entries = entries
 
@@ -121,7 +133,8 @@ class Document:
         self.told = tables.told
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
-        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files)
+        sizes = collect_sizes(zip(self.printed, read, strict=True), self.known)
+        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, sizes)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):
             if isinstance(signs, Left):
@@ -129,7 +142,7 @@ class Document:
                 continue
             made = self._guard(printed, partial(maker.make, printed, signs, again))
             rows += [made] if isinstance(made, Left) else made
-        return [*rows, *compared]
+        return [*rows, *maker.make_seams(), *compared]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:

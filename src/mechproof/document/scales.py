@@ -60,10 +60,15 @@ class Result:
 
     def is_near(self, formula: sp.Expr) -> bool:
         """Return whether the number may be that of sizes that round to those of the line."""
-        values = {symbol: _spread(size.value, size.half) for symbol, size in self.sizes.items()}
-        found = balls.evaluate(formula / self.factor, values)
-        printed = _spread(sp.Rational(self.number.digits), self.number.half_place)
-        return not found.is_finite() or bool(found.overlaps(printed))
+        return is_near(formula / self.factor, self.number, self.sizes)
+
+
+def is_near(formula: sp.Expr, number: Numeral, sizes: Mapping[sp.Basic, RoundedSize]) -> bool:
+    """Return whether a number may be that of a formula at sizes that round to those given."""
+    values = {symbol: _spread(size.value, size.half) for symbol, size in sizes.items()}
+    found = balls.evaluate(formula, values)
+    printed = _spread(sp.Rational(number.digits), number.half_place)
+    return not found.is_finite() or bool(found.overlaps(printed))
 
 
 def agrees(says: PrintedNumber) -> bool:
@@ -107,6 +112,10 @@ class Scales:
         """Return whether all units are said by the block or by heads."""
         return {*letters} <= {*self.known, *self.shown, *self.symbols.branches}
 
+    def to_si(self, formula: sp.Expr) -> sp.Expr:
+        """Return what a formula of numbers in the units of their letters is in units of SI."""
+        return formula.xreplace({s: s * scale for s, scale in self.known.items()})
+
     def list_readings(self, formula: sp.Expr, own: sp.Basic | None) -> list[tuple[sp.Expr, ...]]:
         """Return what a formula of a letter may give, by numbers in the units of their letters.
 
@@ -118,9 +127,8 @@ class Scales:
             readings.append((turned / unit, unit))
             letters = {*turned.free_symbols, own} - {None, *self.symbols.branches}
             if letters <= self.known.keys():
-                scales = {s: s * scale for s, scale in self.known.items()}
                 scale = unit * self.known.get(own, sp.S.One)
-                readings.append((turned.xreplace(scales) / scale, scale))
+                readings.append((self.to_si(turned) / scale, scale))
         choices = self.symbols.list_branches(formula.free_symbols)
         turns = self._list_turns(formula, own)
         return [

@@ -10,6 +10,11 @@ import sympy as sp
 from mechproof.document.roles import Known, Sign
 from mechproof.record import Conjunction, Definition, Equality, Holds, Row, ValueWhere
 
+# What has no value, or another formula, in places.
+_PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
+# A difference that is none.
+_SMALL = 1e-12
+
 
 def have_same_letters(sides: Sequence[Any]) -> bool:
     """Return whether both sides are functions of the same letters."""
@@ -36,6 +41,30 @@ def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
     return []
 
 
+def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:
+    """Return whether a residual is linear in a letter or in its tangent, and defined everywhere."""
+    has_roots = any(not power.exp.is_integer for power in residual.atoms(sp.Pow))
+    if has_roots or residual.has(*_PARTIAL):
+        return False
+    stand_in = sp.Dummy()
+    shown = residual.xreplace({sp.tan(letter): stand_in})
+    unknown = letter if shown == residual else stand_in
+    slope = sp.expand(shown).diff(unknown)
+    return bool(slope != 0) and not slope.has(unknown, letter)
+
+
+def _is_idle(side: Any, letter: sp.Basic) -> bool:
+    """Return whether a side is seen to be the same for all values of a letter."""
+    symbols = sorted(getattr(side, "free_symbols", ()), key=str)
+    if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):
+        return False
+    if side.has(sp.Piecewise, sp.Limit):
+        return False
+    values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
+    found = [side.xreplace({**values, letter: sp.Rational(n, 13)}).evalf() for n in (8, -17, 32)]
+    return all(one.is_number and abs(one - found[0]) < _SMALL for one in found)
+
+
 def _list_letters(side: Any) -> set[sp.Basic]:
     """Return the letters of which a side is a function, as far as it is seen without a proof."""
     shown = side.replace(ValueWhere, lambda value, _: value)
@@ -43,7 +72,7 @@ def _list_letters(side: Any) -> set[sp.Basic]:
         there = limit.args[0].subs(limit.args[1], limit.args[2])
         if not there.has(sp.nan, sp.zoo, sp.oo):
             shown = shown.xreplace({limit: there})
-    free: set[sp.Basic] = set(shown.free_symbols)
+    free: set[sp.Basic] = {x for x in shown.free_symbols if not _is_idle(shown, x)}
     # SymPy lists the members of families that a sum runs over, too.
     return {x for x in free if not (isinstance(x, sp.Indexed) and _list_indices(x) - free)}
 

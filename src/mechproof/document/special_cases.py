@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,17 +9,13 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.document.laws import read_piece
 from mechproof.document.relations import narrow
 from mechproof.document.roles import Known, Role, Sign
-from mechproof.document.scales import Scales, agrees
 from mechproof.document.symbols import ORDERS
-from mechproof.document.units import read_unit
 from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
-from mechproof.record import Conjunction, Equality, Part, PrintedNumber, Row, Statement
-
-# One digit, or zeros of which nobody knows whether they are digits.
-_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+from mechproof.record import Conjunction, Equality, Part, Row, Statement
 
 
 def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
@@ -58,8 +53,9 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     """
     if not isinstance(row.says, Equality) or sign.letter is None:
         return row
-    sides = (row.says.printed, row.says.rebuilt)
     by, steps = known.symbols.find_steps(sign.letter)
+    sides = _choose_pieces(row.on, by, (row.says.printed, row.says.rebuilt), known)
+    row = replace(row, says=replace(row.says, printed=sides[0], rebuilt=sides[1]))
     laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
     ends = list_ends(*sides) if sign.role is Role.DERIVATIVE else []
     apart = dict.fromkeys(sp.Ne(*e.args) for e in ends if not _joins(e, by, [*sides, *laws]))
@@ -70,6 +66,25 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     part = row.on or Part("", {})
     text = f"{part.text}, on {text}" if part.text else text
     return replace(row, on=_narrow(Part(text, part.within, (*part.where, *apart)), outer, known))
+
+
+def _choose_pieces(
+    on: Part | None, by: sp.Basic, sides: tuple[Any, Any], known: Known
+) -> tuple[Any, Any]:
+    """Return sides in which a law by pieces is the one that is meant in just this range."""
+    own = read_piece("", None, on.where, by) if on else None
+    if own is None:
+        return sides
+    chosen: dict[sp.Basic, sp.Basic] = {}
+    settled = known.settle(sides[0]), known.settle(sides[1])
+    for law in {law for side in settled for law in side.atoms(sp.Piecewise)}:
+        for value, said in law.args:
+            piece = read_piece("", value, sp.And.make_args(said), by)
+            if piece and piece.range == own.range:
+                chosen[law] = value
+    if not chosen:
+        return sides
+    return settled[0].xreplace(chosen), settled[1].xreplace(chosen)
 
 
 def _narrow(part: Part, ends: Iterable[Relational], known: Known) -> Part:
@@ -104,51 +119,6 @@ def split_branches(says: Statement, known: Known) -> Statement:
         return says
     parts = (Equality(one.subs(c), other.subs(c), says.rebuilt_from) for c in choices)
     return Conjunction(tuple(parts))
-
-
-def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
-    """Return what a number says of a letter at the sizes, or why that is not judged."""
-    special = "a single value: nothing says for which sizes, or to how many digits"
-    if not sign.number:
-        return special
-    if sign.unit and own is None:
-        return "a number with a unit, but no letter into whose unit it could be converted"
-    usual = dict(known.symbols.usual)
-    value = known.settle(sign.value)
-    # A letter that has a size, too, may be meant by either.
-    formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
-    if missing := sorted(map(str, value.free_symbols - usual.keys())):
-        return f"it depends on sizes that are not declared: {', '.join(missing)}"
-    scales = Scales(known.symbols, shown=[own] if sign.unit and own else [])
-    factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
-    readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
-    values = [one.xreplace(usual) / factor for reading in readings for one in reading]
-    if (
-        value.free_symbols
-        and _FEW_DIGITS.match(sign.number)
-        and sp.Rational(sign.number) not in values
-    ):
-        return special
-    stated = [PrintedNumber(sign.number, one) for one in values]
-    return next(filter(agrees, stated), stated[0])
-
-
-def constrain_sum(sign: Sign, own: sp.Basic | None, known: Known) -> Equality | None:
-    """State what a number says of a sum of letters whose sizes are not all declared.
-
-    It counts in the unit of the letter `own`; letters without units have that of the number.
-    """
-    symbols = known.symbols
-    letters: set[sp.Basic] = getattr(sign.value, "free_symbols", set())
-    terms = sp.Add.make_args(sign.value) if isinstance(sign.value, sp.Add) else ()
-    is_sum = bool(terms) and all(term.as_coeff_Mul()[1] in letters for term in terms)
-    unit = read_unit(sign.unit) if sign.unit else None
-    meant = unit.dimension if unit and own else symbols.find_dimension(own)
-    is_fit = {symbols.find_dimension(letter) for letter in letters} == {meant}
-    if not (is_sum and is_fit) or letters <= symbols.usual.keys():
-        return None
-    factor = Scales(symbols).convert(own, unit) if own else sp.S.One
-    return Equality(sign.value, sp.Rational(sign.number) * factor, "member")
 
 
 def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:

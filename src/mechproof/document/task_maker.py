@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,16 +11,21 @@ import sympy as sp
 from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
 from mechproof.document.displays import Printed
+from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.roles import Known, Role, Sign
-from mechproof.document.sides import have_same_letters, list_related, list_sides
+from mechproof.document.sides import (
+    have_same_letters,
+    is_solvable,
+    list_related,
+    list_sides,
+)
+from mechproof.document.sizes import Sizes
 from mechproof.document.special_cases import (
-    constrain_sum,
     list_rates,
     list_values,
     put_in,
-    round_at_sizes,
     specialise,
     split_branches,
     state_modulo,
@@ -31,7 +36,7 @@ from mechproof.document.text import Files
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.proof.verdict import Left, State
-from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row
+from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row, Statement
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,7 @@ class TaskMaker:
     known: Known
     papers: Mapping[bool, Paper]
     files: Files
+    sizes: Sizes
 
     def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
         """Make the tasks of an equation; `reader` knows the values of all letters."""
@@ -65,17 +71,43 @@ class TaskMaker:
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
         own = next((s.letter for s in signs if s.letter is not None), None)
-        if own is None and signs:
-            # A number of several letters.
-            own = self.known.symbols.find_alike(getattr(signs[0].value, "free_symbols", ()))
         pairs = [*zip(read_row(row, reader), signs, strict=True)]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
         return [self._prepare(printed, *part, own) for part in parts]
 
+    def make_seams(self) -> Iterator[Task]:
+        """Make tasks of the places where the pieces of laws meet that are printed one by one.
+
+        A letter whose derivative is printed does not jump, nor does one at a place of two pieces.
+        """
+        for letter, pieces in self.known.laws.items():
+            by, steps = self.known.symbols.find_steps(letter)
+            order = steps.index(letter)
+            is_smooth = not order and self.known.met[steps[1]] > 0
+            for seam in find_seams(pieces):
+                before, behind = (one.xreplace({by: seam.place}) for one in seam.values)
+                printed = [
+                    x for x in self.printed if x.name in (seam.before.name, seam.behind.name)
+                ]
+                row = Equation(
+                    f"{self.known.name_law(letter)}, {letter} at {by} = {seam.place}",
+                    r"\quad ".join(one.latex.string for one in printed),
+                    says=Equality(before, behind, "member"),
+                    read_as=f"{before} = {behind}",
+                )
+                sides = (self.known.settle(before), self.known.settle(behind))
+                letters = sides[0].free_symbols | sides[1].free_symbols
+                paper = self.papers[not letters & self.known.symbols.bare]
+                asserts = is_smooth or (seam.is_shared and not order)
+                sign, place = Sign(Role.SEAM), printed[-1].locate(self.files)
+                yield Task(row, place, sign, paper, asserts, residual=sides[0] - sides[1])
+
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
         task = self._make(printed, row, sign, own)
+        if isinstance(task, Task) and sign.role is Role.STEP:
+            return replace(task, others=tuple(self._exchange_members(printed, row, sign, own)))
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
@@ -91,6 +123,23 @@ class TaskMaker:
             others.append(self._make(printed, other, replace(sign, first=name), own))
         return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
 
+    def _exchange_members(
+        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
+    ) -> Iterator[Task]:
+        """Yield a step with a letter of it taken from another member of its chain."""
+        letters = {s for side in sign.sides for s in getattr(side, "free_symbols", ())}
+        for letter in sorted(letters & self.known.others.keys(), key=str):
+            for name, value in self.known.others[letter]:
+                if isinstance(value, sp.MatrixBase) or name.endswith(f" of {printed.name}"):
+                    continue
+                sides = [side.xreplace({letter: value}) for side in sign.sides]
+                other = replace(row, says=Equality(sides[0], sides[1], "member"))
+                made = self._make(
+                    printed, other, replace(sign, first=name, sides=tuple(sides)), own
+                )
+                if isinstance(made, Task):
+                    yield made
+
     def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row; `own` is the letter that its chain is about."""
         place = printed.locate(self.files)
@@ -99,8 +148,10 @@ class TaskMaker:
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
             row = replace(row, says=Equality(*members, "member"))
         is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
-        if isinstance(says, Equality) and is_introduced:
-            row = replace(row, says=Definition(sign.letter, self.known.values[sign.letter]))
+        if isinstance(says, Equality | PrintedNumber) and is_introduced:
+            pieces = (side for side in sign.sides if side not in (None, sign.letter))
+            value = next(pieces, self.known.values[sign.letter])
+            row = replace(row, says=Definition(sign.letter, value))
         if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
             values = [side for side in sign.sides if not side.free_symbols]
             row = replace(row, says=Definition(sign.letter, values[0]))
@@ -114,13 +165,16 @@ class TaskMaker:
             sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
         if sign.role in (Role.DERIVATIVE, Role.REPEATED):
             row = stay_within_pieces(row, sign, self.known)
-        if sign.role is Role.NUMBER and (sum_ := constrain_sum(sign, own, self.known)):
-            row, sign = replace(row, says=sum_), replace(sign, role=Role.CONSTRAINT)
-        elif sign.role is Role.NUMBER:
-            number = round_at_sizes(sign, own, self.known)
-            if isinstance(number, str):
-                return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
-            row = replace(row, says=number)
+        stated: PrintedNumber | Equality | str | None = None
+        if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
+            stated = self.sizes.state(sign, own, printed.group)
+        if isinstance(stated, str):
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
+        if stated:
+            is_size = isinstance(stated, PrintedNumber)
+            sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
+            note = f"{row.note} {self.sizes.tell(sign) if is_size else ''}".strip()
+            row = replace(row, says=stated, note=note)
         row = replace(row, says=split_branches(row.statement, self.known))
         turn = look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
@@ -129,9 +183,10 @@ class TaskMaker:
             )
         sides = list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        letters |= list_related(row.says)
+        letters |= list_related(row.says) | _list_printed(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        has_units = not (letters & self.known.symbols.bare or sign.number or is_special)
+        is_number = stated is not None or sign.role is Role.SIZE
+        has_units = not (letters & self.known.symbols.bare or is_number or is_special)
         paper = self.papers[has_units]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
@@ -157,7 +212,20 @@ class TaskMaker:
             is_either,
             is_solution,
             follows=follows,
+            is_loose=residual is not None and self._is_loose(residual),
+            ties_running=residual is not None and self._ties_running(residual),
         )
+
+    def _is_loose(self, residual: sp.Expr) -> bool:
+        """Return whether a letter that no other equation has makes a residual zero."""
+        alone = (s for s in residual.free_symbols if is_met_once(s, self.known))
+        return any(is_solvable(residual, letter) for letter in alone)
+
+    def _ties_running(self, residual: sp.Expr) -> bool:
+        """Return whether a letter on which others depend stands in a residual without these."""
+        moving, letters = self.known.symbols.moving, residual.free_symbols
+        met = {by for s, (by, rates) in moving.items() if letters & {s, *rates}}
+        return bool(({by for by, _ in moving.values()} & letters) - met)
 
     def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
         """Return the names of equations that are named by their labels."""
@@ -182,3 +250,9 @@ class TaskMaker:
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)
+
+
+def _list_printed(says: Statement | None) -> set[sp.Basic]:
+    """Return the letters of both sides as they are printed: of some no unit may be known."""
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    return {letter for side in sides for letter in side.free_symbols}

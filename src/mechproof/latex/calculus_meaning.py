@@ -108,7 +108,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     all_steps = [(s, *rates) for s, (by, rates) in meaning.moving.items() if by == variable]
     moving = {step for steps in all_steps for step in steps}
     for steps in all_steps:
-        _check_seams(meaning, node, steps, point)
+        _check_seams(meaning, node, steps, (term, point))
     unknown = (moving & value.free_symbols or {value} & {term}) - meaning.values.keys()
     if unknown and (value.is_Symbol or not unknown <= {value}):
         raise meaning.source.refuse(
@@ -119,9 +119,12 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     return value
 
 
-def _check_seams(meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], point: sp.Expr) -> None:
-    """Refuse the derivative of a letter where its pieces meet and do not join."""
-    met = meaning.of(node.term).free_symbols & {*steps[1:]}
+def _check_seams(
+    meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], said: tuple[sp.Expr, sp.Expr]
+) -> None:
+    """Refuse the derivative of a letter at a point where its pieces meet and do not join."""
+    term, point = said
+    met = term.free_symbols & {*steps[1:]}
     last = max(map(steps.index, met), default=-1)
     for step in steps[: last + 1]:
         if step in meaning.values and not has_value(meaning.values[step], node.by.symbol, point):

@@ -11,7 +11,7 @@ from mechproof.latex.measures import begins_member
 from mechproof.latex.pieces import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
 from mechproof.latex.values import settle_all
-from mechproof.record import Conjunction, Equality, Holds
+from mechproof.record import Conjunction, Equality, Holds, ValueWhere
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
@@ -73,10 +73,15 @@ def state_extremum(
 ) -> Conjunction | None:
     """State that a term lies on one side of a bound, and that it reaches it.
 
-    Stationary points and ends are tried for where; None if it reaches it at none of them.
+    Of a wave that is what its amplitude makes of it. Of others stationary points and ends are tried
+    for where; None if it reaches it at none of them.
     """
     value, bound = sides
     term, by = settle_all(value, values), node.by.symbol
+    if within == sp.S.Reals and (wave := _find_wave(term, by)):
+        mean, amplitude = wave
+        extreme = mean + amplitude if node.name == "max" else mean - amplitude
+        return Conjunction((Equality(bound, extreme, "member"),))
     numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(_list_letters(term, bound))}
     for place in _list_places(term, by, within):
         there = term.xreplace({by: place})
@@ -85,6 +90,37 @@ def state_extremum(
             limit = _SIGNS[node.name](value, bound, evaluate=False)
             return Conjunction((Holds(limit), Equality(there, bound, "member")))
     return None
+
+
+def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
+    r"""Return c and \sqrt{a^2+b^2} of what is c+a\cos kx+b\sin kx for all x, None for another.
+
+    A speed k that may be zero is needed to be none.
+    """
+    cosine, sine = sp.Dummy("cosine", real=True), sp.Dummy("sine", real=True)
+    speeds: dict[sp.Expr, None] = {}
+
+    def split(function: type[sp.Function], argument: sp.Expr) -> sp.Expr:
+        argument = sp.expand(argument)
+        speed = argument.coeff(by)
+        phase = argument - speed * by
+        if speed == 0:
+            return function(argument, evaluate=False)
+        sign = -1 if speed.could_extract_minus_sign() else 1
+        speeds[sign * speed] = None
+        if function is sp.cos:
+            return cosine * sp.cos(phase) - sign * sine * sp.sin(phase)
+        return sign * sine * sp.cos(phase) + cosine * sp.sin(phase)
+
+    split_up = term.replace(sp.cos, lambda x: split(sp.cos, x))
+    split_up = sp.expand(split_up.replace(sp.sin, lambda x: split(sp.sin, x)))
+    a, b = split_up.coeff(cosine), split_up.coeff(sine)
+    mean = sp.expand(split_up - a * cosine - b * sine)
+    if len(speeds) != 1 or any(part.has(by, cosine, sine) for part in (a, b, mean)):
+        return None
+    (speed,) = speeds
+    amplitude = sp.sqrt(a**2 + b**2)
+    return mean, amplitude if speed.is_nonzero else ValueWhere(amplitude, 1 / speed)
 
 
 def _list_letters(*sides: Any) -> list[sp.Basic]:

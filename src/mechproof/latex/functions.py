@@ -28,6 +28,11 @@ def _det(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
     return determinant
 
 
+def _trace(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
+    trace: sp.Expr = show_entries(matrix).trace()
+    return trace
+
+
 _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.sin: ("sin",),
     sp.cos: ("cos",),
@@ -50,6 +55,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.atan2: ("atan2", "arctan2", "arctg2"),
     _involute: ("inv",),
     _det: ("det",),
+    _trace: ("tr", "Tr"),
     sp.log: ("ln",),
     _lg: ("lg",),
     _lb: ("lb", "ld"),

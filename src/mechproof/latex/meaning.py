@@ -206,7 +206,7 @@ class Meaning:
     def _call(self, node: Call) -> sp.Expr:
         if not node.arguments:
             return FunctionWithoutArgument(sp.Symbol(node.function.name))
-        is_known = node.function.name in FUNCTIONS and node.function.name != "det"
+        is_known = node.function.name in FUNCTIONS and node.function.name not in ("det", "tr", "Tr")
         read = self._number if is_known else self.of
         arguments = [read(argument) for argument in node.arguments]
         value = node.function.make(*arguments)

@@ -53,14 +53,15 @@ def list_outer_ends(value: Any, by: sp.Basic) -> Iterator[Relational]:
     for piece in value.atoms(sp.Piecewise):
         if any(said == sp.true for _, said in piece.args):
             continue
-        ends = {r: (find_end(r, by), _is_lower(r, by)) for r in list_ends(piece)}
+        ends = {r: (find_end(r, by), is_lower(r, by)) for r in list_ends(piece)}
         met = set(ends.values())
-        outer = [r for r, (point, is_lower) in ends.items() if (point, not is_lower) not in met]
+        outer = [r for r, (point, low) in ends.items() if (point, not low) not in met]
         if len({ends[r][1] for r in outer}) == len(outer) and all(p is not None for p, _ in met):
             yield from outer
 
 
-def _is_lower(end: Relational, by: sp.Basic) -> bool:
+def is_lower(end: Relational, by: sp.Basic) -> bool:
+    """Return whether a letter is seen to be larger than an end, else it is taken to be smaller."""
     return bool(sp.expand(end.gts - end.lts).coeff(by).is_positive)
 
 

@@ -1,0 +1,216 @@
+"""Numbers beside letters: what a formula gives at sizes, or what is said of letters without any.
+
+Sizes are those that the block declares, else those that the paper prints, if it prints no others.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.cells import Head, Numeral
+from mechproof.document.displays import Printed
+from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
+from mechproof.document.units import Unit, read_unit
+from mechproof.proof.dimensions import DimensionError, infer
+from mechproof.proof.verdict import Left
+from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
+
+# One digit, or zeros of which nobody knows whether they are digits.
+_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+_SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
+_UNFIT = "a number with a unit that is not said to be that of its letters"
+_NEAR = "it differs from the recomputed number, but by no more than rounding explains"
+
+
+@dataclass(frozen=True)
+class PrintedSize:
+    """A size that an equation prints, in units of its letter; of one without any, in its own."""
+
+    size: RoundedSize
+    head: Head
+    unit: sp.Expr
+    name: str
+    group: int
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """The sizes of letters; `numeric` are the displays that print nothing but numbers."""
+
+    known: Known
+    printed: Mapping[sp.Basic, PrintedSize]
+    numeric: frozenset[int]
+
+    def state(
+        self, sign: Sign, own: sp.Basic | None, group: int
+    ) -> PrintedNumber | Equality | str | None:
+        """State what a number says: at sizes, or of letters without; or say why nothing is.
+
+        It counts in the unit of the letter `own`, else in that behind it. None is what says of its
+        letters what any equation does.
+        """
+        if not sign.number:
+            return _SPECIAL
+        is_constraint = sign.role is Role.CONSTRAINT
+        letters = self.known.settle(sign.value).free_symbols
+        if is_constraint and not (sign.unit or letters):
+            return None
+        is_sum = _is_sum(sign.value)
+        own = self._find_own(sign, own)
+        if (is_constraint or is_sum) and letters - self._list_sizes().keys():
+            stated = self._constrain(sign, own)
+            if stated or is_constraint:
+                return stated
+        if is_constraint and not (sign.unit or is_sum) and _FEW_DIGITS.match(sign.number):
+            return None
+        return self._round(sign, own, group)
+
+    def tell(self, sign: Sign) -> str:
+        """Say which printed sizes a number is compared at."""
+        used = self._list_used(self.known.settle(sign.value).free_symbols)
+        sizes = (f"{s} = {one.size.value} of {one.name}" for s, one in used.items())
+        return f"At {', '.join(sizes)}." if used else ""
+
+    def _list_sizes(self) -> dict[sp.Basic, RoundedSize]:
+        usual = {s: RoundedSize(value) for s, value in self.known.symbols.usual.items()}
+        return {s: one.size for s, one in self.printed.items()} | usual
+
+    def _list_used(self, letters: Iterable[sp.Basic]) -> dict[sp.Basic, PrintedSize]:
+        """Return the printed sizes among those at which a formula of letters is compared."""
+        declared = self.known.symbols.usual
+        used = {s: self.printed[s] for s in letters if s in self.printed and s not in declared}
+        return dict(sorted(used.items(), key=lambda one: str(one[0])))
+
+    def _find_own(self, sign: Sign, own: sp.Basic | None) -> sp.Basic | None:
+        """Return a letter in whose unit a number counts: its own, or of a sum one of its letters.
+
+        A unit behind the number is enough where the letters have units.
+        """
+        symbols, dimension = self.known.symbols, self._infer(sign.value)
+        if own is not None:
+            return None if sign.unit and dimension and own not in symbols.scales else own
+        own = None if sign.unit else symbols.find_alike(sign.value.free_symbols)
+        return own if dimension == symbols.find_dimension(own) else None
+
+    def _infer(self, value: Any) -> Dimension | None:
+        """Return the dimension of a value, None where its letters have none or it mixes some."""
+        known = {s: self.known.symbols.find_dimension(s) for s in value.free_symbols}
+        known |= {
+            s: one.head.unit.dimension
+            for s, one in self.printed.items()
+            if known.get(s) is None and one.head.unit
+        }
+        told = {s: dimension for s, dimension in known.items() if dimension is not None}
+        try:
+            return infer(value, told) if value.free_symbols <= told.keys() else None
+        except DimensionError:
+            return None
+
+    def _constrain(self, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
+        """State what a number says of letters whose sizes are not all known."""
+        value, number = sign.value, sp.Rational(sign.number)
+        scales, dimension = Scales(self.known.symbols), self._infer(sign.value)
+        if not sign.unit:
+            is_fit = number != 0 and own is not None and _is_sum(value)
+            is_fit &= dimension == self.known.symbols.find_dimension(own)
+            return Equality(value, number, "member") if is_fit else None
+        unit = read_unit(sign.unit)
+        if dimension != unit.dimension or not value.free_symbols <= scales.known.keys():
+            return _UNFIT if sign.role is Role.CONSTRAINT else None
+        return Equality(scales.to_si(value) / unit.scale, number, "member")
+
+    def _round(self, sign: Sign, own: sp.Basic | None, group: int) -> PrintedNumber | str:
+        """Return what a number says of a formula at the sizes, or why that is not judged."""
+        declared, sizes = self.known.symbols.usual, self._list_sizes()
+        value = self.known.settle(sign.value)
+        # A letter that has a size, too, may be meant by either.
+        formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
+        if missing := sorted(map(str, value.free_symbols - sizes.keys())):
+            # A further member of its chain may have no other letters.
+            others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
+            formulas = [x for x in others if x.free_symbols <= sizes.keys()]
+            if not formulas:
+                return f"it depends on sizes that are not declared: {', '.join(missing)}"
+            value = formulas[0]
+        unit = read_unit(sign.unit) if sign.unit else None
+        if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
+            return _UNFIT
+        read = [*self._read(formulas, own, unit)]
+        exact = {s: size.value for s, size in sizes.items()}
+        values = [one.xreplace(exact) for one in read]
+        is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
+        if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
+            return _SPECIAL
+        stated = [PrintedNumber(sign.number, one) for one in values]
+        if found := next(filter(agrees, stated), None):
+            return found
+        number = Numeral(sign.number, sp.S.One)
+        if value.free_symbols and any(is_near(one, number, sizes) for one in read):
+            return _NEAR
+        used = self._list_used(value.free_symbols)
+        units = {one.head.unit for one in used.values()}
+        if unit is None and len(units) > 1 and self._infer(value) != NUMBER:
+            return "it has no unit, and the sizes have several"
+        if used and not self._are_beside(used.values(), group):
+            names = ", ".join(dict.fromkeys(one.name for one in used.values()))
+            return f"it is not the number at the sizes of {names}: are these meant, or others?"
+        return stated[0]
+
+    def _read(
+        self, formulas: Sequence[sp.Expr], own: sp.Basic | None, unit: Unit | None
+    ) -> Iterator[sp.Expr]:
+        """Yield what formulas may give, in the unit behind the number."""
+        heads = (one.head for one in self.printed.values())
+        scales = Scales(self.known.symbols, heads, [own] if unit and own else [])
+        if own or unit is None:
+            readings = (r for formula in formulas for r in scales.list_readings(formula, own))
+            yield from (one / scales.convert(own, unit) for reading in readings for one in reading)
+            return
+        for formula in formulas:
+            if not formula.free_symbols:
+                yield formula
+            yield scales.to_si(formula) / unit.scale
+
+    def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
+        """Return whether nothing but numbers stands between sizes and the display of a number."""
+        groups = {group, *(one.group for one in used)}
+        return {*range(min(groups) + 1, max(groups))} <= self.numeric
+
+
+def collect_sizes(
+    equations: Iterable[tuple[Printed, Sequence[Sign] | Left]], known: Known
+) -> Sizes:
+    """Collect the sizes that are printed; a letter that is printed with two of them has none."""
+    found: dict[sp.Basic, list[PrintedSize]] = {}
+    groups: dict[int, bool] = {}
+    for printed, signs in equations:
+        read = [] if isinstance(signs, Left) else signs
+        is_numeric = bool(read) and bool(read[-1].number)
+        groups[printed.group] = groups.get(printed.group, True) and is_numeric
+        for sign in read:
+            if sign.role is Role.SIZE and sign.letter is not None and sign.number:
+                found.setdefault(sign.letter, []).append(_read_size(sign, printed, known))
+    sizes = {s: {one.size.value * one.unit for one in ones} for s, ones in found.items()}
+    kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
+    return Sizes(known, kept, frozenset(group for group, is_all in groups.items() if is_all))
+
+
+def _read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
+    unit = read_unit(sign.unit) if sign.unit else None
+    head = Head(sign.letter, str(sign.letter), unit)
+    scales = Scales(known.symbols, [head])
+    size = scales.size(head, Numeral(sign.number, sp.S.One))
+    scale = scales.known.get(sign.letter, sp.S.One)
+    return PrintedSize(size, head, scale, printed.name, printed.group)
+
+
+def _is_sum(value: Any) -> bool:
+    """Return whether a value is a sum of letters, of which each may have a number before it."""
+    terms = sp.Add.make_args(value) if isinstance(value, sp.Add) else ()
+    return bool(terms) and all(term.as_coeff_Mul()[1] in value.free_symbols for term in terms)
