@@ -29,7 +29,7 @@ POSITIVE = Interval.open(0, oo)
 
 n = Symbol("n", integer=True, positive=True)
 q = IndexedBase("q", real=True)
-qbar, s2, s2_mean, u_mean, sigma2 = symbols("qbar s2 s2_mean u_mean sigma2", real=True)
+qbar, s2, s2_mean, u_mean, sigma2 = symbols("qbar s2 s2_mean u_mean variance", real=True)
 i, j, m = symbols("i j m", integer=True)
 mean = Sum(q[j], (j, 1, n)) / n
 variance = Sum((q[i] - qbar) ** 2, (i, 1, n)) / (n - 1)

@@ -300,10 +300,14 @@ def test_what_is_long_is_shown_whole() -> None:
     assert compared(Conjunction((Conjunction(parts), *parts))) == compared(Conjunction(parts))
 
 
-def test_rational_factors_stand_before_sums_and_long_fractions_have_their_digits() -> None:
+def test_sums_are_written_without_factors_and_deltas_and_long_fractions_by_their_digits() -> None:
     count, family = sp.Symbol("n", integer=True, positive=True), sp.IndexedBase("K", real=True)
     place = sp.Symbol("i", integer=True)
-    spread = sp.Sum(family[place] ** 2 / 36, (place, 1, count))
+    other = sp.Symbol("j", integer=True)
+    equal = sp.KroneckerDelta(place, other)
+    spread = sp.Sum(
+        equal * family[place] * family[other] / 36, (place, 1, count), (other, 1, count)
+    )
     sizes = (
         Variable(family, "coefficients"),
         Variable(count, "their number", within=sp.S.Naturals),

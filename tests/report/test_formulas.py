@@ -11,6 +11,7 @@ import pytest
 from mechproof.latex.sentences import is_sentence
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import ATTRIBUTES, write_formula
+from mechproof.report.phrases import set_prose
 
 LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
 FIELDS = ("print", "paraphrase", "corrected_latex", "mend_latex", "compared_with")
@@ -161,3 +162,17 @@ def test_a_comma_between_words_and_a_formula_stays() -> None:
 
 def test_marked_decimals_stand_close_to_their_point() -> None:
     assert shape(r"0.{\color{red}{28}}").startswith("<mrow><mn>0<mn>.<")
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("K_i[2] = 1/3", "K<sub>2</sub> = 1/3"),
+        ("Delta_n^2*K_i[i]^2 has L^2", "Δ<sub>n</sub>²·K<sub>i</sub>² has L²"),
+        ('see "step 3", sqrt(2)', "see “step 3”, √2"),
+        ("25 um of 5 mm", "25\N{NO-BREAK SPACE}µm of 5\N{NO-BREAK SPACE}mm"),
+        ("x_1*y = phi1 < 2", "x<sub>1</sub>·y = φ<sub>1</sub> &lt; 2"),
+    ],
+)
+def test_formulas_within_words_are_set_as_people_write_them(text: str, shown: str) -> None:
+    assert str(set_prose(text)) == shown

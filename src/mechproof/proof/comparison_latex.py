@@ -113,7 +113,7 @@ def _write_part(statement: Statement, letters: _Letters) -> str:
 
 
 def _write(formula: sp.Basic, letters: _Letters) -> str:
-    formula = _take_factors_out(letters.spell_out(formula))
+    formula = _shorten_sums(letters.spell_out(formula))
     numbers = {part: sp.Dummy() for part in _find_numbers(formula)}
     shown = {symbol: _write_number(part, letters.names) for part, symbol in numbers.items()}
     written = {**_write_words(formula), **letters.names, **shown}
@@ -121,8 +121,8 @@ def _write(formula: sp.Basic, letters: _Letters) -> str:
     return text
 
 
-def _take_factors_out(formula: sp.Basic) -> sp.Basic:
-    """Take rational factors out of indexed sums, and out of powers of what is added to them."""
+def _shorten_sums(formula: sp.Basic) -> sp.Basic:
+    """Take deltas and rational factors out of indexed sums, and factors out of what is added."""
     if not formula.has(sp.Sum):
         return formula
     taken = formula.replace(sp.Sum, _take_factor_out)
@@ -131,7 +131,18 @@ def _take_factors_out(formula: sp.Basic) -> sp.Basic:
 
 def _take_factor_out(term: sp.Expr, *limits: sp.Tuple) -> sp.Expr:
     factor, rest = term.as_coeff_Mul()
-    return factor * sp.Sum(rest, *limits)
+    return factor * sp.Sum(*_sum_once(rest, limits))
+
+
+def _sum_once(term: sp.Expr, limits: Sequence[sp.Tuple]) -> tuple[sp.Basic, ...]:
+    """Sum over one index where a delta of Kronecker leaves no more of two."""
+    (index, *ends), *others = limits
+    for other in others:
+        delta = sp.KroneckerDelta(index, other[0])
+        if [*other[1:]] == ends and delta in sp.Mul.make_args(term):
+            left = (limit for limit in limits if limit is not other)
+            return (term / delta).xreplace({other[0]: index}), *left
+    return term, *limits
 
 
 def _split_power(power: sp.Pow) -> sp.Expr:

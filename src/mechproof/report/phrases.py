@@ -87,6 +87,8 @@ def _raise(power: re.Match[str]) -> str:
 SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = tuple(
     (re.compile(pattern), written)
     for pattern, written in (
+        # One of a family: K_i[2] is K_2.
+        (r"\b([A-Z])_[a-z]\[(\w+)\]", r"\1_\2"),
         (r"(?<=[\w)])\^(-?\d+)\b", _raise),
         (r"(?<=\d )um\b", "\N{MICRO SIGN}m"),
         (r"(?<=[\w)\]]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
