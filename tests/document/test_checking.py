@@ -169,6 +169,10 @@ CASES = {
         ],
         ["DEFINITION", "REFUTED", "DEFINITION"],
     ),
+    "nor one that gives a letter whose derivative is printed": (
+        [r"\tan\varphi=\frac{km}{1+k}", r"\dot\varphi=n", r"m=k^2", r"m=2k^2"],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
     "a constraint may restrict other letters, too": (
         [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
         ["DEFINITION", "not judged", "DEFINITION"],

@@ -59,9 +59,9 @@ def is_listed(printed: Printed, names: Sequence[str]) -> bool:
     return any(key in names for key in (printed.name, *printed.labels))
 
 
-def is_met_once(symbol: sp.Basic, known: Known) -> bool:
+def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> bool:
     """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
-    _, steps = known.symbols.find_steps(symbol)
+    steps = known.symbols.find_steps(symbol)[1] if with_rates else (symbol,)
     names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
     plain = _COMMAND.sub(" ", known.unread)
     texts = ((name, known.unread if "\\" in name else plain) for name in names)

@@ -218,7 +218,8 @@ class TaskMaker:
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
-        alone = (s for s in residual.free_symbols if is_met_once(s, self.known))
+        letters = residual.free_symbols
+        alone = (s for s in letters if is_met_once(s, self.known, with_rates=False))
         return any(is_solvable(residual, letter) for letter in alone)
 
     def _ties_running(self, residual: sp.Expr) -> bool:
