@@ -24,7 +24,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Conjunction, Equality, Form, Paper, Toleranced
+from mechproof.record import Conjunction, Equality, Form, Holds, Paper, PublishedSizes, Toleranced
 
 # The paper is judged in one process, once.
 pytestmark = pytest.mark.xdist_group("verdicts wedge_linkage")
@@ -126,10 +126,16 @@ def test_another_budget_is_refuted() -> None:
     assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
+def above(table: PublishedSizes, one: sizes.Signs, other: sizes.Signs) -> Holds:
+    """State that one curve lies above another where they begin."""
+    first, second = (boundaries.position_of(table, signs, -40) for signs in (one, other))
+    return boundaries.less(second, first)
+
+
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
     wrong = {**boundaries.BOUNDARY_IV, symbols.alpha_DE: 1}
     for table in paper_of("wedge_linkage").published:
-        says = boundaries.above(table, boundaries.BOUNDARY_IV, wrong, -40)
+        says = above(table, boundaries.BOUNDARY_IV, wrong)
         assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
@@ -167,7 +173,7 @@ def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
 
 
 def test_evidence_of_exact_numbers_shows_both_sides() -> None:
-    says = boundaries.above(sizes.FIRST_SET, boundaries.BOUNDARY_II, boundaries.BOUNDARY_IV, -40)
+    says = above(sizes.FIRST_SET, boundaries.BOUNDARY_II, boundaries.BOUNDARY_IV)
     (evidence,) = decide(says, Domain.of(paper_of("wedge_linkage"))).evidence
     assert "-110.1" in evidence.what
     assert "-134.9" in evidence.what
