@@ -1,8 +1,6 @@
-"""Statements of several parts, and numbers and their relations, which balls decide, not SymPy."""
+"""Statements of several parts, and relations of numbers, which SymPy is kept from deciding."""
 
-from collections.abc import Mapping
-
-from sympy import Basic, Expr, Le, Lt
+from sympy import Expr, Le, Lt
 
 from mechproof.record import Conjunction, Holds, Statement
 
@@ -20,21 +18,3 @@ def less(left: Expr, right: Expr) -> Holds:
 def not_above(left: Expr, right: Expr) -> Holds:
     """State left <= right."""
     return Holds(Le(left, right, evaluate=False))
-
-
-def put_numbers(expression: Basic, values: Mapping[Basic, Basic]) -> Basic:
-    """Put numbers for symbols and evaluate nothing.
-
-    SymPy would spend seconds on the assumptions of what comes out; its context that keeps it from
-    evaluating empties its cache, which costs more still.
-    """
-    known = dict(values)
-
-    def put(part: Basic) -> Basic:
-        if part not in known:
-            parts = tuple(map(put, part.args))
-            same = parts == part.args
-            known[part] = part if same else part.func(*parts, evaluate=False)
-        return known[part]
-
-    return put(expression)

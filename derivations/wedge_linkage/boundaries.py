@@ -15,7 +15,7 @@ from mechproof.record import (
     Statement,
 )
 
-from .._relations import less, put_numbers
+from .._relations import less
 from .mechanics import driven
 from .sizes import SETS, Signs, limits
 from .symbols import (
@@ -56,28 +56,25 @@ BOUNDARY_III = {size: -sign for size, sign in BOUNDARY_II.items()}
 BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
 
 
-high, low, nominal = sp.symbols("high low nominal", real=True)
-# The position is negative, so the upper boundary is the smaller one in amount.
-with sp.evaluate(False):
-    TURNED = print_1.xreplace({Q: PRINTED_Q})
-    RUN = driven.xreplace({overlap: print_3.xreplace({phi3: TURNED}) - l_GH})
-    OFFSET = PRINTED_R.xreplace({x5: RUN})
-    DIRECTION = sp.atan2(sqrt(l_KL**2 - OFFSET**2), OFFSET)
-    POSITION = print_10.xreplace({phi7: DIRECTION - alpha_KL})
-    ABOVE, BELOW = 100 * (1 - high / nominal), 100 * (low / nominal - 1)
+def angles_of(
+    table: PublishedSizes, signs: Signs, displacement: Displacement
+) -> tuple[sp.Expr, sp.Expr]:
+    """Compose (1), (3), (4) and (7)/(8) at exact sizes: varphi3 and the direction of KL."""
+    sizes = limits(table, signs)
+    # Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide.
+    with sp.evaluate(False):
+        turned = print_1.xreplace({Q: PRINTED_Q}).xreplace({**sizes, x1: Rational(displacement)})
+        run = driven.xreplace({overlap: print_3.xreplace({**sizes, phi3: turned}) - sizes[l_GH]})
+        offset = PRINTED_R.xreplace({**sizes, x5: run})
+        return turned, sp.atan2(sqrt(sizes[l_KL] ** 2 - offset**2), offset)
 
 
-def put_sizes(
-    formula: sp.Expr, table: PublishedSizes, signs: Signs, displacement: Displacement
-) -> sp.Expr:
-    """Put exact sizes and a displacement into a formula of the chain."""
-    return put_numbers(formula, {**limits(table, signs), x1: Rational(displacement)})
-
-
-# (1), (3), (4) and (7)/(8) composed: varphi3 and the direction of KL; with (10): the position.
-turn_of, direction_of, position_of = (
-    partial(put_sizes, formula) for formula in (TURNED, DIRECTION, POSITION)
-)
+def position_of(table: PublishedSizes, signs: Signs, displacement: Displacement) -> sp.Expr:
+    """Compose the chain with (10) at exact sizes: an exact number."""
+    sizes = limits(table, signs)
+    _, direction = angles_of(table, signs, displacement)
+    with sp.evaluate(False):
+        return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
 
 
 def upright_at(table: PublishedSizes) -> sp.Expr:
@@ -103,11 +100,12 @@ def deviations_round(
     table: PublishedSizes, displacement: Displacement, lower: Signs, printed: tuple[str, str]
 ) -> Conjunction:
     """State to what the deviations of II and a lower boundary round, % of the nominal position."""
-    values = {
-        size: position_of(table, signs, displacement)
-        for size, signs in ((nominal, {}), (high, BOUNDARY_II), (low, lower))
-    }
-    deviations = (put_numbers(formula, values) for formula in (ABOVE, BELOW))
+    nominal, high, low = (
+        position_of(table, signs, displacement) for signs in ({}, BOUNDARY_II, lower)
+    )
+    # The position is negative, so the upper boundary is the smaller one in amount.
+    with sp.evaluate(False):
+        deviations = (100 * (1 - high / nominal), 100 * (low / nominal - 1))
     return Conjunction(tuple(map(PrintedNumber, printed, deviations)))
 
 
@@ -117,7 +115,7 @@ def angles_in_range(table: PublishedSizes) -> Conjunction:
     varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV. An arctangent
     is below a right angle anyway: that it is varphi3, the denominator of (1) says by its sign.
     """
-    turned = turn_of(table, BOUNDARY_III, -40)
+    turned, _ = angles_of(table, BOUNDARY_III, -40)
     farthest = {**limits(table, BOUNDARY_III), x1: sp.Integer(-40)}
     lowest, highest = (limits(table, dict.fromkeys((alpha_DE, alpha_KL), s)) for s in (-1, 1))
     lever = (
@@ -129,7 +127,7 @@ def angles_in_range(table: PublishedSizes) -> Conjunction:
     )
     roller = []
     for signs in (BOUNDARY_III, BOUNDARY_IV):
-        sizes, direction = limits(table, signs), direction_of(table, signs, -40)
+        sizes, (_, direction) = limits(table, signs), angles_of(table, signs, -40)
         roller += [
             less(direction, pi),
             less(sizes[alpha_LM] + direction - sizes[alpha_KL], 3 * pi / 2),

@@ -6,17 +6,7 @@ import sympy as sp
 
 from mechproof.record import Claim, Conjunction, PrintedNumber, PublishedSizes, Statement
 
-from .._relations import put_numbers
-from .boundaries import (
-    BOUNDARY_II,
-    START,
-    direction_of,
-    high,
-    low,
-    nominal,
-    position_of,
-    turn_of,
-)
+from .boundaries import BOUNDARY_II, START, angles_of, position_of
 from .sizes import SETS, limits
 from .symbols import (
     NAMES,
@@ -50,41 +40,31 @@ TOTALS = (("10.2", "4.5"), ("9.8", "4.2"), ("9.3", "4.1"))
 STAGES = (("0.64", "2.86"), ("0.24", "2.68"), ("0.57", "2.82"))
 
 
-guide, turned, direction = sp.symbols("guide turned direction", real=True)
-halves = sp.symbols(f"half:{len(BOUNDARY_II)}", real=True)
-with sp.evaluate(False):
-    HALF = sp.Rational(1, 2) * sp.Abs(high - low)
-    SUMS = (sp.Add(*halves), sp.sqrt(sp.Add(*(half**2 for half in halves))))
-    SHARES = tuple(100 * total / sp.Abs(nominal) for total in SUMS)
-    ROD = l_DE * sp.sin(alpha_DE + turned) * sp.cos(turned) / guide
-    WEDGE = l_LM * sp.cos(alpha_LM + direction - alpha_KL)
-    RATIOS = (sp.Abs(ROD), sp.Abs(WEDGE / (l_KL * sp.sin(direction))))
-
-
 def part(table: PublishedSizes, size: sp.Symbol) -> sp.Expr:
     """Return half the change of the position at the start between the limits of a size, mm."""
-    ends = {end: position_of(table, {size: sign}, START) for end, sign in ((high, 1), (low, -1))}
-    return put_numbers(HALF, ends)
+    high, low = (position_of(table, {size: sign}, START) for sign in (1, -1))
+    return sp.Mul(sp.S.Half, sp.Abs(high - low, evaluate=False), evaluate=False)
 
 
 def totals(table: PublishedSizes, printed: tuple[str, str]) -> Statement:
     """State the sum of the parts and the root of the sum of their squares, % of the position."""
-    parts = (part(table, size) for size in BOUNDARY_II)
-    values = {**dict(zip(halves, parts, strict=True)), nominal: position_of(table, {}, START)}
-    shares = (put_numbers(share, values) for share in SHARES)
+    parts = [part(table, size) for size in BOUNDARY_II]
+    nominal = position_of(table, {}, START)
+    with sp.evaluate(False):
+        sums = (sp.Add(*parts), sp.sqrt(sp.Add(*(p**2 for p in parts))))
+        shares = tuple(100 * s / sp.Abs(nominal) for s in sums)
     return Conjunction(tuple(map(PrintedNumber, printed, shares)))
 
 
-def stage_ratios(table: PublishedSizes) -> tuple[sp.Expr, ...]:
+def stage_ratios(table: PublishedSizes) -> tuple[sp.Expr, sp.Expr]:
     """Return |dx5/dx1| and |dy9/dx5'| at the start: see the row on the velocity of the chain."""
     sizes = limits(table, {})
-    values = {
-        **sizes,
-        turned: turn_of(table, {}, START),
-        direction: direction_of(table, {}, START),
-        guide: sp.sqrt(radicand.xreplace({**sizes, x1: START})),
-    }
-    return tuple(put_numbers(ratio, values) for ratio in RATIOS)
+    turned, direction = angles_of(table, {}, START)
+    guide = sp.sqrt(radicand.xreplace({**sizes, x1: START}))
+    with sp.evaluate(False):
+        rod = sizes[l_DE] * sp.sin(sizes[alpha_DE] + turned) * sp.cos(turned) / guide
+        wedge = sizes[l_LM] * sp.cos(sizes[alpha_LM] + direction - sizes[alpha_KL])
+        return sp.Abs(rod), sp.Abs(wedge / (sizes[l_KL] * sp.sin(direction)))
 
 
 def write(size: sp.Symbol, numbers: tuple[str, ...]) -> str:
