@@ -31,6 +31,7 @@ __all__ = [
     "IN_C",
     "KERNELS",
     "MEASURED",
+    "ON_GPU",
     "Cell",
     "CellErrors",
     "Machine",
@@ -55,8 +56,8 @@ Span = tuple[float, float]
 Point = tuple[Any, ...]
 # The verdict of a way of which nothing is proved.
 MEASURED = "MEASURED"
-# The kernel as `mechproof emit c` writes it, measured where there is a compiler.
-IN_C = "kernel, C"
+# The kernel as `mechproof emit c` writes it, measured where there is a compiler, or a GPU.
+IN_C, ON_GPU = "kernel, C", "kernel, GPU"
 # What copying the result takes, timed with the ways.
 COPY = "memory copy"
 ERROR_DIGITS, TIME_DIGITS = 4, 3
@@ -239,8 +240,9 @@ class Record:
     @property
     def lacking(self) -> str:
         """Say which way was not measured: the kernel in C, where there was no compiler."""
-        kinds = {way.kind for way in self.ways}
-        return f"Not measured: {IN_C}." if "kernel" in kinds and "source" not in kinds else ""
+        shipped = any(way.kind == "kernel" for way in self.ways)
+        in_c = any(way.name == IN_C for way in self.ways)
+        return f"Not measured: {IN_C}." if shipped and not in_c else ""
 
     @property
     def error_unit(self) -> str:

@@ -1,7 +1,8 @@
-"""Kernels in C as a way to compute: the bits of numba's, and records without them."""
+"""Kernels in C as a way to compute, on a GPU, too: the bits of numba's, and records without."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,16 +12,24 @@ import pytest
 from quantities import find_subject
 
 from mechproof.choice import choose
-from mechproof.lab import c_kernels
-from mechproof.lab.c_kernels import COMPILER, find_in_c
+from mechproof.lab import c_kernels, gpu_kernels
+from mechproof.lab.c_kernels import COMPILER, KernelInC, find_in_c
 from mechproof.lab.chart import draw_chart
 from mechproof.lab.chart_points import list_workloads
+from mechproof.lab.gpu_kernels import find_on_gpu
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import list_lines
-from mechproof.measured import IN_C, find_files, read_record, write_record
+from mechproof.measured import IN_C, ON_GPU, find_files, read_record, write_record
+from mechproof.record import Paper
 
 needs_compiler = pytest.mark.skipif(
     c_kernels.shutil.which(COMPILER) is None, reason="there is no C compiler"
+)
+FINDERS = (
+    pytest.param(find_in_c, marks=needs_compiler),
+    pytest.param(
+        find_on_gpu, marks=pytest.mark.skipif(not gpu_kernels.has_gpu(), reason="there is no GPU")
+    ),
 )
 RNG = np.random.default_rng(7)
 POSES = RNG.uniform(-1, 1, (5, 3))
@@ -39,11 +48,13 @@ CALLS: tuple[tuple[str, tuple[Any, ...]], ...] = (
 )
 
 
-@needs_compiler
+@pytest.mark.parametrize("find", FINDERS)
 @pytest.mark.parametrize(("name", "arguments"), CALLS)
-def test_it_computes_the_bits_of_the_compiled_kernel(name: str, arguments: tuple[Any, ...]) -> None:
+def test_it_computes_the_bits_of_the_compiled_kernel(
+    name: str, arguments: tuple[Any, ...], find: Callable[[str, Paper], KernelInC | None]
+) -> None:
     subject = find_subject(name)
-    kernel = find_in_c(subject.quantity.name, subject.paper)
+    kernel = find(subject.quantity.name, subject.paper)
     assert kernel is not None
     found = kernel(*arguments)
     wanted = np.asarray(getattr(subject.load_compiled(), subject.quantity.name)(*arguments))
@@ -81,11 +92,12 @@ def test_it_is_one_of_the_ways_and_not_chosen_for_python(tmp_path: Path) -> None
         assert {"Not measured" in text for text in told} == {bool(one.lacking)}
 
 
-def test_without_a_compiler_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_what_it_needs_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(c_kernels.shutil, "which", lambda name: None)
     (subject,) = find_subjects(("track_wheel.largest_radius",))
     assert find_in_c("largest_radius", subject.paper) is None
-    assert IN_C not in {way.name for way in replace(subject).ways}
+    assert find_on_gpu("largest_radius", subject.paper) is None
+    assert {IN_C, ON_GPU}.isdisjoint(way.name for way in replace(subject).ways)
 
 
 @needs_compiler

@@ -39,18 +39,21 @@ class KernelInC:
     def __call__(self, *arguments: Any) -> Array:
         """Compute at points that broadcast, as the kernel of NumPy does."""
         given = [np.asarray(a, float) for a in arguments]
-        tails = (a.shape[-x.axes :] for a, x in zip(given, self._arguments, strict=True) if x.axes)
-        sizes = [max(chain(*tails), default=0)] if self._sums else []
-        # What one point has of each argument.
-        own = [(a.width,) if a.width else (*sizes,) * a.axes for a in self._arguments]
+        own, sizes = self._find_sizes(given)
         pairs = zip(given[1:], self._ranks[1:], strict=True)
         call = self._call_each if any(a.ndim > rank for a, rank in pairs) else self._call_many
         return call(given, own, sizes)
 
+    def _find_sizes(self, given: list[Array]) -> tuple[list[Shape], list[int]]:
+        """Return the shape of what one point has of each argument, and how many terms sums have."""
+        tails = (a.shape[-x.axes :] for a, x in zip(given, self._arguments, strict=True) if x.axes)
+        sizes = [max(chain(*tails), default=0)] if self._sums else []
+        return [(a.width,) if a.width else (*sizes,) * a.axes for a in self._arguments], sizes
+
     def _call_many(self, given: list[Array], own: list[Shape], sizes: list[int]) -> Array:
         points = given[0].shape[: max(given[0].ndim - self._ranks[0], 0)]
         shapes = [points + own[0], *own[1:]]
-        first, *others = map(_spread, given, shapes)
+        first, *others = map(spread, given, shapes)
         ranked = zip(others, self._ranks[1:], strict=True)
         found = np.empty(points + self._kernel.code.shape)
         values = [a.ctypes.data if rank else a.item() for a, rank in ranked]
@@ -59,16 +62,22 @@ class KernelInC:
         return found
 
     def _call_each(self, given: list[Array], own: list[Shape], sizes: list[int]) -> Array:
-        shapes = [a.shape[: max(a.ndim - r, 0)] for a, r in zip(given, self._ranks, strict=True)]
-        points = np.broadcast_shapes(*shapes)
-        wholes = [(points if shape else ()) + one for shape, one in zip(shapes, own, strict=True)]
-        spread = [*map(_spread, given, wholes)]
-        strides = [prod(one) if shape else 0 for shape, one in zip(shapes, own, strict=True)]
+        points, rows, strides = self._lay_out(given, own)
         found = np.empty(points + self._kernel.code.shape)
-        places = chain(*zip((a.ctypes.data for a in spread), strides, strict=True))
+        places = chain(*zip((a.ctypes.data for a in rows), strides, strict=True))
         _, each = self._functions
         each(prod(points), *sizes, *places, found.ctypes.data)
         return found
+
+    def _lay_out(
+        self, given: list[Array], own: list[Shape]
+    ) -> tuple[Shape, list[Array], list[int]]:
+        """Return the shape of the points, the arguments row by row, and how far rows are apart."""
+        shapes = [a.shape[: max(a.ndim - r, 0)] for a, r in zip(given, self._ranks, strict=True)]
+        points = np.broadcast_shapes(*shapes)
+        wholes = [(points if shape else ()) + one for shape, one in zip(shapes, own, strict=True)]
+        strides = [prod(one) if shape else 0 for shape, one in zip(shapes, own, strict=True)]
+        return points, [*map(spread, given, wholes)], strides
 
     @cached_property
     def _functions(self) -> tuple[Any, Any]:
@@ -92,22 +101,26 @@ class KernelInC:
         return many, each
 
     def _write_loop(self) -> str:
-        count, terms = prod(self._kernel.code.shape), "size_t terms, " if self._sums else ""
+        return (
+            f"void {EACH}({self._write_parameters()})\n"
+            f"{{\n    for (size_t i = 0; i < count; ++i)\n        {self._write_call()};\n}}\n"
+        )
+
+    def _write_parameters(self) -> str:
+        terms = "size_t terms, " if self._sums else ""
         given = "".join(f"const double *a{n}, size_t s{n}, " for n, _ in enumerate(self._ranks))
+        return f"size_t count, {terms}{given}double *out"
+
+    def _write_call(self) -> str:
+        count = prod(self._kernel.code.shape)
         values = [
             f"a{n} + i * s{n}" if rank else f"a{n}[i * s{n}]" for n, rank in enumerate(self._ranks)
         ]
         values = [*(["terms"] if self._sums else []), *values]
         function = f"{self._paper.system}_{self._kernel.name}"
-        call = (
-            f"{function}({', '.join([*values, f'out + i * {count}'])})"
-            if self._kernel.code.shape
-            else f"out[i] = {function}({', '.join(values)})"
-        )
-        return (
-            f"void {EACH}(size_t count, {terms}{given}double *out)\n"
-            f"{{\n    for (size_t i = 0; i < count; ++i)\n        {call};\n}}\n"
-        )
+        if self._kernel.code.shape:
+            return f"{function}({', '.join([*values, f'out + i * {count}'])})"
+        return f"out[i] = {function}({', '.join(values)})"
 
 
 def find_in_c(name: str, paper: Paper) -> KernelInC | None:
@@ -116,8 +129,10 @@ def find_in_c(name: str, paper: Paper) -> KernelInC | None:
     return next((KernelInC(k, paper) for k in kernels if k.name == name), None)
 
 
-def _spread(values: Array, shape: Shape) -> Array:
+def spread(values: Array, shape: Shape) -> Array:
     """Return values row by row in a shape that they broadcast to."""
     if values.shape == shape and values.flags.c_contiguous:
         return values
-    return np.ascontiguousarray(np.broadcast_to(values, shape))
+    whole = np.empty_like(values, shape=shape, order="C")
+    whole[...] = values
+    return whole

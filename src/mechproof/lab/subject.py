@@ -28,11 +28,12 @@ from mechproof.derivation import (
     packaged_directory,
 )
 from mechproof.lab.c_kernels import find_in_c
+from mechproof.lab.gpu_kernels import find_on_gpu
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
-from mechproof.measured import goes_by
+from mechproof.measured import IN_C, ON_GPU, goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
@@ -119,8 +120,17 @@ class Subject:
     def ways(self) -> tuple[Way, ...]:
         """List every way of computing the quantity, the shipped one first."""
         modules = (*self.modules, self.load_compiled())
-        in_c = find_in_c(self.quantity.name, self.paper)
-        return list_ways(self.quantity, self.domain, self.list_rows(), modules, self.peers, in_c)
+        rows, sources = self.list_rows(), self._list_sources()
+        return list_ways(self.quantity, self.domain, rows, modules, self.peers, sources)
+
+    def _list_sources(self) -> Iterator[Way]:
+        """List the kernel in C, called here and on a GPU, as far as there is what it needs."""
+        asked = self.quantity.name, self.paper
+        if in_c := find_in_c(*asked):
+            yield Way(IN_C, in_c, "source", note="called by ctypes, in one thread")
+        if on_gpu := find_on_gpu(*asked):
+            note = "the source in C; timed with arrays that lie on the GPU"
+            yield Way(ON_GPU, on_gpu, "source", note=note, place=on_gpu.place)
 
     @property
     def shipped(self) -> tuple[Way, ...]:

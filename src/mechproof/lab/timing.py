@@ -81,7 +81,7 @@ def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> b
 def _probe(ways: Sequence[Way], arguments: Arguments) -> dict[str, float]:
     """Estimate seconds per point from the second call on a few points; the first may import."""
     with np.errstate(all="ignore"):
-        calls = {w.name: _bind(w.compute, arguments) for w in ways}
+        calls = {w.name: _bind(w.compute, arguments, w.place) for w in ways}
         for call in calls.values():
             call()
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
@@ -103,7 +103,9 @@ def _time_size(
 ) -> list[Timing]:
     """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
     count, rounds = size
-    calls: dict[str, Callable[[], object]] = {w.name: _bind(w.compute, arguments) for w in worth}
+    calls: dict[str, Callable[[], object]] = {
+        w.name: _bind(w.compute, arguments, w.place) for w in worth
+    }
     calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
@@ -122,9 +124,13 @@ def time_ufuncs() -> dict[str, float]:
     return {name: round_off(float(np.median(t)) / UFUNC_COUNT * 1e9) for name, t in times.items()}
 
 
-def _bind(compute: Callable[..., Any], arguments: Arguments) -> Callable[[], object]:
-    """Bind arrays and, as people write what does not vary, Python's numbers."""
-    written = [a if np.ndim(a) else np.asarray(a).item() for a in arguments]
+def _bind(
+    compute: Callable[..., Any], arguments: Arguments, place: Callable[[Any], Any] | None = None
+) -> Callable[[], object]:
+    """Bind arrays, put in their place, and, as people write what does not vary, numbers."""
+    written: list[Any] = [a if np.ndim(a) else np.asarray(a).item() for a in arguments]
+    if place is not None:
+        written = [*map(place, written)]
     return lambda: compute(*written)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.measured import IN_C, Kind
+from mechproof.measured import Kind
 from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.proof.domain import Domain
@@ -36,7 +36,8 @@ class Way:
 
     `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
     `key` ends the name of its function, empty for the kernel and for peers; `needs` is the extra
-    that it is installed with. `into_buffer`: the same again, into an array that is there.
+    that it is installed with. `into_buffer`: the same again, into an array that is there. `place`
+    puts an argument where the way computes, before it is timed.
     """
 
     name: str
@@ -50,6 +51,7 @@ class Way:
     needs: str = ""
     note: str = ""
     into_buffer: bool = False
+    place: Callable[[Any], Any] | None = None
 
 
 def list_ways(
@@ -58,20 +60,20 @@ def list_ways(
     rows: Iterable[Row],
     modules: tuple[ModuleType | None, ...],
     peers: tuple[Peer, ...],
-    in_c: Compute | None = None,
+    sources: Iterable[Way] = (),
 ) -> tuple[Way, ...]:
     """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
 
-    `modules` are those of the kernels, of their rival forms and of the compiled kernels; `in_c` is
-    the kernel in C.
+    `modules` are those of the kernels, of their rival forms and of the compiled kernels; `sources`
+    are the kernel in other languages.
     """
     rows = tuple(rows)
     ours = [peer for peer in peers if peer.ours]
     others = [peer for peer in peers if not peer.ours]
     kernels, forms, compiled = modules
     found = [*_list_kernel(quantity, kernels, rows), *_list_compiled(quantity, compiled, rows)]
-    if found and in_c is not None:
-        found.append(Way(IN_C, in_c, "source", note="called by ctypes, in one thread"))
+    if found:
+        found += sources
     found += map(_from_peer, ours)
     found += _list_rivals(quantity, forms, rows)
     return (*found, *map(_from_peer, others), *print_by_sympy(quantity, domain))
