@@ -28,7 +28,7 @@ needs_compiler = pytest.mark.skipif(
 FINDERS = (
     pytest.param(find_in_c, marks=needs_compiler),
     pytest.param(
-        find_on_gpu, marks=pytest.mark.skipif(not gpu_kernels.has_gpu(), reason="there is no GPU")
+        find_on_gpu, marks=pytest.mark.skipif(not gpu_kernels.find_gpu(), reason="there is no GPU")
     ),
 )
 RNG = np.random.default_rng(7)

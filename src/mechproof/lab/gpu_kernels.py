@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import shutil
+import subprocess
 from functools import cached_property
 from importlib.util import find_spec
 from itertools import chain
@@ -65,10 +66,17 @@ class KernelOnGpu(KernelInC):
 
 def find_on_gpu(name: str, paper: Paper) -> KernelOnGpu | None:
     """Find a quantity's kernel on a GPU, None without CuPy, a GPU or a kernel."""
-    kernels = build_functions(paper).kernels if has_gpu() else ()
+    kernels = build_functions(paper).kernels if find_gpu() else ()
     return next((KernelOnGpu(k, paper) for k in kernels if k.name == name), None)
 
 
-def has_gpu() -> bool:
-    """Say so without a call of CUDA, which a process that is forked later could not use."""
-    return bool(find_spec(LIBRARY) and shutil.which(DRIVER))
+def find_gpu() -> str:
+    """Return the name of the first GPU; empty without one, and without CuPy.
+
+    CUDA is not called: a process that is forked later could not use it then.
+    """
+    if not (find_spec(LIBRARY) and shutil.which(DRIVER)):
+        return ""
+    command = [DRIVER, "--query-gpu=name", "--format=csv,noheader"]
+    told = subprocess.run(command, capture_output=True, text=True, check=False)
+    return told.stdout.partition("\n")[0].strip() if told.returncode == 0 else ""

@@ -28,7 +28,7 @@ from mechproof.derivation import (
     packaged_directory,
 )
 from mechproof.lab.c_kernels import find_in_c
-from mechproof.lab.gpu_kernels import find_on_gpu
+from mechproof.lab.gpu_kernels import find_gpu, find_on_gpu
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides
@@ -129,7 +129,7 @@ class Subject:
         if in_c := find_in_c(*asked):
             yield Way(IN_C, in_c, "source", note="called by ctypes, in one thread")
         if on_gpu := find_on_gpu(*asked):
-            note = "the source in C; timed with arrays that lie on the GPU"
+            note = f"the source in C on {find_gpu()}; timed with arrays that lie there"
             yield Way(ON_GPU, on_gpu, "source", note=note, place=on_gpu.place)
 
     @property
