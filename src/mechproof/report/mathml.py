@@ -10,7 +10,6 @@ from xml.etree.ElementTree import Element, SubElement, tostring
 
 from latex2mathml.converter import convert_to_element
 from markupsafe import Markup
-from sympy.printing.latex import translate
 
 from mechproof.report.kept_formulas import FORMULAS
 
@@ -26,8 +25,6 @@ UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
 # SymPy's name for the angle of a vector, and everyone else's.
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
-# What SymPy calls a variable of integration so that it is no other: its name and a line.
-DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
 # The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
@@ -48,7 +45,7 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 def _convert(latex: str, display: str) -> str:
     upright = UPRIGHT.sub(_as_text, MICROMETRE.sub(r"\\mathrm{µm}", latex))
-    plain = DUMMY.sub(_as_letter, upright.replace(*TWO_ARGUMENTS))
+    plain = upright.replace(*TWO_ARGUMENTS)
     try:
         math = convert_to_element(plain, display=display)
     except Exception:  # The library raises many kinds, which the user's own paper may meet.
@@ -82,11 +79,6 @@ def measure(element: Element) -> float:
 
 def _as_text(name: re.Match[str]) -> str:
     return rf"\text{{{name[1] or name[2]}}}"
-
-
-def _as_letter(name: re.Match[str]) -> str:
-    index = f"_{{{name[2]}}}" if name[2] else ""
-    return rf"\tilde{{{translate(name[1])}}}{index}"
 
 
 def _mend(element: Element) -> None:
