@@ -31,7 +31,7 @@ TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "
 STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 SMALLER = 0.71
-NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
+NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 # Signs that may belong to a number, and what such a sign stands after.
 SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
@@ -66,12 +66,11 @@ def measure(element: Element) -> float:
 
     Indices and powers are smaller by the scale that MathML Core gives them.
     """
-    tag = element.tag.removeprefix(NAMESPACE)
-    if tag == "annotation":
+    if element.tag == "annotation":
         return 0.0
-    if tag in STACKED:
+    if element.tag in STACKED:
         return max(map(measure, element))
-    if tag in SCRIPTED:
+    if element.tag in SCRIPTED:
         base, *scripts = map(measure, element)
         return base + SMALLER * max(scripts)
     return len(element.text or "") + sum(map(measure, element))
