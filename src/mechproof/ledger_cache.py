@@ -45,9 +45,9 @@ class LedgerCache:
         return None
 
     def read_sources(self) -> Mapping[str, str]:
-        """Return the digests of what the kept ledger was made from; none if there is none."""
+        """Return the digests of what the kept ledger was made from; none if it would be anew."""
         kept: Mapping[str, str] = self.store.read().get(self.program, {}).get("read", {})
-        return kept
+        return kept if are_unchanged(kept) else {}
 
     def save(self, ledger: Ledger, read: Mapping[str, str]) -> None:
         """Keep a ledger without failures; a row that no rung read may be this machine's fault."""

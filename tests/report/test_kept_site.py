@@ -63,6 +63,21 @@ def test_what_a_site_shows_makes_it_anew(place: Path, name: str) -> None:
     assert not builds(place)
 
 
+def test_a_site_of_ledgers_that_are_not_kept_is_not_taken(place: Path) -> None:
+    builds(place)
+    helper = place.parent / "helper.py"
+    helper.write_text("letter = 1", encoding="utf-8")
+    age(helper)
+    with (place / "__init__.py").open("a", encoding="utf-8") as end:
+        end.write("\nfrom ..helper import letter\n")
+    age(place / "__init__.py")
+    assert [builds(place), builds(place)] == [True, False]
+    # Younger than its load, so that the ledger is judged anew each time and the old one stays.
+    helper.write_text("letter = 2", encoding="utf-8")
+    os.utime(helper, (time.time() + AGED, time.time() + AGED))
+    assert [builds(place), builds(place)] == [True, True]
+
+
 def test_a_derivation_of_one_file_is_built_each_time(place: Path) -> None:
     # What else in its folder is of its figures is not known.
     file = place.parent / "alone.py"

@@ -25,6 +25,7 @@ from mechproof.cli.paths import (
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
 from mechproof.files import write_whole
+from mechproof.ledger_cache import LedgerCache
 from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT
 
@@ -62,10 +63,10 @@ def report(
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
-    key = "" if no_cache else key_site(locations)
-    site = load_site(key)
+    kept = [LedgerCache(place).read_sources() for place in locations]
+    key = key_site(locations, () if no_cache else kept)
     try:
-        if site is None:
+        if not (site := load_site(key)):
             judged = load_papers(ledgers, locations, limit=limit)
             with show_progress("writing the pages") as tell:
                 site = build_site(locations, judged, tell)

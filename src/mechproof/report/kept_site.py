@@ -7,14 +7,13 @@ from, their own files, which draw the figures, and what was generated, measured 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 
 from mechproof.cache import Store, make_key
-from mechproof.ledger_cache import LedgerCache
 from mechproof.measured import KERNELS
 from mechproof.reads import digest_program
 from mechproof.report.judged_derivations import find_generated
@@ -37,14 +36,13 @@ def keep_site(key: str, site: Site) -> None:
         SITE.write({key: asdict(site)})
 
 
-def key_site(locations: Sequence[Path]) -> str:
-    """Return the digest of all that a site shows once its papers are judged.
+def key_site(locations: Sequence[Path], reads: Sequence[Mapping[str, str]]) -> str:
+    """Return the digest of all that a site shows; `reads` are the digests of the ledgers' sources.
 
     It is empty where not all of that is known: for other places than folders, and where a ledger
     is not kept.
     """
-    reads = [LedgerCache(location).read_sources() for location in locations]
-    if not all(reads) or not all(location.is_dir() for location in locations):
+    if not reads or not all(reads) or not all(location.is_dir() for location in locations):
         return ""
     shown = sorted({path for location in locations for path in _list_shown(location)})
     texts = (json.dumps(read, sort_keys=True) for read in reads)
