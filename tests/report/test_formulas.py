@@ -164,8 +164,18 @@ def test_formulas_break_at_relations_terms_and_commas(latex: str, pieces: list[s
     assert signs in ([], ["infix"])
 
 
-def test_the_widest_piece_says_how_small_a_formula_is() -> None:
-    assert 'style="--signs:6"' in write_block("e+abcd=efghi")
+@pytest.mark.parametrize(
+    ("latex", "signs"),
+    [
+        ("a=bcdefg", 9),
+        ("e+abcd=efghi", 7),
+        (r"\frac{abc}{d}", 3),
+        ("a^{bcde}", 4),
+        (r"\sqrt{a}", 2),
+    ],
+)
+def test_the_widest_piece_says_how_small_a_formula_is(latex: str, signs: int) -> None:
+    assert f'style="--signs:{signs}"' in write_block(latex)
 
 
 def test_lists_of_formulas_stand_below_each_other_and_once() -> None:

@@ -12,11 +12,17 @@ from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
 
-from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display, measure
+from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 
 RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
-WIDE, NARROW = 30, 4
+WIDE, NARROW = 34, 4
+STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
+SCRIPTED = frozenset({"msub", "msup", "msubsup"})
+# Indices are smaller, by what MathML Core says; signs between members have gaps around them, and
+# those of sums are large: how many letters they are as wide as.
+SMALLER, SPACED = 0.71, 2.4
+BIG = "∑∏∫"
 
 
 def write_broken(math: str, display: Display) -> tuple[Markup, float]:
@@ -31,6 +37,25 @@ def write_broken(math: str, display: Display) -> tuple[Markup, float]:
     widths = [sum(map(measure, piece)) for piece in pieces]
     written = [_write(piece, display, None if i else source) for i, piece in enumerate(pieces)]
     return Markup("<wbr/>").join(map(Markup, written)), max(widths)
+
+
+def measure(element: Element) -> float:
+    """Return about how many letters a formula is wide: as the widest of what stands above others.
+
+    A root is wider by its sign.
+    """
+    if element.tag == "annotation":
+        return 0.0
+    if element.tag in STACKED:
+        return max(map(measure, element))
+    if element.tag in SCRIPTED:
+        base, *scripts = map(measure, element)
+        return base + SMALLER * max(scripts)
+    sign = _sign_of(element)
+    if sign and (sign in BIG or (sign in (*RELATIONS, *SIGNS) and element.get("form") is None)):
+        return SPACED
+    own = len(element.text or "") + (element.tag == "msqrt")
+    return own + sum(map(measure, element))
 
 
 def _write(parts: Sequence[Element], display: Display, source: Element | None) -> str:

@@ -28,9 +28,6 @@ TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
 # The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
-STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
-SCRIPTED = frozenset({"msub", "msup", "msubsup"})
-SMALLER = 0.71
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 # Signs that may belong to a number, and what such a sign stands after.
@@ -59,21 +56,6 @@ def _convert(latex: str, display: str) -> str:
     source.text = latex
     written: str = tostring(math, encoding="unicode")
     return written
-
-
-def measure(element: Element) -> float:
-    """Return about how many signs a formula is wide; of what stands one above the other the wider.
-
-    Indices and powers are smaller by the scale that MathML Core gives them.
-    """
-    if element.tag == "annotation":
-        return 0.0
-    if element.tag in STACKED:
-        return max(map(measure, element))
-    if element.tag in SCRIPTED:
-        base, *scripts = map(measure, element)
-        return base + SMALLER * max(scripts)
-    return len(element.text or "") + sum(map(measure, element))
 
 
 def _as_text(name: re.Match[str]) -> str:
