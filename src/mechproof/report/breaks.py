@@ -16,7 +16,7 @@ from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 
 RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
-WIDE, NARROW = 34, 4
+WIDE, NARROW = 34, 6
 STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 # Indices are smaller, by what MathML Core says; signs between members have gaps around them, and
@@ -90,10 +90,14 @@ def _break(parts: list[Element]) -> list[list[Element]]:
         for piece in _split(parts, 0)
         for narrow in (_split(piece, 1) if sum(map(measure, piece)) > WIDE else (piece,))
     ]
-    left, *others = found
-    if others and _sign_of(others[0][0]) in tuple(RELATIONS) and sum(map(measure, left)) < NARROW:
-        return [left + others[0], *others[1:]]
-    return found
+    joined = [found[0]]
+    for piece in found[1:]:
+        is_narrow = sum(map(measure, joined[-1])) < NARROW
+        if is_narrow and _sign_of(piece[0]) in tuple(RELATIONS):
+            joined[-1] = joined[-1] + piece
+        else:
+            joined.append(piece)
+    return joined
 
 
 def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
