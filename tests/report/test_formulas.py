@@ -174,6 +174,7 @@ def test_formulas_break_at_relations_terms_and_commas(latex: str, pieces: list[s
         (r"\frac{abc}{d}", 3),
         ("a^{bcde}", 4),
         (r"\sqrt{a}", 2),
+        (r"\begin{pmatrix}a&b\\ab&c\end{pmatrix}", 5),
     ],
 )
 def test_the_widest_piece_says_how_small_a_formula_is(latex: str, signs: int) -> None:

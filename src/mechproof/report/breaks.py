@@ -17,7 +17,7 @@ from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
 WIDE, NARROW = 34, 6
-STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
+STACKED = frozenset({"mfrac", "munder", "mover", "munderover", "mtable"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 # Indices are smaller, by what MathML Core says; signs between members have gaps around them, and
 # those of sums are large: how many letters they are as wide as.
