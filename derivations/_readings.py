@@ -72,7 +72,7 @@ def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
             )
         ),
         note="Resolution, linearity, reading speed, output signal, diameter; no formula uses "
-        "them. The text at hand does not say what the 0.3 % refers to; of 360 deg it is 1.08 deg.",
+        "them. The text at hand does not say what the 0.3 % refers to; of 360° it is 1.08°.",
         cites=cites,
     )
 
@@ -88,6 +88,13 @@ class Readings:
     mean: Rational
     uncertainty: Rational
     step: Rational
+
+    @property
+    def printed(self) -> str:
+        """Return n, mean and u as the table prints them, for LaTeX."""
+        decimals = len(str(self.step.q)) - 1
+        mean, uncertainty = f"{float(self.mean):.{decimals}f}", f"{float(self.uncertainty):.2f}"
+        return rf"{self.count},\ {mean}^\circ,\ {uncertainty}^\circ"
 
     @property
     def implied_scatter(self) -> Expr:
@@ -170,7 +177,7 @@ def if_u_is_s(
                 )
             )
         ),
-        note="If the printed u is the standard deviation s of single errors, mean +- 2u does hold "
+        note="If the printed u is the standard deviation s of single errors, mean ± 2u does hold "
         "95 % of the errors, and these are the intervals of the means: all four differ from zero, "
         f"by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
         "uncertainties.",
@@ -186,10 +193,7 @@ def table_row(
     **marks: Any,
 ) -> Claim:
     """Say that a table of results, each n, mean and u of which is shown, cannot be recomputed."""
-    values = ";\\ ".join(
-        rf"{line.count},\ {float(line.mean):g}^\circ,\ {float(line.uncertainty):g}^\circ"
-        for line in readings.values()
-    )
+    values = ";\\ ".join(line.printed for line in readings.values())
     return Claim(
         f"{table} by {equations}",
         rf"\text{{applying equations {equations} to the results, we get the values of {table}: }}"

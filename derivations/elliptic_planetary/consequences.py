@@ -34,7 +34,7 @@ CONSEQUENCES = (
             less(LARGEST_MEAN_ERROR, mean_lack(1)),
         ),
         note="On the first branch alone, before it jumps back, (12) is off by this much on "
-        "average. Mean errors of at most 0.98 deg cannot have been found by comparison with it: "
+        "average. Mean errors of at most 0.98° cannot have been found by comparison with it: "
         "the calculation behind table 3 used another formula, and the slip in (12) is one of the "
         "article only.",
         marks=("ours", "consequence"),
@@ -61,7 +61,7 @@ CONSEQUENCES = (
             less(READINGS[3].implied_scatter, LIMITS[3]),
         ),
         note="If u belongs to the mean, as (15) and (16) have it, single errors scatter by u "
-        "sqrt(n). An encoder on each shaft that keeps to 0.3 % of 360 deg allows errors of at "
+        "sqrt(n). An encoder on each shaft that keeps to 0.3 % of 360° allows errors of at "
         "most M about any offset of the mechanism, and such errors cannot scatter so much in "
         "variants 1, 2 and 4: either the mechanism or its model is off, or u is not an "
         "uncertainty of the mean.",

@@ -96,6 +96,7 @@ FINDINGS = (
             (READINGS[3].mean / READINGS[3].uncertainty,),
             1,
         ),
+        figure="table-3",
     ),
     Finding(
         "table 3, interval 3",

@@ -46,7 +46,7 @@ CORRECT_12 = (
 EQUATION_12 = PRINT.equation(
     "(12)",
     note=(
-        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
+        "As a1 ± b1 = (1 ± e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
         "root of that once more. Without it the factor before the arctangent is 2 and the "
         "quotient inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. "
         "Compared with what (8), which is proved, gives when it is integrated from 0."
@@ -173,9 +173,9 @@ POSITION_CLAIMS = (
             PrintedNumber("43.6", of_variant(BRANCH_END, 1)),
             PrintedNumber("67.5", of_variant(BRANCH_END, 3)),
         ),
-        note="(12) falls short by an angle that grows with x over the first branch, up to 45.0 "
-        "deg for e = 0.28 and 72.6 deg for e = 0.475, whatever the radii. The branch ends at 43.6 "
-        "deg of the carrier in variants 1 and 2, at 67.5 deg in variants 3 and 4; beyond it the "
+        note="(12) falls short by an angle that grows with x over the first branch, up to 45.0°"
+        " for e = 0.28 and 72.6° for e = 0.475, whatever the radii. The branch ends at 43.6°"
+        " of the carrier in variants 1 and 2, at 67.5° in variants 3 and 4; beyond it the "
         "arctangent jumps back.",
         on=BRANCH,
         marks=("ours", "consequence"),

@@ -64,8 +64,8 @@ READINGS = {
 HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
 INTERVAL_NOTES = {
     **dict.fromkeys(READINGS, "The half-width is twice the u of table 3."),
-    3: "Half-width and u do not agree: either the half-width should be 0.56 deg, twice the u of "
-    "table 3, or that u is the misprint and should be 0.14 deg.",
+    3: "Half-width and u do not agree: either the half-width should be 0.56°, twice the u of "
+    "table 3, or that u is the misprint and should be 0.14°.",
 }
 
 
@@ -167,7 +167,7 @@ TABLE_CLAIMS = (
             Equality(lead.subs(x, -x), -lead),
             PrintedNumber("-0.98", turned_wheel_6("0.541")),
         ),
-        note="It may indeed: if wheel 6 is mounted 0.541 deg off on its shaft, which shifts the "
+        note="It may indeed: if wheel 6 is mounted 0.541° off on its shaft, which shifts the "
         "odd and periodic part of the position function, the mean error of variant 2 results.",
         cites=("S54",),
     ),

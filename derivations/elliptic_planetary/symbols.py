@@ -99,7 +99,7 @@ VARIABLES = (
 READER = Reader(VARIABLES, PRINT.notation)
 
 BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
-UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
+UP_TO_ONE = Part("e >= 0", {e: Interval(0, 1)})
 
 # Table 1: R1, R2, e.
 VARIANTS = {

@@ -33,7 +33,7 @@ CONSEQUENCES: tuple[Row, ...] = (
         ),
         note="Variant 3, called intermittent, rests only at single points; around each of them, "
         "three times in a turn of the carrier, the ratio stays below a hundredth over this angle. "
-        "The output then turns by less than half a step of the encoder, 0.088 deg: its reading "
+        "The output then turns by less than half a step of the encoder, 0.088°: its reading "
         "changes by one step at most.",
         marks=("ours", "consequence", "inferred"),
     ),
@@ -70,10 +70,10 @@ CONSEQUENCES: tuple[Row, ...] = (
                 )
             ),
         ),
-        note="If u belongs to the mean, two encoders that keep to 0.3 % of 360 deg may explain "
+        note="If u belongs to the mean, two encoders that keep to 0.3 % of 360° may explain "
         "how single errors scatter, whatever offset manufacture adds; in variant 1 only if both "
-        "are nearly at their limits all the time: u at the lower end of its rounding gives 2.315 "
-        "deg, and the bound is 2.437 deg.",
+        "are nearly at their limits all the time: u at the lower end of its rounding gives 2.315°"
+        ", and the bound is 2.437°.",
         marks=("ours", "inferred", "consequence"),
     ),
     if_u_is_s(

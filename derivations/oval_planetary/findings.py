@@ -93,7 +93,7 @@ FINDINGS = (
                 SECANT,
                 SECANT / DEGREE,
             ),
-            4,
+            6,
         ),
     ),
     Finding(

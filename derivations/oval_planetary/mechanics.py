@@ -259,7 +259,6 @@ ACCELERATION = sp.diff(RATIO, phi1)
 
 # Mounted as in the paper the two eccentricities act as one.
 E_SERIES = (e1 + e2) / (1 + e1 * e2)
-E_ALIGNED = (e1 - e2) / (1 - e1 * e2)
 
 
 def position_of_one(eccentricity: sp.Expr) -> sp.Expr:

@@ -9,8 +9,6 @@ from mechproof.record import Claim, Equality, Holds, Part, Row
 from .._relations import all_of
 from .mechanics import (
     COEFFICIENTS,
-    COS_4,
-    E_ALIGNED,
     E_SERIES,
     OVAL,
     R4,
@@ -30,7 +28,6 @@ from .mechanics import (
     mount,
     mu,
     nu,
-    pair_ratio,
     phi1,
     position_45,
     position_by_one_pair,
@@ -65,14 +62,6 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         ),
         note="Two oval pairs in series act as one; their eccentricities add as velocities do in "
         "relativity.",
-        marks=("ours", "inferred"),
-    ),
-    Claim(
-        "parallel wheels",
-        r"\text{major axes of 5 and 6 parallel: }E=\frac{e_1-e_2}{1-e_1e_2}",
-        Equality(1 - pair_ratio(E_ALIGNED, COS_4), 1 - wheel_3_rate.subs(mount, sp.pi / 2)),
-        note="Equal ovals that are mounted in parallel leave the output at rest: the right angle "
-        "of (6) matters.",
         marks=("ours", "inferred"),
     ),
     Claim(
@@ -136,18 +125,6 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         note="sin(phi3)^2 = E^2 sin(x)^2/(1 + E^2 - 2 E cos(x)); E written e.",
         marks=("ours",),
         quantities=("position",),
-    ),
-    Claim(
-        "reciprocating, oval pairs",
-        r"0<E<1:\ \varphi_3'(0)<0<\varphi_3'(\tfrac\pi2)",
-        all_of(
-            Holds(ratio_of_one(e).subs(phi1, 0) < 0),
-            Holds(ratio_of_one(e).subs(phi1, sp.pi / 2) > 0),
-        ),
-        note="As there is no drift, the output of two oval pairs always reciprocates, unless E = "
-        "0, when it rests.",
-        on=Part("0 < e < 1", {e: OVAL}),
-        marks=("ours", "inferred"),
     ),
 )
 

@@ -89,7 +89,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
             PrintedNumber("1.280", turned_wheel_6(3, "2.566")),
         ),
         note="These two mean errors are the large ones, and it may indeed: they result if wheel 6 "
-        "is mounted 1.348 deg off on its shaft in variant 1, and 2.566 deg off in variant 3.",
+        "is mounted 1.348° off on its shaft in variant 1, and 2.566° off in variant 3.",
         marks=("inferred",),
         cites=("S49",),
     ),

@@ -38,7 +38,7 @@ from .mechanics import (
 
 MICROMETRE = Rational(1, 1000)
 LAWS = f"normal laws, centred, K = {K_PRINTED}"
-READINGS_OF_50 = ("as the full width of 3 sigma", "as half the width of 2 sigma")
+READINGS_OF_50 = ("if ±25 µm are 3 sigma", "if ±50 µm are 2 sigma")
 SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
 # A tip circle off by the whole tolerance, a gauge without error.
 TIP_6 = {**WHEEL, e_tip: GRADES[6][1] * MICROMETRE, dh_gauge: S.Zero}
@@ -192,15 +192,15 @@ FINDINGS = (
                 "for each tooth",
                 {},
                 "%",
-                1,
+                2,
                 printed=rejected_by(6, 0),
                 right=wheels_rejected(6),
                 names=("of teeth", "of wheels"),
             ),
         ),
         check=Check(
-            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.0035)^50 = "
-            "{2} of the wheels are good and rejected.",
+            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.003487)^50 "
+            "= {2} of the wheels are good and rejected.",
             (NORMAL_SHARE, rejected_by(6, 0), wheels_rejected(6)),
             2,
             "%",
@@ -222,7 +222,7 @@ FINDINGS = (
         ),
         weight=Weight.FORMULA,
         check=Check(
-            "A standard deviation of 50 µm/6 = {0}, or one of 50 µm/2 = {1}.",
+            "±25 µm of 3 sigma: 25 µm/3 = {0}; ±50 µm of 2 sigma: 50 µm/2 = {1}.",
             (Rational(GAUGE_UM, 6) * MICROMETRE, Rational(GAUGE_UM, 2) * MICROMETRE),
             1,
             "µm",

@@ -58,6 +58,7 @@ SHARES_OF_TOOTH = {
     rightly_rejected: (1 - f_true) * (1 - f_measured),
     wrongly_rejected: f_true * (1 - f_measured),
 }
+ALL_TEETH = Equality(Add(*SHARES_OF_TOOTH.values()), S.One)
 i, j = symbols("i j", integer=True, positive=True)
 
 
@@ -147,7 +148,7 @@ ALGORITHM_ROWS = (
                 reject(REJECTED[FULL], *HALF),
             ),
         ),
-        note="The interval recommended in the conclusions is written with a sign, U = +-2 um, "
+        note="The interval recommended in the conclusions is written with a sign, U = ±2 µm, "
         "this one without. Tip of IT6, steps as printed, normal laws, centred. Nor does the text "
         "at hand say how a standard deviation follows from an IT grade.",
         marks=("calibrated",),
@@ -234,17 +235,19 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "step 10, per cent of parts",
-        r"\text{the per cent of parts: wrongly rejected}",
+        r"\text{the per cent of parts: rightly accepted, wrongly accepted, rightly rejected, "
+        r"wrongly rejected}",
         Equality(rejected_by(6, 0), wheels_rejected(6)),
-        readings=(
-            Reading(
-                "every tooth is a part, and the four shares are all teeth",
-                Equality(Add(*SHARES_OF_TOOTH.values()), S.One),
-            ),
+        readings=(Reading("every tooth is a part, and the four shares are all teeth", ALL_TEETH),),
+        corrected=Correction(
+            r"\text{the per cent of teeth: rightly accepted, wrongly accepted, rightly rejected, "
+            r"wrongly rejected}",
+            ALL_TEETH,
         ),
-        note="The blocks count teeth; the part that is sorted is a wheel, and a good wheel is "
-        "rejected as soon as one of its teeth is. Perfect gauge, tip of IT6, steps as printed, K "
-        "= 6, normal laws, centred; each tooth by itself, as in step 3.",
+        note="Compared are the shares wrongly rejected. The blocks count teeth; the part that is "
+        "sorted is a wheel, and a good wheel is rejected as soon as one of its teeth is. Perfect "
+        "gauge, tip of IT6, steps as printed, K = 6, normal laws, centred; each tooth by itself, "
+        "as in step 3.",
         marks=("calibrated",),
         cites=("S20",),
     ),

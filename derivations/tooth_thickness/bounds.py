@@ -130,7 +130,7 @@ def by_height(code: EmittedForm) -> Statement:
 
 
 TWENTY_DEGREES = Part(
-    "profile angles about 20 deg, tan(alpha) from 0.363 to 0.365",
+    "profile angles about 20°, tan(alpha) from 0.363 to 0.365",
     {incline: Interval(Rational("0.363"), Rational("0.365"))},
 )
 

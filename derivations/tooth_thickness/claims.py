@@ -172,12 +172,12 @@ CLAIM_ROWS = (
             "the gauge is no coarser than that of Table 1", {gauge_um: Interval.Lopen(0, GAUGE_UM)}
         ),
         holds_on=Part(
-            "a limit error over 2.5 um (2 sigma) or 3.7 um (3 sigma), tip of IT6",
+            "a limit error over 2.5 µm (2 sigma) or 3.7 µm (3 sigma), tip of IT6",
             {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
         ),
         note="Influences are compared by standard deviations, with which the shares rise, by the "
-        "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 "
-        "um, is above the crossover, the gauge recommended in (c), 2 um, below it.",
+        "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 µm"
+        ", is above the crossover, the gauge recommended in (c), 2 µm, below it.",
         marks=("calibrated",),
         cites=("S47",),
     ),
@@ -223,7 +223,7 @@ CLAIM_ROWS = (
         write(RECOMMENDED),
         table(RECOMMENDED, RECOMMENDED_UM),
         note="By the steps as printed, and by the geometry with half the deviation of the "
-        f"diameter. U = 2 sigma = 2 um. {LAWS}",
+        f"diameter. U = 2 sigma = 2 µm. {LAWS}",
         marks=("ours", "consequence", "calibrated"),
     ),
 )

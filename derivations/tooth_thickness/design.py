@@ -32,7 +32,6 @@ from .mechanics import (
     accepted_by,
     alpha,
     at_angle,
-    chord_by_thinning,
     chord_height,
     dh,
     dh_gauge,
@@ -56,7 +55,6 @@ from .mechanics import (
     s_c,
     side_clearance,
     thickness_change,
-    thinning,
     tilt,
     tip_radius,
     tip_spread,
@@ -69,15 +67,15 @@ DESIGN_ROWS = (
     PRINT.datum(
         "data, constant chord",
         says=Definition(s_c, Rational("4.161") * millimetre),
-        note="A datum. The profile angle, which is not in the text at hand, was fitted to it: 20 "
-        "deg, see 'data, profile angle'.",
+        note="A datum. The profile angle, which is not in the text at hand, was fitted to it: 20°"
+        ", see 'data, profile angle'.",
         marks=("fitted",),
         cites=("S23",),
     ),
     PRINT.claim(
         "data, height to the constant chord",
         says=PrintedNumber("2.243", at_angle(rack_height, 20)),
-        note="By the 20 deg from the constant chord, with an addendum of one module.",
+        note="By the 20° from the constant chord, with an addendum of one module.",
         marks=("calibrated",),
         cites=("S23",),
     ),
@@ -96,8 +94,8 @@ DESIGN_ROWS = (
             less(at_angle(rack_height, "20.01"), Rational("2.2425")),
         ),
         note=(
-            "Chord and height both fall as the angle grows (up to 45 deg). At 19.99 deg the chord "
-            "is already too long, at 20.01 deg the height is too small."
+            "Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
+            "is already too long, at 20.01° the height is too small."
         ),
         marks=("ours",),
     ),
@@ -138,7 +136,7 @@ DESIGN_ROWS = (
         not_above(E_cs, -(E_cs - T_c * place)),
         readings=(
             Reading(
-                "E_cs enters step 2 with its sign, as the upper deviation -12 um",
+                "E_cs enters step 2 with its sign, as the upper deviation -12 µm",
                 not_above(E_cs, -(-E_cs - T_c * place)),
             ),
         ),
@@ -149,22 +147,12 @@ DESIGN_ROWS = (
         ),
         note=(
             "E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
-            "is -E_csu. With E_cs = 12 um as printed, good teeth may be thicker than nominal. To "
+            "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
             "simulate a decrease instead of a deviation does not help: step 2 would then admit "
             "only decreases below E_cs."
         ),
         marks=("rebuilt",),
         cites=("S25",),
-    ),
-    Claim(
-        "smallest deviation, decrease and backlash",
-        r"\text{a thinner pitch arc thins the constant chord by the same amount}",
-        Equality(chord_by_thinning, thinning),
-        note=(
-            "To first order, measured at the fixed height: dS equals ds on the pitch circle, so "
-            "that this wheel contributes E_cs cos(alpha) to the normal backlash."
-        ),
-        marks=("ours",),
     ),
     Claim(
         "smallest deviation, guaranteed side clearance",
@@ -239,7 +227,7 @@ PARAMETER_ROWS = (
         note="Each of them changes the shares: the grade by the error of measurement; the degree "
         "by T_c and E_cs, which depend on it by GOST 1643-81, shown for a change of one "
         "micrometre; the mean deviation, shown for a sixth of the field off its middle; the mean "
-        "error of the gauge, shown for its limit error in height and thickness, half of 50 um, 3 "
+        "error of the gauge, shown for its limit error in height and thickness, half of 50 µm, 3 "
         "sigma. The limit error, over which Figs. 4 and 5 are drawn, is not in the list. Normal "
         "laws, tip of IT6.",
         marks=("calibrated",),

@@ -59,7 +59,7 @@ EXAMPLE_ROWS = (
         "Table 1, grade of the tip diameter",
         r"\text{IT grade of the diameter of the tooth tips }6",
         Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
-        note="A datum; the 25 um are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
+        note="A datum; the 25 µm are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
         marks=("calibrated",),
         cites=CAPTION,
     ),

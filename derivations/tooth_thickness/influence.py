@@ -102,9 +102,9 @@ INFLUENCE_ROWS = (
             less(excess_of_0_7284.subs(tilt, SECANT[0]), S.Zero),
             less(S.Zero, excess_of_0_7284.subs(tilt, SECANT[1])),
         ),
-        note="0.7279 is the slope at the constant chord; the secant from there to a chord 11 um "
+        note="0.7279 is the slope at the constant chord; the secant from there to a chord 11 µm "
         "nearer the tip, within half of IT6, has the printed slope. For heights that are off by "
-        "up to 0.1 mm the two differ by less than 0.05 um.",
+        "up to 0.1 mm the two differ by less than 0.05 µm.",
         marks=("ours", "calibrated"),
     ),
     PRINT.equation(

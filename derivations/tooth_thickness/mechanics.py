@@ -234,8 +234,8 @@ PRINTED_SIZES = {
     millimetre: S.One,
 }
 
-# A tilt (rad) that turns the tangent over more than 0.1 mm of height: the 50 um of the gauge and
-# the 25 um of IT6 together are less.
+# A tilt (rad) that turns the tangent over more than 0.1 mm of height: the 50 µm of the gauge and
+# the 25 µm of IT6 together are less.
 NARROW = Rational(1, 260)
 HEIGHTS_TO_0_1_MM = Part(
     "the height is off by up to 0.1 mm, either way", {tilt: Interval(0, NARROW)}

@@ -91,7 +91,8 @@ FIGURE_ROWS: tuple[Row, ...] = (
             r" given profile of the track}",
             Equality(DISPLACED_DISTANCE, DISTANCE),
         ),
-        note="By (15), shift and turn move the part as a rigid body: of a combined deviation of "
+        note="A deviation of form changes the distance between some points of the track. By (15), "
+        "shift and turn move the part as a rigid body and change none: of a combined deviation of "
         "form and location, the part of form is zero in (15), (17) and (18).",
         cites=("S49",),
     ),

@@ -112,7 +112,7 @@ FINDINGS = (
                 f"total of Table 1, all K = 1, Δ_T {kind}, reckoned in {unit}",
                 {},
                 "mm",
-                3,
+                4,
                 total_by_printed_sum(length),
                 right,
             )

@@ -116,38 +116,6 @@ TABLE_ROWS: tuple[Row, ...] = (
         quantities=("error_sum_thermal",),
     ),
     Claim(
-        "Table 1, place of Delta_T",
-        r"\text{the temperature raises the total of Table 1 by }1.1\,\%",
-        Completions(
-            "the kind of Delta_T",
-            Completion(
-                "the kind of Delta_T: random, its square inside the root of (6)",
-                PrintedNumber("1.1", 100 * (1 / sp.sqrt(1 - THERMAL_SHARE**2) - 1)),
-            ),
-            Completion(
-                "the kind of Delta_T: systematic, added outside the root of (6)",
-                PrintedNumber("1.1", 100 * (1 / (1 - THERMAL_SHARE) - 1)),
-            ),
-        ),
-        note="Either by 1.1 % or by 17.6 %. As printed, Delta_T stands under the root without "
-        "being squared, which is neither.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Table 1, total by each form of (6)",
-        r"\Delta_\Sigma=0.0720\text{ mm},\ 0.0837\text{ mm},\ 0.178\text{ mm}",
-        Conjunction(
-            (
-                PrintedNumber("0.0720", SOLVED_TOTAL.subs(PRINTED_VALUES)),
-                PrintedNumber("0.0837", sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)),
-                PrintedNumber("0.178", total_by_printed_sum(sp.Integer(1))),
-            )
-        ),
-        note="With a random Delta_T, squared under the root; with a systematic one, outside the "
-        "root; and as printed, reckoned in mm. All coefficients are 1.",
-        marks=("ours",),
-    ),
-    Claim(
         "Table 1, missing data",
         r"\Delta_\Sigma=0.072\text{ mm, without }K,K_i",
         Completions(

@@ -88,7 +88,7 @@ SUBSTITUTION_ROWS = (
         note="Stated are each stage, compared with its group, and that R is not 0, since the "
         "arctangents of (7) and (8) divide by it. The corrected form replaces both.",
         on=Part(
-            f"{BEFORE_PIVOT.text}; R >= 0 or R < 0, KL upwards",
+            f"{BEFORE_PIVOT.text}; KL points upwards",
             {kappa: POSITIVE, tau: sp.Interval(0, 1), **SECOND_QUADRANT.within},
             BEFORE_PIVOT.where,
         ),

@@ -44,6 +44,11 @@ class LedgerCache:
                 return _read(kept["ledger"])
         return None
 
+    def read_sources(self) -> Mapping[str, str]:
+        """Return the digests of what the kept ledger was made from; none if it would be anew."""
+        kept: Mapping[str, str] = self.store.read().get(self.program, {}).get("read", {})
+        return kept if are_unchanged(kept) else {}
+
     def save(self, ledger: Ledger, read: Mapping[str, str]) -> None:
         """Keep a ledger without failures; a row that no rung read may be this machine's fault."""
         if ledger.failures or any(row.rung == UNREAD for row in ledger.judgements):

@@ -60,15 +60,14 @@ def find_ledgers(
     return [found[place] for place in locations]
 
 
-def find_papers(
+def restore_papers(
+    ledgers: Sequence[Ledger],
     locations: Sequence[Path],
     *,
-    use_cache: bool = True,
     limit: float = LIMIT,
     report: Callable[[str], None] = lambda text: None,
 ) -> list[JudgedPaper]:
-    """Return the ledgers with their papers; otherwise as `find_ledgers`."""
-    ledgers = find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
+    """Return the ledgers of `find_ledgers` with their papers, which are loaded if they were not."""
     return [
         ledger if isinstance(ledger, JudgedPaper) else _restore(ledger, location, limit, report)
         for ledger, location in zip(ledgers, locations, strict=True)

@@ -55,7 +55,8 @@ def test_numbers_are_set_as_people_write_them() -> None:
 
 def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
     assert set_prose("x_5 at phi1 = 12 um, beta_DE; a rod R2") == (
-        "x<sub>5</sub> at φ<sub>1</sub> = 12\N{NO-BREAK SPACE}\N{MICRO SIGN}m, β<sub>DE</sub>; "
+        "x<sub>5</sub> at φ<sub>1</sub>\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}12\N{NO-BREAK SPACE}"
+        "\N{MICRO SIGN}m, β<sub>DE</sub>; "
         "a rod R<sub>2</sub>"
     )
     assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import fromstring
 import pytest
 
 from mechproof.latex.sentences import is_sentence
-from mechproof.report.formulas import write_lines, write_print
+from mechproof.report.formulas import write_block, write_lines, write_print
 from mechproof.report.mathml import ATTRIBUTES, write_formula
 from mechproof.report.phrases import set_prose
 
@@ -75,7 +75,6 @@ def test_links_and_styles_are_dropped() -> None:
         (r"35^\circ", "<mrow><mrow><mn>35<mi>°"),
         (r"2~\mu\mathrm m", "<mrow><mn>2<mtext>\N{NO-BREAK SPACE}<mtext>µm"),
         (r"\mathrm{IT}6", "<mrow><mtext>IT<mn>6"),
-        (r"\text{x\_}", "<mrow><mover><mrow><mi>x<mo>~"),
         (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
     ],
 )
@@ -128,12 +127,58 @@ def test_a_sentence_keeps_its_blanks_and_escapes() -> None:
     assert '<p class="sentence">the 95\N{NO-BREAK SPACE}% interval of x_1 is <math' in written
 
 
-def test_long_formulas_within_words_break_at_commas_and_scroll() -> None:
-    letters = ",".join(f"+l_{{{a}{b}}}" for a in "ABC" for b in "DEF")
-    written = write_print(rf"\text{{upper boundary: }}{letters}")
-    assert written.count("<math") == 9
-    assert 'class="long"' in write_print(rf"\text{{as in }}{letters.replace(',', '')}")
-    assert 'class="long"' not in written
+def test_long_formulas_within_words_break_at_commas_and_signs_and_else_scroll() -> None:
+    letters = [f"l_{{{a}{b}}}" for a in "ABCDE" for b in "DEF"]
+    for sign in (",+", "+"):
+        written = write_print(rf"\text{{upper boundary: }}{sign.join(letters)}")
+        assert written.count("<math") == 15
+        assert 'class="long"' not in written
+    assert 'class="long"' in write_print(rf"\text{{as in }}{''.join(letters)}")
+
+
+@pytest.mark.parametrize(
+    ("latex", "pieces"),
+    [
+        ("a=b+c", ["a=b", "+c"]),
+        ("abcdef=-b", ["abcdef", "=\N{MINUS SIGN}b"]),
+        (r"f(x,y)=\frac{a+b}{c}", ["f(x,y)", "=a+bc"]),
+        (r"a,\ b", ["a,", "b"]),
+        (r"a=b,\ c=d", ["a=b,", "c=d"]),
+        ("|a-b|<c", ["|a\N{MINUS SIGN}b|", "<c"]),
+        (r"\left(\frac ab+c\right)d", ["(ab+c)d"]),
+        (r"\sqrt{a+b}", ["a+b"]),
+        # Wide brackets are opened, as long as nothing in them is high.
+        (
+            "z=2(" + "+".join(f"a_{{{i}}}" for i in range(15)) + ")",
+            ["z=2(a0", *(f"+a{i}" for i in range(1, 14)), "+a14)"],
+        ),
+    ],
+)
+def test_formulas_break_at_relations_terms_and_commas(latex: str, pieces: list[str]) -> None:
+    written = fromstring(write_block(latex))
+    found = written.findall(f"{MATH}math")
+    rows = [math.find(f".//{MATH}mrow") for math in found]
+    assert ["".join(row.itertext()).strip() for row in rows if row is not None] == pieces
+    # The first has the LaTeX of all.
+    assert [n.text for n in written.iter(f"{MATH}annotation")] == [latex]
+    # Signs at the beginning of the others have the gaps of signs between members.
+    first = [row[0] for row in rows[1:] if row is not None and row[0].tag == f"{MATH}mo"]
+    assert {sign.get("form") for sign in first} <= {"infix"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "signs"),
+    [
+        ("a=bcdefg", 9),
+        ("e+abcd=efghi", 7),
+        (r"\frac{abc}{d}", 3),
+        ("a^{bcde}", 4),
+        (r"\sqrt{a}", 2),
+        (r"\begin{pmatrix}a&b\\ab&c\end{pmatrix}", 5),
+    ],
+)
+def test_the_widest_piece_says_how_small_a_formula_is(latex: str, signs: int) -> None:
+    assert f'style="--signs:{signs}"' in write_block(latex)
 
 
 def test_lists_of_formulas_stand_below_each_other_and_once() -> None:

@@ -44,7 +44,7 @@ def test_another_writer_writes_anew(
     run(written, "x")
     other = tmp_path / "mathml.py"
     other.write_text("another", encoding="utf-8")
-    monkeypatch.setattr(kept_formulas, "WRITER", other)
+    monkeypatch.setattr(kept_formulas, "WRITERS", (other,))
     run(written, "x")
     assert written == ["x", "x"]
 

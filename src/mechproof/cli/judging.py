@@ -15,10 +15,10 @@ from mechproof.proof.ledger import JudgedPaper, Ledger
 from mechproof.verification import (
     VerificationError,
     find_ledgers,
-    find_papers,
     judge_derivations,
     list_failures,
     name_judging,
+    restore_papers,
 )
 
 NoCacheOption = Annotated[
@@ -49,10 +49,12 @@ def judge_papers(
         )
 
 
-def read_papers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[JudgedPaper]:
-    """Judge the papers that have changed; the others are loaded, and their ledgers as kept."""
-    with _judging(name_judging(locations)) as report:
-        return find_papers(locations, use_cache=use_cache, limit=limit, report=report)
+def load_papers(
+    ledgers: Sequence[Ledger], locations: Sequence[Path], *, limit: float
+) -> list[JudgedPaper]:
+    """Load the papers whose ledgers were taken as they are kept."""
+    with _judging("loading what was judged before") as report:
+        return restore_papers(ledgers, locations, limit=limit, report=report)
 
 
 def read_ledgers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import LimitOption, NoCacheOption, read_papers, refuse_failures
+from mechproof.cli.judging import (
+    LimitOption,
+    NoCacheOption,
+    load_papers,
+    read_ledgers,
+    refuse_failures,
+)
 from mechproof.cli.paths import (
     DerivationsOption,
     PapersArgument,
@@ -19,6 +25,7 @@ from mechproof.cli.paths import (
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
 from mechproof.files import write_whole
+from mechproof.ledger_cache import LedgerCache
 from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT
 
@@ -51,14 +58,19 @@ def report(
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import build_site
+    from mechproof.report import build_site, keep_site, key_site, load_site
 
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
-    ledgers = read_papers(locations, use_cache=not no_cache, limit=limit)
+    ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
+    kept = [LedgerCache(place).read_sources() for place in locations]
+    key = key_site(locations, () if no_cache else kept)
     try:
-        with show_progress("writing the pages") as tell:
-            site = build_site(locations, ledgers, tell)
+        if not (site := load_site(key)):
+            judged = load_papers(ledgers, locations, limit=limit)
+            with show_progress("writing the pages") as tell:
+                site = build_site(locations, judged, tell)
+            keep_site(key, site)
         _write(target, site, is_file=single)
     except (DerivationError, ForeignFileError, ValueError) as error:
         fail(str(error))

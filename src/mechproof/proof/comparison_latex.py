@@ -30,7 +30,10 @@ from mechproof.record.variables import list_given
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
-_LONG_NAME = re.compile(r"[A-Za-z]{3,}(_\w+)?$")
+_WORD = re.compile(r"[A-Za-z]{3,}")
+_LONG_NAME = re.compile(rf"{_WORD.pattern}(_\w+)?$")
+# What SymPy calls a variable of integration so that it is no other: its name and a line.
+_DUMMY = re.compile(r"([A-Za-z]+)(\d*)_")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
 # Numbers with so many parts, and fractions of longer numbers, are written by so many digits.
@@ -77,9 +80,18 @@ def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
 
 def _write_word(symbol: sp.Symbol) -> str:
     stem, _, index = str(symbol).partition("_")
-    letter = translate(stem)
-    shown = letter if letter.startswith("\\") else rf"\mathrm{{{stem}}}"
-    return f"{shown}_{{{index.translate(_ESCAPES)}}}" if index else shown
+    shown, below = map(_write_upright, (stem, index))
+    if r"\mathrm" in shown and r"\mathrm" in below:
+        return rf"\text{{{stem}-{index}}}"
+    return f"{shown}_{{{below}}}" if index else shown
+
+
+def _write_upright(name: str) -> str:
+    """Write a word upright, a Greek letter as one, and what is neither as it is."""
+    if not _WORD.fullmatch(name):
+        return name.translate(_ESCAPES)
+    letter: str = translate(name)
+    return letter if letter.startswith("\\") else rf"\mathrm{{{name}}}"
 
 
 def _compared(statement: Statement, letters: _Letters) -> str:
@@ -204,6 +216,9 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
             return self._print_element(part)
         if isinstance(part, sp.Basic) and part in self._names:
             return self._names[part]
+        if isinstance(part, sp.Symbol) and (name := _DUMMY.fullmatch(part.name)):
+            index = f"_{{{name[2]}}}" if name[2] else ""
+            return rf"\tilde{{{translate(name[1])}}}{index}"
         if isinstance(part, sp.Symbol) and not _PLAIN_NAME.fullmatch(part.name):
             return rf"\text{{{part.name.translate(_ESCAPES)}}}"
         written: str = super()._print(part, **settings)

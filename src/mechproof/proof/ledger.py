@@ -35,7 +35,10 @@ SECTIONS = (
 )
 # What means something in Markdown, and how it is written as itself.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
-INTRODUCTION = """# Ledger
+AT_HAND = """“The text at hand”, or “the transcription”, is what was read of a paper: without its
+figures and its list of references, and with what a scan has lost. What is not in it may stand in
+the paper."""
+INTRODUCTION = f"""# Ledger
 
 What is wrong, ambiguous or missing in print comes first, each cause once and the gravest first: the
 findings. What their mends take out of a print is red, what they put in is green. Then every printed
@@ -46,6 +49,8 @@ was read from the print and judged; rows marked *as typed* were typed by hand. A
 which a row was decided; the last section explains each. The last column says which script of
 `mechproof certify` proves a row once more with Coq, or why there is none ([COQ.md](COQ.md)). The
 formulas of what is proved, and what they were compared with, are folded away below each table.
+
+{AT_HAND}
 
 Marks say what a row rests on; rows marked *ours* are counted apart, and of these those on kernels:
 what their formulas rest on, and what their source computes:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from xml.etree.ElementTree import fromstring
 
 from markupsafe import Markup, escape
 
 from mechproof.latex.sentences import is_sentence, list_parts, walk_outside
-from mechproof.report.mathml import MARKS, measure, read_text, write_formula
+from mechproof.report.breaks import WIDE, write_broken
+from mechproof.report.kept_formulas import FORMULAS
+from mechproof.report.mathml import MARKS, read_text, write_formula
 
 # Formulas within words are broken at their commas if they have more letters than a line.
 LONG = 40
-# Signs from which a formula is set smaller, and smaller still: the line of a page holds some 50.
-MANY, MOST = 49, 60
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
 # Words that a finding marks within a sentence.
@@ -27,15 +26,17 @@ def write_print(latex: str) -> Markup:
         return Markup("")
     if is_sentence(latex):
         return Markup('<p class="sentence">{}</p>').format(write_sentence(latex))
-    return Markup("").join(map(_write_block, _split(latex, GAP)))
+    return Markup("").join(map(write_block, _split(latex, GAP)))
 
 
-def _write_block(latex: str) -> Markup:
-    """Write a formula on a line of its own; one of many signs is set smaller."""
-    math = write_formula(latex, "block")
-    width = measure(fromstring(math))
-    size = " most" if width > MOST else " many" if width > MANY else ""
-    return Markup('<div class="formula{}">{}</div>').format(size, math)
+def write_block(latex: str) -> Markup:
+    """Write a formula on lines of its own; its widest piece says how small it has to be set."""
+    return Markup(FORMULAS.find(latex, "lines", _write_lines))
+
+
+def _write_lines(latex: str, _: str) -> str:
+    pieces, width = write_broken(write_formula(latex, "block"), "block")
+    return Markup('<div class="formula" style="--signs:{:.0f}">{}</div>').format(width, pieces)
 
 
 def write_lines(latex: str) -> Markup:
@@ -75,9 +76,12 @@ def _write_within(latex: str) -> Markup:
 
 
 def _write_inline(latex: str) -> Markup:
-    """Write a formula within words; a long one scrolls in a box of its own."""
+    """Write a formula within words; what cannot be broken scrolls in a box of its own."""
     math = write_formula(latex, "inline")
-    return Markup('<span class="long">{}</span>').format(math) if len(latex) > LONG else math
+    if len(latex) <= LONG:
+        return math
+    pieces, width = write_broken(math, "inline")
+    return Markup('<span class="long">{}</span>').format(pieces) if width > WIDE else pieces
 
 
 def _split(latex: str, gap: re.Pattern[str]) -> Iterator[str]:

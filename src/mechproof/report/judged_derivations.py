@@ -43,7 +43,7 @@ def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
 
     Raises ValueError, naming the file, for a record or a certificate that cannot be read.
     """
-    folder = _find_generated(location)
+    folder = find_generated(location)
     paper = ledger.paper
     kernels = folder.joinpath(f"{paper.system}.py")
     home = KERNELS if _is_packaged(location) else folder.name
@@ -61,7 +61,8 @@ def _is_packaged(location: Path) -> bool:
     return location.resolve().parent == packaged_directory().resolve()
 
 
-def _find_generated(location: Path) -> Traversable:
+def find_generated(location: Path) -> Traversable:
+    """Return the folder of what was generated from a derivation and measured of it."""
     if _is_packaged(location):
         return files(KERNELS)
     return location.resolve().parent.parent / "generated"

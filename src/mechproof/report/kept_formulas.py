@@ -10,7 +10,8 @@ from pathlib import Path
 from mechproof.cache import Store, make_key
 
 # What an entry rests on besides its LaTeX: what writes it.
-WRITER, PACKAGES = Path(__file__).with_name("mathml.py"), ("latex2mathml", "sympy")
+WRITERS = tuple(map(Path(__file__).with_name, ("mathml.py", "breaks.py", "formulas.py")))
+PACKAGES = ("latex2mathml", "sympy")
 # More entries are of old papers.
 MOST_KEPT = 10_000
 
@@ -30,7 +31,7 @@ class KeptFormulas:
     @cached_property
     def version(self) -> str:
         """Return the digest of what writes formulas."""
-        return make_key([WRITER], PACKAGES)
+        return make_key(WRITERS, PACKAGES)
 
     def find(self, latex: str, display: str, write: Callable[[str, str], str]) -> str:
         """Return what is known of a formula, else what writes it returns."""

@@ -10,7 +10,6 @@ from xml.etree.ElementTree import Element, SubElement, tostring
 
 from latex2mathml.converter import convert_to_element
 from markupsafe import Markup
-from sympy.printing.latex import translate
 
 from mechproof.report.kept_formulas import FORMULAS
 
@@ -26,15 +25,10 @@ UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
 # SymPy's name for the angle of a vector, and everyone else's.
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
-# What SymPy calls a variable of integration so that it is no other: its name and a line.
-DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
 # The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
-STACKED = frozenset({"mfrac", "munder", "mover", "munderover"})
-SCRIPTED = frozenset({"msub", "msup", "msubsup"})
-SMALLER = 0.71
-NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
+NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 # Signs that may belong to a number, and what such a sign stands after.
 SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
@@ -48,7 +42,7 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 def _convert(latex: str, display: str) -> str:
     upright = UPRIGHT.sub(_as_text, MICROMETRE.sub(r"\\mathrm{µm}", latex))
-    plain = DUMMY.sub(_as_letter, upright.replace(*TWO_ARGUMENTS))
+    plain = upright.replace(*TWO_ARGUMENTS)
     try:
         math = convert_to_element(plain, display=display)
     except Exception:  # The library raises many kinds, which the user's own paper may meet.
@@ -64,29 +58,8 @@ def _convert(latex: str, display: str) -> str:
     return written
 
 
-def measure(element: Element) -> float:
-    """Return about how many signs a formula is wide; of what stands one above the other the wider.
-
-    Indices and powers are smaller by the scale that MathML Core gives them.
-    """
-    tag = element.tag.removeprefix(NAMESPACE)
-    if tag == "annotation":
-        return 0.0
-    if tag in STACKED:
-        return max(map(measure, element))
-    if tag in SCRIPTED:
-        base, *scripts = map(measure, element)
-        return base + SMALLER * max(scripts)
-    return len(element.text or "") + sum(map(measure, element))
-
-
 def _as_text(name: re.Match[str]) -> str:
     return rf"\text{{{name[1] or name[2]}}}"
-
-
-def _as_letter(name: re.Match[str]) -> str:
-    index = f"_{{{name[2]}}}" if name[2] else ""
-    return rf"\tilde{{{translate(name[1])}}}{index}"
 
 
 def _mend(element: Element) -> None:

@@ -102,6 +102,11 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
             r"(?<![\w)])'(?=[\w(])([^']*[\w).%?])'(?!\w)",
             "\N{LEFT SINGLE QUOTATION MARK}\\1\N{RIGHT SINGLE QUOTATION MARK}",
         ),
+        # A line begins neither with an equals sign nor with what it gives to a letter.
+        (
+            r"(?<![^\s(])([^\W\d]\w{0,4}) = (?=[\w\N{MINUS SIGN}.]{1,8}(?:[\s,;:.)]|$))",
+            "\\1\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}",
+        ),
         # A line does not begin with the unit of its number.
         (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns)\b)", "\N{NO-BREAK SPACE}"),
     )

@@ -26,7 +26,7 @@ from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.calls import Sources, list_calls, write_header, write_sources
-from mechproof.report.formulas import write_lines
+from mechproof.report.formulas import write_block, write_lines
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
@@ -193,7 +193,7 @@ def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
     """Write the symbols that the formula needs and that others give."""
     for symbol in find_given(quantity.definition, quantity, paper):
         sides = (write_latex(side, paper.variables) for side in (symbol, paper.given[symbol]))
-        yield write_formula(" = ".join(sides), "block")
+        yield write_block(" = ".join(sides))
 
 
 def _describe_arguments(

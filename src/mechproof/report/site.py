@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mechproof.made import STAGED, ForeignFileError, Made
-from mechproof.proof.ledger import JudgedPaper
+from mechproof.proof.ledger import AT_HAND, JudgedPaper
 from mechproof.proof.rungs import RUNGS
 from mechproof.report.judged_derivations import JudgedDerivation, find_source
 from mechproof.report.kept_formulas import FORMULAS
@@ -118,6 +118,7 @@ def _render_index(
         totals=tuple(count_totals(judgements)),
         overview=picture,
         legend=_find_legend(papers, quantities),
+        at_hand=AT_HAND,
     )
 
 
