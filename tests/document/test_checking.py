@@ -137,9 +137,13 @@ CASES = {
         [r"m^2+n^2+1=0", r"m=n+k"],
         ["REFUTED", "DEFINITION"],
     ),
-    "a wrong identity is no constraint, unless it is said to be one": (
-        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n", r"2\sin(m+n)=2\sin m\cos n-2\cos m\sin n"],
+    "two sides with the same letters may be a constraint": (
+        [r"\sin(m+n)=m\cos n-n\cos m", r"2\sin(m+n)=2m\cos n-2n\cos m"],
         ["not judged", "not judged"],
+    ),
+    "a wrong identity that one change makes right is no constraint": (
+        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n"],
+        ["REFUTED"],
     ),
     "what is said to be a constraint is one, whatever its letters": (
         [r"\sin(m+n)=\sin m\cos n-\cos m\sin n", r"2\sin(m+n)=2\sin m\cos n-2\cos m\sin n"],
@@ -155,10 +159,10 @@ CASES = {
             r"u=k^2r\sin\alpha=k^2l\sin\beta",
             r"u=r\cos\alpha+k=r\cos\alpha-k",
         ],
-        ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "REFUTED"],
     ),
     "what a constraint may turn into the smallest value is not accused": (
-        [r"\min_\psi(a\cos\psi+c)=a+c", r"bc=a^2", r"bk=hm"],
+        [r"\min_\psi(a\cos\psi+c)=c-\sqrt{bc}", r"bc=a^2", r"bk=hm"],
         ["not judged", "DEFINITION", "DEFINITION"],
     ),
     "a constraint that a letter of its own makes true excuses nothing": (
@@ -426,12 +430,12 @@ CASES = {
 SLIDER = (r"r\cos\varphi+l\cos\alpha=x", r"r\sin\varphi=l\sin\alpha")
 FOLLOWING = {
     r"x^2-2rx\cos\varphi+r^2=l^2": "PROVED",
-    r"x^2-2rx\sin\varphi+r^2=l^2": "DEFINITION",
-    r"l^2=r^2+x^2+2rx\cos\varphi": "DEFINITION",
+    r"x^2-2rx\sin\varphi+r^2=l^2": "REFUTED",
+    r"l^2=r^2+x^2+2rx\cos\varphi": "REFUTED",
     r"r\dot\varphi\cos\varphi=l\dot\alpha\cos\alpha": "PROVED",
     r"r\dot\varphi\cos\varphi=l\dot\alpha\sin\alpha": "DEFINITION",
     r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi+\alpha)=0": "PROVED",
-    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi-\alpha)=0": "DEFINITION",
+    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi-\alpha)=0": "REFUTED",
     r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
     r"+l\ddot\alpha\sin\alpha+l\dot\alpha^2\cos\alpha=0": "PROVED",
     r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
