@@ -63,6 +63,16 @@ CASES = {
         [ROD, r"\dot x=-r\dot\varphi\sin\varphi", r"\dot x=r\dot\varphi\sin\varphi"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "a derivative through letters that are given by others": (
+        [
+            r"\gamma=\varphi+\alpha",
+            r"x=r\sin\gamma",
+            r"\dot x=r\dot\varphi\cos(\varphi+\alpha)",
+            r"\dot x=0",
+            r"\dot x=r\dot\varphi\sin\gamma",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "not judged", "REFUTED"],
+    ),
     "two dots": (
         [ROD, r"\ddot x=-r\ddot\varphi\sin\varphi-r\dot\varphi^2\cos\varphi"],
         ["DEFINITION", "PROVED"],
@@ -507,6 +517,10 @@ def test_numbers_are_compared_in_the_units_of_their_letters() -> None:
     assert wrong == ["DEFINITION", "REFUTED", "DEFINITION", "REFUTED"]
     numbers = outcomes(r"\omega=\frac{30k}{\pi}=95.5", block=block + "%% sizes k=10\n")
     assert numbers == ["DEFINITION", "PROVED"]
+    turns = "%% n_0 : turns [min^-1]\n%% sizes n_0=300\n"
+    for number, outcome in (("31.42", "PROVED"), ("3.142", "REFUTED"), ("30.42", "REFUTED")):
+        printed = rf"w=\frac{{2\pi n_0}}{{60}}={number}\,\mathrm{{s}}^{{-1}}"
+        assert outcomes(printed, block="%% w : speed\n" + turns)[1] == outcome
 
 
 UNITS = {

@@ -219,8 +219,9 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
         given = list(_list_given(task, [tasks[other] for other in others]))
         for sides in _list_entries(task.row.says):
             if found := find_misprint(sides, given, domain, may_repeat=task.asserts):
-                names = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
-                beside = f"; compared with {', '.join(filter(None, names))}" if any(names) else ""
+                met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
+                names = ", ".join(name for name in met if name not in ("", task.row.number))
+                beside = f"; compared with {names}" if names else ""
                 reason = f"{found.reason}{beside}"
                 return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     except (RecordError, ContradictionError):

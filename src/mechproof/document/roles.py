@@ -120,12 +120,20 @@ class Known:
             if rate in self.values:
                 break
             try:
-                self.values[rate] = differentiate(self.values[above], by, self.symbols.moving)
+                value = self._show_moving(self.values[above], by)
+                self.values[rate] = differentiate(value, by, self.symbols.moving)
             except ValueError:
                 # Of its letters no derivative of so high an order has a symbol.
                 break
             self.printed[rate] = name
             above = rate
+
+    def _show_moving(self, value: Any, by: sp.Basic) -> Any:
+        """Put in the letters that are not said to depend on another, though their values do."""
+        moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}
+        moving |= {s for _, rates in self.symbols.moving.values() for s in rates} | {by}
+        fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
+        return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
     def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
         """Return the laws that pieces are together, of letters that nothing else gives."""
