@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
-from mechproof.document.misprints import RUNG, find_failure, find_misprint, find_slip
+from mechproof.document.misprints import RUNG, Entry, find_failure, find_misprint, find_slip
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
@@ -21,12 +21,12 @@ from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import (
     Conjunction,
+    Definition,
     Equality,
     Holds,
     Part,
     PrintedNumber,
     RecordError,
-    Statement,
 )
 
 # How the row of one sign of a chain is called.
@@ -202,8 +202,8 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     given = list(_list_given(task, [tasks[other] for other in others]))
     names = ", ".join(tasks[other].row.number for other in others)
     domain = Domain.of(task.paper, task.row.on)
-    for sides in _list_entries(task.row.says):
-        if evidence := find_failure(sides, given, domain):
+    for entry in _list_entries(task):
+        if evidence := find_failure(entry.sides, given, domain):
             reason = f"the two sides differ, also where {names} hold"
             return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
     return f"the two sides differ unless {names} makes them equal, which could not be decided"
@@ -217,12 +217,17 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     try:
         domain = Domain.of(task.paper, task.row.on)
         given = list(_list_given(task, [tasks[other] for other in others]))
-        for sides in _list_entries(task.row.says):
-            if found := find_misprint(sides, given, domain, may_repeat=task.asserts):
+        compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
+        if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
+            return None
+        printed = {t.row.says.symbol for t in tasks if isinstance(t.row.says, Definition)}
+        for entry in compared:
+            found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
+            if found:
                 met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
                 beside = f"; compared with {names}" if names else ""
-                reason = f"{found.reason}{beside}"
+                reason = f"{found.change.reason}{beside}"
                 return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     except (RecordError, ContradictionError):
         pass
@@ -237,18 +242,27 @@ def _replace(
     return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
 
 
-def _list_entries(says: Statement | None) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+def _list_entries(task: Task) -> Iterator[Entry]:
     """Yield the sides of equations, entry by entry if they are matrices."""
-    if isinstance(says, Conjunction):
-        for part in says.parts:
-            yield from _list_entries(part)
-    if not isinstance(says, Equality):
-        return
-    one, other = says.printed, says.rebuilt
-    if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
-        yield from zip(one, other, strict=True) if one.shape == other.shape else ()
-    elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
-        yield one, other
+    says, sign = task.row.says, task.sign
+    worked_out = zip(sign.sides, sign.worked_out, strict=True)
+    printed = [side for side, is_not in worked_out if not (is_not or side is None)]
+    for part in says.parts if isinstance(says, Conjunction) else (says,):
+        if not isinstance(part, Equality):
+            continue
+        one, other = map(_take_out, (part.printed, part.rebuilt))
+        are_printed = part.printed in printed, part.rebuilt in printed
+        if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
+            pairs = zip(one, other, strict=True) if one.shape == other.shape else ()
+            yield from (Entry(pair, are_printed) for pair in pairs)
+        elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
+            yield Entry((one, other), are_printed)
+
+
+def _take_out(side: sp.Basic) -> sp.Basic:
+    """Return the entry of a matrix that has but one."""
+    side = side.doit() if isinstance(side, sp.MatrixExpr) else side
+    return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
 
 
 def _list_given(task: Task, others: Sequence[Task]) -> Iterator[sp.Expr]:

@@ -9,9 +9,9 @@ become one that stands elsewhere, or the same on both sides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice, pairwise
+from itertools import combinations, islice, pairwise
 
 import sympy as sp
 
@@ -46,35 +46,63 @@ Values = Mapping[sp.Basic, sp.Expr | balls.Ball]
 
 
 @dataclass(frozen=True)
-class Misprint:
-    """Where an equation fails, and with what in place of what it holds."""
+class Entry:
+    """The sides of an equation, and which of them are printed so: only these have misprints."""
 
-    evidence: Evidence
+    sides: Sides
+    are_printed: tuple[bool, bool] = (True, True)
+
+
+@dataclass(frozen=True)
+class Change:
+    """Sides that a print would have with one part of it, or of what defines a letter, changed."""
+
+    sides: Sides
     printed: sp.Basic
     meant: sp.Basic
+    within: sp.Basic | None = None
 
     @property
     def reason(self) -> str:
         """Say what is wrong."""
-        return f"the two sides differ; with {self.meant} for {self.printed} they would not"
+        where = f" in what defines {self.within}" if self.within else ""
+        return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
+
+
+@dataclass(frozen=True)
+class Misprint:
+    """Where an equation fails, and what mends it."""
+
+    evidence: Evidence
+    change: Change
 
 
 def find_misprint(
-    sides: Sides, given: Sequence[sp.Expr], domain: Domain, *, may_repeat: bool
+    entry: Entry,
+    given: Sequence[sp.Expr],
+    domain: Domain,
+    printed: Collection[sp.Basic] = (),
+    *,
+    may_repeat: bool = False,
 ) -> Misprint | None:
     """Return where an equation fails beside constraints, and what mends it; None if it may be true.
 
-    `given` are the residuals of the constraints. With `may_repeat` what it is mended to may stand
-    elsewhere in the paper.
+    `given` are the residuals of the constraints, `printed` the letters that are defined by a print.
+    With `may_repeat` what it is mended to may stand elsewhere in the paper.
     """
-    alike = _list_alike(sides, domain)
+    sides = entry.sides
+    met = {s for side in sides for s in side.free_symbols}
+    known = {s: v for s, v in domain.given.items() if s in met and isinstance(v, sp.Expr)}
+    defined = {s: value for s, value in known.items() if s in printed}
+    alike = _list_alike(met.union(*(value.free_symbols for value in defined.values())), domain)
     places = _find_failures(sides, given, domain, alike)
     values = [{s: balls.evaluate(domain.resolve(s), place) for s in alike} for place in places]
     repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
-    for mended, printed, meant in islice(_list_changes(sides, alike), _MOST if places else 0):
-        if _holds_often(mended, values) and not _is_trivial(mended, repeated, domain):
+    changes = _list_changes(entry, _list_alike(met, domain), defined)
+    for change in islice(changes, _MOST if places else 0):
+        if _holds_often(change.sides, values) and not _is_trivial(change.sides, repeated, known):
             evidence = _show(sides, given, domain, places)
-            return Misprint(evidence, printed, meant) if evidence else None
+            return Misprint(evidence, change) if evidence else None
     return None
 
 
@@ -125,16 +153,18 @@ def _list_definitions(domain: Domain) -> list[sp.Expr]:
     return [symbol - value for symbol, value in domain.given.items() if isinstance(value, sp.Expr)]
 
 
-def _is_trivial(sides: Sides, repeated: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Return whether an equation says nothing, or what stands elsewhere up to a number."""
-    rest = sp.expand(sides[0] - sides[1])
-    if rest == 0:
-        return True
-    for one in repeated:
-        for shown in (rest, sp.expand(domain.resolve(rest))):
-            ratio = sp.cancel(shown / one) if shown.free_symbols == one.free_symbols else None
-            if ratio is not None and ratio.is_number:
-                return True
+def _is_trivial(
+    sides: Sides, repeated: Sequence[sp.Expr], defined: Mapping[sp.Basic, sp.Expr]
+) -> bool:
+    """Return whether an equation says nothing, or what stands elsewhere up to a number.
+
+    Of a letter that stands alone what defines it is put in, too.
+    """
+    shown = [sides, tuple(defined.get(side, side) for side in sides)]
+    for rest in (sp.expand(one - other) for one, other in shown):
+        alike = (one for one in repeated if one.free_symbols == rest.free_symbols)
+        if rest == 0 or any(sp.cancel(rest / one).is_number for one in alike):
+            return True
     return False
 
 
@@ -172,24 +202,39 @@ def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
 # Changes ----------------------------------------------------------------------------------------
 
 
-def _list_alike(sides: Sides, domain: Domain) -> list[sp.Basic]:
-    """Return the letters of an equation, and those that differ from one by an index."""
-    met = {s for side in sides for s in side.free_symbols}
-    stems = {str(s).partition("_")[0] for s in met}
+def _list_alike(letters: Collection[sp.Basic], domain: Domain) -> list[sp.Basic]:
+    """Return letters, and those that differ from one by an index."""
+    stems = {str(s).partition("_")[0] for s in letters}
     known = {s for s in (*domain.within, *domain.given) if s.is_Symbol}
     alike = {s for s in known if str(s).partition("_")[0] in stems}
-    return sorted(met | alike, key=str)
+    return sorted({*letters} | alike, key=str)
 
 
 def _list_changes(
-    sides: Sides, letters: Sequence[sp.Basic]
-) -> Iterator[tuple[Sides, sp.Basic, sp.Basic]]:
-    """Yield sides that differ in one place from those printed, what is there and what was."""
-    one, other = sides
-    for changed, printed, meant in _change(one, letters, is_term=True):
-        yield (changed, other), printed, meant
-    for changed, printed, meant in _change(other, letters, is_term=True):
-        yield (one, changed), printed, meant
+    entry: Entry, letters: Sequence[sp.Basic], defined: Mapping[sp.Basic, sp.Expr]
+) -> Iterator[Change]:
+    """Yield sides that differ in one place from those printed.
+
+    Two letters may be exchanged. What defines a letter keeps its letters: with others much would
+    be true.
+    """
+    one, other = entry.sides
+    if entry.are_printed[0]:
+        for changed, printed, meant in _change(one, letters, is_term=True):
+            yield Change((changed, other), printed, meant)
+    if entry.are_printed[1]:
+        for changed, printed, meant in _change(other, letters, is_term=True):
+            yield Change((one, changed), printed, meant)
+    if not all(entry.are_printed):
+        return
+    for pair in combinations(sorted(one.free_symbols | other.free_symbols, key=str), 2):
+        values = dict(zip(pair, reversed(pair), strict=True))
+        exchanged = one.xreplace(values), other.xreplace(values)
+        yield Change(exchanged, sp.Tuple(*pair), sp.Tuple(*reversed(pair)))
+    for letter, value in defined.items():
+        for changed, printed, meant in _change(value, (), is_term=True):
+            put_in = {letter: changed}
+            yield Change((one.xreplace(put_in), other.xreplace(put_in)), printed, meant, letter)
 
 
 def _change(
@@ -199,7 +244,7 @@ def _change(
         if meant != part:
             yield meant, part, meant
     is_sum = isinstance(part, sp.Add | sp.Function)
-    inside = part.args[:1] if isinstance(part, sp.Pow) else part.args
+    inside = part.args[:1] if isinstance(part, sp.Pow) and part.exp.is_number else part.args
     for place, argument in enumerate(inside):
         if isinstance(argument, sp.Expr):
             for changed, printed, meant in _change(argument, letters, is_term=is_sum):

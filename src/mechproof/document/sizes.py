@@ -125,8 +125,13 @@ class Sizes:
             return _UNFIT if sign.role is Role.CONSTRAINT else None
         return Equality(scales.to_si(value) / unit.scale, number, "member")
 
-    def _round(self, sign: Sign, own: sp.Basic | None, group: int) -> PrintedNumber | str:
-        """Return what a number says of a formula at the sizes, or why that is not judged."""
+    def _round(
+        self, sign: Sign, own: sp.Basic | None, group: int
+    ) -> PrintedNumber | Equality | str:
+        """Return what a number says of a formula at the sizes, or why that is not judged.
+
+        That a formula is zero says something of letters whose sizes are not known.
+        """
         declared, sizes = self.known.symbols.usual, self._list_sizes()
         value = self.known.settle(sign.value)
         # A letter that has a size, too, may be meant by either.
@@ -135,6 +140,8 @@ class Sizes:
             # A further member of its chain may have no other letters.
             others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
             formulas = [x for x in others if x.free_symbols <= sizes.keys()]
+            if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
+                return Equality(value, sp.S.Zero, "member")
             if not formulas:
                 return f"it depends on sizes that are not declared: {', '.join(missing)}"
             value = formulas[0]

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import mpmath
+import numpy as np
 import sympy as sp
 from flint import arb, arb_mat
 
@@ -23,6 +24,8 @@ from mechproof.record import RecordError
 _STARTS = 16
 _STEPS = 60
 _DIGITS = 30
+# What a singular value is to the largest where equations are taken to be dependent.
+_DEPENDENT = 1e-11
 _SMALL = mpmath.mpf(10) ** -20
 _BITS = 192
 # How near to a point a zero is looked for.
@@ -30,7 +33,15 @@ _RADIUS = arb(2) ** -40
 _TINY = arb(2) ** -64
 _POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
 # What is divided by zero, has no real value, or no name in mpmath, is no witness.
-_NONE = (ArithmeticError, ValueError, TypeError, NameError, NotImplementedError, RecordError)
+_NONE = (
+    np.linalg.LinAlgError,
+    ArithmeticError,
+    ValueError,
+    TypeError,
+    NameError,
+    NotImplementedError,
+    RecordError,
+)
 
 Vector = list[mpmath.mpf]
 Point = dict[sp.Basic, sp.Expr]
@@ -147,7 +158,7 @@ def _descend(
     place = [mpmath.mpf(sp.N(value, _DIGITS)) for value in start]
     try:
         for _ in range(_STEPS):
-            step = _solve(mpmath.matrix(slopes(*place)), mpmath.matrix(values(*place)))
+            step = _solve(slopes(*place), values(*place))
             place = [x - dx for x, dx in zip(place, step, strict=True)]
             is_still = all(
                 abs(dx) < _SMALL * (1 + abs(x)) for x, dx in zip(place, step, strict=True)
@@ -159,12 +170,10 @@ def _descend(
     return None
 
 
-def _solve(matrix: mpmath.matrix, right: mpmath.matrix) -> Vector:
-    """Return the least solution of linear equations, of dependent ones the best."""
-    left, sizes, others = mpmath.svd_r(matrix)
-    part = left.T * right
-    scaled = [p / s if s > _SMALL else mpmath.mpf(0) for p, s in zip(part, sizes, strict=True)]
-    return list(others.T * mpmath.matrix(scaled))
+def _solve(slopes: Sequence[Vector], values: Vector) -> list[float]:
+    """Return the least solution of linear equations, of dependent ones the best, to 16 digits."""
+    left, right = (np.array(side, dtype=float) for side in (slopes, values))
+    return list(np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0])
 
 
 def _to_fraction(value: mpmath.mpf) -> sp.Expr:
