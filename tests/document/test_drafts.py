@@ -72,6 +72,23 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"with $c_p=\cos p$ $$y=c_pc_q+p+q$$", [r"let c_{q}=\cos q"], []),
         (r"at $\dot q=w$ $$b=c\dot q+w$$", [r"let \dot q=w"], []),
         (r"For $b=2~\mathrm{mm}$ $$y=2b$$", ["b : [mm]", "sizes b=2 mm"], []),
+        (
+            r"with $q=b/c$ $$y=qb^2$$ For $q=3$ $$q=\sin\frac{1}{2}$$",
+            ["let q=b/c", "sizes q=3"],
+            [],
+        ),
+        (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let w=\dot q", "q(t) :"], ["q :"]),
+        (r"$$c=e^{-kb}$$ $$y=2e^{kb}$$", ["e :", r"let e=\mathrm{e}", "k :"], []),
+        (r"$$y=b^2q$$ Derived with respect to the angle $b$: $$y'=2bq$$", ["y(b) :"], ["y' :"]),
+        (
+            r"$$y=b^2q$$ with respect to $b$ and with respect to $q$ $$y'=2bq$$",
+            ["y' :"],
+            ["y(b) :"],
+        ),
+        (r"$$\delta=b\quad y=c+\delta b$$", [r"\delta :"], [r"\delta b :"]),
+        (r"Let $b$ be the radius, $c$ the length of a rod $$y=b+c$$", ["b : radius {b>0}"], []),
+        (r"Let $b$ be the radius, $c$ the pitch. $$y=b+c$$", ["c : pitch"], ["c : pitch {c>0}"]),
+        (r"With the speed $b$ the power is $$y=b+c$$", ["b :"], []),
         (r"For $b=2$ and then $b=3$ $$y=2b$$", [], ["sizes b=2", "sizes b=3"]),
         (r"at $b=0$ $$y=2b$$", [], ["sizes b=0"]),
         (

@@ -111,13 +111,26 @@ def test_what_has_no_meaning_is_not_compared() -> None:
 
 
 def test_letters_of_which_more_is_said_are_not_solved_for() -> None:
-    """A solution might lie where the paper does not say that its letters do."""
+    """A solution might lie where the paper does not say that its letters do: a point must not."""
     bounds = "%% where N_1>0, N_2>0, W>0, b>0\n"
-    outcome, reason = judge(
-        "N_2(a+b)=Wb", BLOCK.replace("%% end", f"%% factor N_2\n{bounds}%% end")
-    )
+    block = BLOCK.replace("%% end", f"%% factor N_2\n{bounds}%% end")
+    outcome, reason = judge(r"\sqrt{N_2(a+b)}=\sqrt{Wa}", block)
     assert outcome == "not judged"
     assert "cannot be solved for letters of which nothing else is said" in reason
+    row = mechproof.check("paper.tex", block + PAPER.replace("RESULT", "N_2(a+b)=Wb")).rows[-1]
+    assert row.outcome == "REFUTED"
+    values = row.judgement.evidence[0].at
+    assert all(float(values[letter]) > 0 for letter in ("N_1", "N_2", "b", "a"))
+
+
+def test_of_a_chain_for_a_new_letter_the_steps_follow() -> None:
+    text = BLOCK.replace(r"%% \mu", r"%% k : ratio" + "\n" + r"%% \mu") + PAPER
+    right, wrong = (
+        text.replace("RESULT", rf"k=\frac{{N_1}}{{N_2}}=\frac {q}") for q in ("ba", "ab")
+    )
+    rows = [mechproof.check("paper.tex", one).rows for one in (right, wrong)]
+    assert [row.outcome for row in rows[0][2:]] == ["DEFINITION", "PROVED"]
+    assert [row.outcome for row in rows[1][2:]] == ["DEFINITION", "REFUTED"]
 
 
 def test_what_is_no_constraint_gives_nothing() -> None:

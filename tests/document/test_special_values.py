@@ -64,6 +64,11 @@ CASES = {
     r"\dot z(0)=-a\nu": ["REFUTED"],
     r"h(\alpha)=a\cos\alpha+\sqrt{b^2+(c\sin\alpha)^2}": ["PROVED"],
     r"h(\alpha)=a\sin\alpha+\sqrt{b^2+(c\sin\alpha)^2}": ["REFUTED"],
+    r"h\left(\tfrac{\alpha}{2}\right)=a\cos\frac\alpha2+\sqrt{b^2+(c\sin\frac\alpha2)^2}": [
+        "PROVED"
+    ],
+    r"h(\alpha/2)=a\sin\frac\alpha2+\sqrt{b^2+(c\sin\frac\alpha2)^2}": ["REFUTED"],
+    r"h(\frac{\alpha}{\psi})=a": ["not read"],
     r"h(2\alpha)=a\cos2\alpha+\sqrt{b^2+(c\sin2\alpha)^2}": ["PROVED"],
     r"h'(\alpha)=-c\sin\alpha-\frac{ab\sin\alpha}{\sqrt{b^2+(c\sin\alpha)^2}}": ["REFUTED"],
     r"h(\alpha+\psi)=a": ["not read"],

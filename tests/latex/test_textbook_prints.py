@@ -35,6 +35,7 @@ COLLECTED = [
     (r"a+b+c+d+e", ["a", "b", "c", "d", "e"]),
     (r"\begin{vmatrix}a&b\\c&d\end{vmatrix}", ["a", "b", "c", "d"]),
     ("d=l+d_1", ["d", "l", "d_{1}"]),
+    (r"\frac{d_2}{d_1q}", ["d_{2}", "d_{1}", "q"]),
 ]
 
 
@@ -76,3 +77,26 @@ def test_scripts_at_both_sides_keep_their_side() -> None:
     reader = Reader([Variable(q, "", latex=("q",)), Variable(left, "", latex=(r"{}^{2}q",))])
     read = reader.parse(r"q^2+q{}^2+q\ ^2={}^2q")
     assert [read.meaning().of(side) for side in read.chains[0].members] == [3 * q**2, left]
+
+
+# Spaces ---------------------------------------------------------------------------------------
+
+APART = {
+    r"\cos x\,\frac{y}{2}": sp.cos(x) * y / 2,
+    r"\cos x\;(1-y)": sp.cos(x) * (1 - y),
+    r"\cos x\quad\sqrt{1+y^2}": sp.cos(x) * sp.sqrt(1 + y**2),
+    r"\cos x\frac{y}{2}": None,
+    r"\cos x(1-y)": None,
+    r"\cos x\,y": None,
+}
+
+
+@pytest.mark.parametrize("latex", APART)
+def test_a_space_ends_an_argument_before_what_is_no_letter(latex: str) -> None:
+    meant = APART[latex]
+    if meant is None:
+        with pytest.raises(ReadingError):
+            READER.parse(latex)
+    else:
+        read = READER.parse(latex)
+        assert read.meaning().of(read.chains[0].members[0]) == meant

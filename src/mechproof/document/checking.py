@@ -14,7 +14,9 @@ from mechproof.document.judging import (
     LIMIT,
     Key,
     judge_beside,
+    judge_excused,
     judge_members,
+    judge_misprint,
     judge_row,
     leave_out,
     opened,
@@ -34,7 +36,7 @@ _EITHER = (
     "which in the block of letters: identity, or constraint"
 )
 # What may yet follow from constraints.
-_UNPROVED = (Verdict.DEFINITION, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
+_UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
 @dataclass(frozen=True)
@@ -171,7 +173,10 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows = {number: _make_row(tasks[number], answer) for number, answer in answers}
         rows |= dict(_compare_members(key, tasks, rows, limit))
         rows |= dict(_follow(key, tasks, rows, limit))
+        rows |= dict(_excuse(key, tasks, rows, limit))
+        misprints = dict(_find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
+        rows |= misprints
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
@@ -259,36 +264,75 @@ def _list_standing(
 def _follow(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Judge again what does not hold by itself, beside the constraints of the paper.
+    """Judge again what is not shown to hold by itself: it may follow from constraints before it."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    numbers = []
+    for n, task in enumerate(tasks):
+        common = [g for g in given if g < n and _have_common(tasks[g], task)]
+        if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
+            numbers.append((key, n, tuple(common)))
+    for place, found in run_tasks(judge_beside, numbers, limit=limit):
+        number = numbers[place][1]
+        if isinstance(found, Judgement):
+            yield number, _make_row(tasks[number], found)
 
-    It may follow from constraints before it; two sides that were said to be equal and are not are
-    left open where any constraint has letters of theirs that could make them equal.
+
+def _excuse(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again two sides that were said to be equal and are not: constraints may make them so.
+
+    Without any that have letters of theirs, and no letter of their own, they are not asked.
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        is_refuted = rows[n].outcome == Verdict.REFUTED.value
-        is_settled = task.is_claimed or (is_refuted and not task.asserts)
-        if is_settled or not isinstance(task.row.says, Equality | Conjunction):
-            continue
-        common = [g for g in given if g != n and list_letters(tasks[g]) & list_letters(task)]
-        if not is_refuted:
-            common = [g for g in common if g < n]
-        if is_refuted:
-            common = [g for g in common if not tasks[g].is_loose]
-        if common and rows[n].outcome in _UNPROVED:
-            numbers.append((key, n, tuple(common)))
-    for place, answer in run_tasks(judge_beside, numbers, limit=limit):
+        common = [g for g in given if _have_common(tasks[g], task) and not tasks[g].is_loose]
+        is_refuted = rows[n].outcome == Verdict.REFUTED.value and task.asserts
+        if common and is_refuted and not task.is_claimed:
+            numbers.append((key, n, tuple(_connect(n, given, tasks))))
+    for place, answer in run_tasks(judge_excused, numbers, limit=limit):
+        yield numbers[place][1], _make_row(tasks[numbers[place][1]], answer)
+
+
+def _have_common(one: Task, other: Task) -> bool:
+    says = other.row.says
+    is_equation = isinstance(says, Equality | Conjunction)
+    return is_equation and bool(list_letters(one) & list_letters(other))
+
+
+def _find_misprints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge what may be a constraint or a misprint."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    numbers = [
+        (key, n, tuple(_connect(n, given, tasks)))
+        for n, task in enumerate(tasks)
+        if _may_be_misprint(task, rows[n])
+        # Of a letter whose first prints differ nobody knows which is meant.
+        and not (task.others and len(_list_standing(task, tasks, rows)) > 1)
+    ]
+    for place, found in run_tasks(judge_misprint, numbers, limit=limit):
         number = numbers[place][1]
-        found = rows[number].judgement
-        is_refuted = rows[number].outcome == Verdict.REFUTED.value
-        if found and isinstance(answer, tuple):
-            verdict, rung, reason = answer
-            new = replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())
-            if not is_refuted or verdict is Verdict.PROVED:
-                yield number, _make_row(tasks[number], new)
-        elif is_refuted:
-            yield number, _make_row(tasks[number], str(answer))
+        if isinstance(found, Judgement):
+            yield number, _make_row(tasks[number], found)
+
+
+def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
+    is_open = row.state is State.NOT_JUDGED or bool(row.judgement and row.judgement.rung == GIVEN)
+    is_equation = isinstance(task.row.says, Equality) and task.sign.number in ("", "0")
+    is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)
+    return is_open and is_equation and not (task.is_rounded or is_one_of_two)
+
+
+def _connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterator[int]:
+    """Yield the constraints that have letters of a row, or of others of them."""
+    letters, left = list_letters(tasks[number]), [g for g in given if g != number]
+    while tied := [g for g in left if list_letters(tasks[g]) & letters]:
+        yield from tied
+        letters = letters.union(*(list_letters(tasks[g]) for g in tied))
+        left = [g for g in left if g not in tied]
 
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:

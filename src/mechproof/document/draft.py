@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
-from mechproof.document.inline import Inline, find_inline, say_of_others
+from mechproof.document.inline import RATE, Inline, find_inline, say_of_others
 from mechproof.document.letters import (
     Collected,
     collect_letters,
@@ -41,6 +41,14 @@ _QUOTIENT = re.compile(
     r"(?P<of>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}\s*"
     r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
 )
+_RESPECT = re.compile(r"with\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$([^$]{1,20})\$")
+# Signs of letters, and a letter e: any, and one that is raised.
+_SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
+_E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
+_RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*\d)")
+_EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
+# What is never negative.
+_POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
 # Letters that could be something else where nothing declares them.
 _ASKED = {
     "e": r"a letter here, Euler's number elsewhere",
@@ -63,18 +71,24 @@ def draft_block(source: Source) -> str:
     prints = [printed.latex.string for printed in displays]
     unit = find_unit(prints)
     said = dict(find_said(source))
-    collected = collect_letters(prints, guess=True, imaginary=unit, said=said)
+    has_euler = _is_euler(prints)
+    plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
+    collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
     shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
-    entries = _list_entries(collected, shapes, prints)
+    entries = _list_entries(collected, shapes, prints, _find_running(source))
     inline = _find_inline(source, entries)
-    for name, one in inline.items():
+    for name, one in inline:
         known = said.get(name, Said("", "", one.line))
+        for rate in RATE.finditer(one.value):
+            if moving := entries.get(name_symbol(rate[1])):
+                moving.running = moving.running or "t"
         said[name] = replace(known, unit=known.unit or one.unit)
     lines = [
         line
         for name, entry in entries.items()
         for line in _write(name, entry, shapes.get(name), said.get(name))
     ]
+    lines += _EULER if has_euler else []
     lines += _propose_values(displays, entries, said, inline)
     depending = {name for name, entry in entries.items() if entry.running}
     factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
@@ -95,21 +109,23 @@ def _propose_values(
     displays: Sequence[Printed],
     entries: Mapping[str, _Entry],
     said: Mapping[str, Said],
-    inline: Mapping[str, Inline],
+    inline: Sequence[tuple[str, Inline]],
 ) -> Iterator[str]:
     """Yield what sentences say that letters are: their sizes, and what no display says of them."""
     letters = [name for entry in entries.values() for name in entry.names]
-    defined = {name_symbol(one.latex.string.partition("=")[0]) for one in displays}
+    sides = (one.latex.string.partition("=")[::2] for one in displays)
+    defined = {name_symbol(one) for one, other in sides if _has_letter(other, "", letters)}
+    named = {name for name, _ in inline}
     running = {one.running for one in entries.values()}
     alike: dict[str, str] = {}
-    for name, one in inline.items():
+    for name, one in inline:
         line = ""
         if name in defined:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
             line = f"let {one.letter}={one.value}"
             for other, value in say_of_others(one, letters):
-                if name_symbol(other) not in {*defined, *inline}:
+                if name_symbol(other) not in {*defined, *named}:
                     alike[other] = value
         is_special = one.number is None or one.number.value == 0 or one.letter in running
         if one.number is not None and not is_special:
@@ -122,17 +138,20 @@ def _propose_values(
         yield from (f"let {letter}={value}" for letter, value in alike.items())
 
 
-def _find_inline(source: Source, entries: Mapping[str, _Entry]) -> dict[str, Inline]:
-    """Return what sentences say of letters, of each one thing only."""
-    found: dict[str, dict[str, Inline]] = {}
+def _find_inline(source: Source, entries: Mapping[str, _Entry]) -> list[tuple[str, Inline]]:
+    """Return what sentences say of letters: of each one size only, and one formula."""
+    found: dict[tuple[str, bool], dict[str, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
-        found.setdefault(name_symbol(one.letter), {}).setdefault(one.value, one)
-    return {name: next(iter(ones.values())) for name, ones in found.items() if len(ones) == 1}
+        kind = name_symbol(one.letter), one.number is None
+        found.setdefault(kind, {}).setdefault(one.value, one)
+    single = ((name, [*ones.values()]) for (name, _), ones in found.items())
+    return [(name, ones[0]) for name, ones in single if len(ones) == 1]
 
 
 def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
     """Return whether a value is one of other letters."""
-    return any(name_symbol(x) in name_symbol(value) for x in letters if name_symbol(x) != own)
+    met = {*_SIGN.findall(value)}
+    return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
 
 
 def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
@@ -155,12 +174,29 @@ def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[s
             yield f"# follows {one}: {others}"
 
 
+def _is_euler(prints: Sequence[str]) -> bool:
+    """Return whether a letter e is met, and only where it is raised to what is no number."""
+    met = [match for latex in prints for match in _E.finditer(latex)]
+    raised = [match for latex in prints for match in _RAISED_E.finditer(latex)]
+    return bool(met) and len(met) == len(raised)
+
+
+def _find_running(source: Source) -> str:
+    """Return the letter with respect to which words differentiate, if it is but one."""
+    found = {name_symbol(match[1]): match[1] for match in _RESPECT.finditer(source.text.string)}
+    return next(iter(found.values())) if len(found) == 1 else ""
+
+
 def _list_entries(
-    collected: Collected, shapes: Mapping[str, tuple[int, int]], prints: Sequence[str]
+    collected: Collected,
+    shapes: Mapping[str, tuple[int, int]],
+    prints: Sequence[str],
+    respect: str,
 ) -> dict[str, _Entry]:
     """Return the letters by the names of their symbols; a derivative says what its letter is of.
 
-    Vectors and matrices are not differentiated: their derivatives are letters of their own.
+    Vectors and matrices are not differentiated: their derivatives are letters of their own. Primes
+    are derivatives by the letter `respect`, if words name one.
     """
     entries: dict[str, _Entry] = {}
     quotients = [match for latex in prints for match in _QUOTIENT.finditer(latex)]
@@ -169,6 +205,10 @@ def _list_entries(
     for base, running in map(_split, letters):
         if running:
             by.setdefault(name_symbol(base), running)
+    for letter in letters:
+        base, running = _split(letter)
+        if base.endswith("'") and respect in letters:
+            by.setdefault(name_symbol(base.rstrip("'")), respect)
     for letter in letters:
         base, running = _split(letter)
         plain = base.rstrip("'")
@@ -207,4 +247,6 @@ def _write(
     shape = f" {size[0]}x{size[1]}" if size else ""
     unit = f" [{found.unit}]" if found and found.unit else ""
     meaning = f"{found.meaning if found else ''}{unit}".strip()
+    if found and not running and _POSITIVE.search(found.meaning):
+        meaning += f" {{{first}>0}}"
     yield f"{first}{running}{others}{shape} : {meaning}".rstrip()

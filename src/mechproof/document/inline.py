@@ -20,7 +20,7 @@ _DISPLAY = re.compile(
 )
 _INLINE = re.compile(r"(?<![\\$])\$(?P<dollar>[^$]{1,120}?)\$|\\\((?P<bracket>.{1,120}?)\\\)")
 _EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
-_RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
+RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Angles are declared in radians.
@@ -63,7 +63,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     for match in _INLINE.finditer(text):
         found = _EQUATION.match(match["dollar"] or match["bracket"])
         letter = names.get(name_symbol(found["letter"])) if found else None
-        if found and (rate := _RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
+        if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]
         if found is None or letter is None:
             continue

@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
+from mechproof.document.misprints import RUNG, Entry, find_failure, find_misprint, find_slip
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
@@ -17,8 +18,16 @@ from mechproof.document.tasks import Task
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
-from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Equality, Holds, Part, RecordError
+from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
+from mechproof.record import (
+    Conjunction,
+    Definition,
+    Equality,
+    Holds,
+    Part,
+    PrintedNumber,
+    RecordError,
+)
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -90,6 +99,9 @@ def _judge_alone(task: Task) -> Judgement | str:
             f"where {letters}"
         )
     if found.verdict is Verdict.REFUTED and task.is_alone:
+        says = task.row.says
+        if isinstance(says, PrintedNumber) and (slip := find_slip(says, says.value)):
+            return replace(found, reason=f"{found.reason}: a slip for {slip}?")
         return f"not the value at the declared sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
         reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
@@ -169,13 +181,97 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
     return answers[0][0]
 
 
-def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> tuple[Verdict, str, str] | str:
-    """Judge a row beside constraints, or say which of them might make it true."""
+def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge by the constraints before it what may follow from them; None if that is not shown."""
     key, number, others = which
     tasks = open_tasks(key)
-    before = [tasks[other] for other in others if other < number]
     task = tasks[number]
-    if task.residual is not None and (found := find_consequence(task, before)):
+    before = [tasks[other] for other in others if other < number]
+    found = find_consequence(task, before) if task.residual is not None else None
+    return _replace(task, *found) if found else None
+
+
+def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+    """Judge beside all constraints what is not true by itself, or say which may make it true."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    found = judge_beside(which)
+    if found and found.verdict is Verdict.PROVED:
         return found
+    given = list(_list_given(task, [tasks[other] for other in others]))
     names = ", ".join(tasks[other].row.number for other in others)
+    domain = Domain.of(task.paper, task.row.on)
+    for entry in _list_entries(task):
+        if evidence := find_failure(entry.sides, given, domain):
+            reason = f"the two sides differ, also where {names} hold"
+            return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
     return f"the two sides differ unless {names} makes them equal, which could not be decided"
+
+
+def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    try:
+        domain = Domain.of(task.paper, task.row.on)
+        given = list(_list_given(task, [tasks[other] for other in others]))
+        compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
+        if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
+            return None
+        printed = {t.row.says.symbol for t in tasks if isinstance(t.row.says, Definition)}
+        for entry in compared:
+            found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
+            if found:
+                met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
+                names = ", ".join(name for name in met if name not in ("", task.row.number))
+                beside = f"; compared with {names}" if names else ""
+                reason = f"{found.change.reason}{beside}"
+                return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
+    except (RecordError, ContradictionError):
+        pass
+    return None
+
+
+def _replace(
+    task: Task, verdict: Verdict, rung: str, reason: str, evidence: tuple[Evidence, ...] = ()
+) -> Judgement:
+    """Return what a row is judged to be by itself, with another verdict."""
+    alone = judge(task.row, task.paper)
+    return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
+
+
+def _list_entries(task: Task) -> Iterator[Entry]:
+    """Yield the sides of equations, entry by entry if they are matrices."""
+    says, sign = task.row.says, task.sign
+    worked_out = zip(sign.sides, sign.worked_out, strict=True)
+    printed = [side for side, is_not in worked_out if not (is_not or side is None)]
+    for part in says.parts if isinstance(says, Conjunction) else (says,):
+        if not isinstance(part, Equality):
+            continue
+        one, other = map(_take_out, (part.printed, part.rebuilt))
+        are_printed = part.printed in printed, part.rebuilt in printed
+        if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
+            pairs = zip(one, other, strict=True) if one.shape == other.shape else ()
+            yield from (Entry(pair, are_printed) for pair in pairs)
+        elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
+            yield Entry((one, other), are_printed)
+
+
+def _take_out(side: sp.Basic) -> sp.Basic:
+    """Return the entry of a matrix that has but one."""
+    side = side.doit() if isinstance(side, sp.MatrixExpr) else side
+    return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
+
+
+def _list_given(task: Task, others: Sequence[Task]) -> Iterator[sp.Expr]:
+    """Yield the residuals of constraints, with derivatives as long as they add letters of a row."""
+    letters = list_letters(task)
+    for other in others:
+        met: set[sp.Basic] = set()
+        for one in (other.residual, *other.rates):
+            if met and not one.free_symbols & letters - met:
+                break
+            yield one
+            met |= one.free_symbols

@@ -45,6 +45,11 @@ _NO_LETTER = {
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
     "i": re.compile(rf"i\s*(?:=\s*\d|\\in)|e\s*\^{_NO_SQUARE}"),
 }
+# Signs of an increment, where they stand alone: they are letters then.
+_INCREMENTS = {
+    sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
+    for sign in (r"\delta", r"\Delta")
+}
 # The letter, where it is no sign of a transposed matrix.
 _PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z])")
 _MATRIX = re.compile(
@@ -147,6 +152,9 @@ class _Guesses:
             return _enter(f"{asked[1]}({arguments})", self.letters)
         if not named or self._is_taken_up(named[1]):
             return False
+        sign = named[1].partition(" ")[0]
+        if sign in _INCREMENTS and _INCREMENTS[sign].search(self.all_prints):
+            return _enter(sign, self.letters)
         return _enter(named[1], self.letters)
 
     def _is_taken_up(self, name: str) -> bool:

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from itertools import takewhile
+from itertools import pairwise, takewhile
 from typing import Any
 
 import sympy as sp
@@ -22,14 +22,13 @@ from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
+from mechproof.latex.measures import find_number, is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import turn
 from mechproof.latex.tree import (
-    Add,
     Approach,
     At,
     Chain,
-    Degrees,
     Derivation,
     Extremum,
     Letter,
@@ -66,7 +65,8 @@ class Sign:
     """One relation sign: its role, the letter that it is about, who printed it first; its sides.
 
     `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
-    other side then.
+    other side then. `worked_out` tells which sides are no print: derivatives, and what matrices
+    give.
     """
 
     role: Role
@@ -76,6 +76,7 @@ class Sign:
     number: str = ""
     value: Any = None
     unit: str = ""
+    worked_out: tuple[bool, bool] = (False, False)
 
 
 @dataclass
@@ -120,12 +121,20 @@ class Known:
             if rate in self.values:
                 break
             try:
-                self.values[rate] = differentiate(self.values[above], by, self.symbols.moving)
+                value = self._show_moving(self.values[above], by)
+                self.values[rate] = differentiate(value, by, self.symbols.moving)
             except ValueError:
                 # Of its letters no derivative of so high an order has a symbol.
                 break
             self.printed[rate] = name
             above = rate
+
+    def _show_moving(self, value: Any, by: sp.Basic) -> Any:
+        """Put in the letters that are not said to depend on another, though their values do."""
+        moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}
+        moving |= {s for _, rates in self.symbols.moving.values() for s in rates} | {by}
+        fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
+        return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
     def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
         """Return the laws that pieces are together, of letters that nothing else gives."""
@@ -175,6 +184,8 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
     signs = []
     for chain in read.chains:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
+        given = [_is_worked_out(node) for node in chain.members]
+        found = [replace(s, worked_out=w) for s, w in zip(found, pairwise(given), strict=True)]
         _note_others(name, found, known)
         signs += found
     for chain in read.chains:
@@ -184,7 +195,7 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
     nodes = chain.members[left : left + 2]
-    is_rounded = chain.relations[left] == r"\approx" and _is_number(nodes[1])
+    is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
     if chain.relations[left] not in EQUAL and not is_rounded:
         return Sign(Role.RELATION)
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
@@ -214,7 +225,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
                 return Sign(Role.DEFINITION, symbol, name, sides)
         if not value.free_symbols and not is_matrix:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
-            return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
+            return Sign(role, symbol, "", sides, *find_number(nodes, sides))
         is_fit = is_matrix <= isinstance(symbol, sp.MatrixSymbol)
         if not is_fit:
             if not any(map(_may_have_vectors, walk(nodes))):
@@ -236,11 +247,18 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
     if not left:
-        return Sign(Role.CONSTRAINT, None, "", sides, *_find_number(nodes, sides))
-    is_number = not (one.free_symbols and other.free_symbols)
-    if is_number:
-        return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
+        return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
+    if not (one.free_symbols and other.free_symbols):
+        return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _is_worked_out(node: Node) -> bool:
+    return any(
+        isinstance(part, Derivation)
+        or (isinstance(part, Letter) and isinstance(part.symbol, sp.MatrixSymbol))
+        for part in walk(node)
+    )
 
 
 def _note_piece(
@@ -290,29 +308,6 @@ def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> boo
     is_letter = value.is_Symbol or isinstance(value, sp.MatrixSymbol)
     has_number = any(isinstance(member, Number | Measure) for member in chain.members)
     return is_letter and (symbol in known.met or has_number)
-
-
-def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any, str]:
-    """Return the digits of the side that is a number, with its sign, the other side, the unit."""
-    for node, other in zip(reversed(nodes), sides, strict=True):
-        sign, inside = _split_sign(node)
-        if isinstance(inside, Number):
-            return sign + inside.text, other, ""
-        if isinstance(inside, Measure):
-            return sign + inside.number.text, other, inside.unit
-        if isinstance(inside, Degrees) and isinstance(inside.number, Number):
-            return sign + inside.number.text, other, "°"
-    return "", None, ""
-
-
-def _split_sign(node: Node) -> tuple[str, Node]:
-    if isinstance(node, Add) and len(node.terms) == 1:
-        return "-", node.terms[0][1]
-    return "", node
-
-
-def _is_number(node: Node) -> bool:
-    return isinstance(_split_sign(node)[1], Number | Measure | Degrees)
 
 
 def _may_have_vectors(node: Node) -> bool:

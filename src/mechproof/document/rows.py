@@ -166,6 +166,9 @@ class Document:
             self.known, values={**self.known.values}, printed={**self.known.printed}, others={}
         )
         signs = find_roles(printed.name, read, known)
+        if double is None and len(signs) > 1 and signs[0].role is Role.DEFINITION:
+            # The further members of a chain follow.
+            return find_roles(printed.name, read, self.known)
         if double is None:
             return [
                 replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs

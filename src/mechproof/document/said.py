@@ -25,6 +25,10 @@ _PATTERNS = (
         rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)"
     ),
     re.compile(
+        rf"(?:\b(?:[Ll]et|and|[Hh]ere|[Ww]here|[Ww]ith)|,)\s+{_NAME}\s+(?:be\s+)?the\s+(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
+        rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)"
+    ),
+    re.compile(
         rf"{_BULLET}{_NAME}[ \t]*[:,]?[ \t]*(?P<meaning>[^\W\d_][^.,;:$\\\n(\[]{{2,60}}?)"
         rf"{_UNIT}[ \t]*(?=[.,;:(\n\\]|\Z)",
         re.MULTILINE,

@@ -112,9 +112,12 @@ class Scales:
         """Return whether all units are said by the block or by heads."""
         return {*letters} <= {*self.known, *self.shown, *self.symbols.branches}
 
-    def to_si(self, formula: sp.Expr) -> sp.Expr:
-        """Return what a formula of numbers in the units of their letters is in units of SI."""
-        return formula.xreplace({s: s * scale for s, scale in self.known.items()})
+    def to_si(self, formula: sp.Expr, but: sp.Expr = sp.S.One) -> sp.Expr:
+        """Return what a formula of numbers in the units of their letters is in units of SI.
+
+        Letters whose unit is as large as `but` are left as they are.
+        """
+        return formula.xreplace({s: s * x for s, x in self.known.items() if x != but})
 
     def list_readings(self, formula: sp.Expr, own: sp.Basic | None) -> list[tuple[sp.Expr, ...]]:
         """Return what a formula of a letter may give, by numbers in the units of their letters.

@@ -56,7 +56,11 @@ def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:
 
 
 def _is_idle(side: Any, letter: sp.Basic) -> bool:
-    """Return whether a side is seen to be the same for all values of a letter."""
+    """Return whether a side has the same value at three values of a letter, others being fixed.
+
+    That is no proof: it tells what the letters of a side are, so which sides are compared. What is
+    compared is then proved or refuted.
+    """
     symbols = sorted(getattr(side, "free_symbols", ()), key=str)
     if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):
         return False

@@ -16,7 +16,7 @@ from mechproof.document.cells import Head, Numeral
 from mechproof.document.displays import Printed
 from mechproof.document.roles import Known, Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.units import Unit, read_unit
+from mechproof.document.units import REVOLUTIONS, Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
 from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
@@ -125,8 +125,13 @@ class Sizes:
             return _UNFIT if sign.role is Role.CONSTRAINT else None
         return Equality(scales.to_si(value) / unit.scale, number, "member")
 
-    def _round(self, sign: Sign, own: sp.Basic | None, group: int) -> PrintedNumber | str:
-        """Return what a number says of a formula at the sizes, or why that is not judged."""
+    def _round(
+        self, sign: Sign, own: sp.Basic | None, group: int
+    ) -> PrintedNumber | Equality | str:
+        """Return what a number says of a formula at the sizes, or why that is not judged.
+
+        That a formula is zero says something of letters whose sizes are not known.
+        """
         declared, sizes = self.known.symbols.usual, self._list_sizes()
         value = self.known.settle(sign.value)
         # A letter that has a size, too, may be meant by either.
@@ -135,6 +140,8 @@ class Sizes:
             # A further member of its chain may have no other letters.
             others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
             formulas = [x for x in others if x.free_symbols <= sizes.keys()]
+            if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
+                return Equality(value, sp.S.Zero, "member")
             if not formulas:
                 return f"it depends on sizes that are not declared: {', '.join(missing)}"
             value = formulas[0]
@@ -176,6 +183,9 @@ class Sizes:
             if not formula.free_symbols:
                 yield formula
             yield scales.to_si(formula) / unit.scale
+            if formula.has(sp.pi):
+                # It may turn revolutions in a minute into radians itself.
+                yield scales.to_si(formula, but=REVOLUTIONS) / unit.scale
 
     def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
         """Return whether nothing but numbers stands between sizes and the display of a number."""

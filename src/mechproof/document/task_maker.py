@@ -193,6 +193,7 @@ class TaskMaker:
             residual = sides[0] - sides[1]
         block = self.block
         is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
+        is_claimed &= sign.role is not Role.DEFINITION
         asserts = is_claimed or self._asserts(printed, sign, sides)
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
@@ -211,9 +212,12 @@ class TaskMaker:
             rates,
             is_either,
             is_solution,
-            follows=follows,
+            follows=() if sign.role is Role.DEFINITION else follows,
             is_loose=residual is not None and self._is_loose(residual),
             ties_running=residual is not None and self._ties_running(residual),
+            is_excused=printed.is_case
+            or is_listed(printed, block.constraints)
+            or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
         )
 
     def _is_loose(self, residual: sp.Expr) -> bool:

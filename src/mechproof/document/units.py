@@ -33,6 +33,8 @@ _TIME, _MASS = Dimension(time=1), Dimension(mass=1)
 _FORCE = _MASS * LENGTH / _TIME**2
 _TURN, _TEN = 2 * sp.pi, sp.Integer(10)
 _DEGREE = sp.pi / 180
+# One a minute, in radians a second.
+REVOLUTIONS = _TURN / 60
 _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     LENGTH: {
         **{"m": _TEN**0, "mm": _TEN**-3, "cm": _TEN**-2, "dm": _TEN**-1, "km": _TEN**3},
@@ -66,7 +68,7 @@ _BASE: Mapping[str, Unit] = {
     # No multiple of K: its zero is another.
     "°C": Unit(Dimension(temperature=1), sp.nan),
     **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
-    **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1"), Unit(ANGLE / _TIME, _TURN / 60)),
+    **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1"), Unit(ANGLE / _TIME, REVOLUTIONS)),
     **{name: Unit(d, scale) for d, units in _SCALES.items() for name, scale in units.items()},
 }
 # Macros of siunitx, and of LaTeX itself.

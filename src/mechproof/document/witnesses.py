@@ -1,43 +1,154 @@
 """Points at which constraints hold together: of constraints without any, everything follows.
 
-Newton's method, with the least step where there are more letters than constraints, starts at
+Newton's method, with the least step where there are more letters than constraints, starts where
+letters that may be anything are positive and small, as lengths and angles are, and then at other
 points of the domain. A point is found where its steps become small and the domain allows it.
+That there is one nearby is proved by Krawczyk's test (1969): letters are fixed, as many others as
+there are constraints are enclosed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import mpmath
+import numpy as np
 import sympy as sp
+from flint import arb, arb_mat
 
+from mechproof.arithmetic import balls
 from mechproof.proof.domain import Domain
 from mechproof.record import RecordError
 
 _STARTS = 16
 _STEPS = 60
 _DIGITS = 30
+# What a singular value is to the largest where equations are taken to be dependent.
+_DEPENDENT = 1e-11
 _SMALL = mpmath.mpf(10) ** -20
+_BITS = 192
+# How near to a point a zero is looked for.
+_RADIUS = arb(2) ** -40
+_TINY = arb(2) ** -64
+_POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
 # What is divided by zero, has no real value, or no name in mpmath, is no witness.
-_NONE = (ArithmeticError, ValueError, TypeError, NameError, NotImplementedError, RecordError)
+_NONE = (
+    np.linalg.LinAlgError,
+    ArithmeticError,
+    ValueError,
+    TypeError,
+    NameError,
+    NotImplementedError,
+    RecordError,
+)
 
 Vector = list[mpmath.mpf]
+Point = dict[sp.Basic, sp.Expr]
 
 
 def hold_together(residuals: Sequence[sp.Expr], domain: Domain) -> bool:
     """Return whether a point of the domain is found at which all residuals are zero."""
-    symbols = sorted({s for one in residuals for s in one.free_symbols}, key=str)
-    slopes = sp.Matrix(residuals).jacobian(symbols).tolist()
+    letters = {s for one in residuals for s in one.free_symbols}
+    return any(True for _ in find_points(residuals, letters, domain, _STARTS))
+
+
+def find_points(
+    residuals: Sequence[sp.Expr], letters: set[sp.Basic], domain: Domain, count: int
+) -> Iterator[Point]:
+    """Yield points of letters at which all residuals are zero, to many digits.
+
+    As many starts as `count` says are tried of either kind.
+    """
+    symbols = sorted(letters, key=str)
+    slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals else []
     values = sp.lambdify(symbols, list(residuals), "mpmath")
     matrix = sp.lambdify(symbols, slopes, "mpmath")
-    try:
-        starts = domain.points(symbols, _STARTS)[:_STARTS]
-    except RecordError:
-        return False
     with mpmath.workdps(_DIGITS):
-        ends = (_descend(values, matrix, [start[s] for s in symbols]) for start in starts)
-        points = (dict(zip(symbols, map(_to_fraction, end), strict=True)) for end in ends if end)
-        return any(domain.allows(point) for point in points)
+        for start in _list_starts(symbols, domain, count):
+            end = _descend(values, matrix, [start[s] for s in symbols]) if residuals else None
+            if residuals and not end:
+                continue
+            point = dict(zip(symbols, map(_to_fraction, end), strict=True)) if end else start
+            if domain.allows(point):
+                yield point
+
+
+def _list_starts(symbols: list[sp.Basic], domain: Domain, count: int) -> Iterator[Point]:
+    within = {s: _POSITIVE if v == sp.S.Reals else v for s, v in domain.within.items()}
+    for one in (replace(domain, within=within), domain):
+        try:
+            yield from one.points(symbols, count)[:count]
+        except RecordError:
+            continue
+
+
+def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.Ball] | None:
+    """Return balls around a point in which a point lies at which all residuals are zero.
+
+    None if that is not shown. Of residuals that depend on others there the balls contain zero.
+    """
+    with balls.working_precision(_BITS):
+        values = {s: balls.to_ball(value) for s, value in point.items()}
+        if not residuals:
+            return values
+        slopes = sp.Matrix(residuals).jacobian([*values])
+        rows, columns = _choose(slopes, values)
+        own, unknown = [residuals[row] for row in rows], [[*values][n] for n in columns]
+        found = _test(own, slopes.extract(rows, columns), unknown, values)
+        is_zero = found and all(_enclose(one, found).contains(0) for one in residuals)
+    return found if is_zero else None
+
+
+def _choose(
+    slopes: sp.Matrix, values: Mapping[sp.Basic, balls.Ball]
+) -> tuple[list[int], list[int]]:
+    """Return the rows that depend on no others, and columns with large pivots of theirs."""
+    left = [[_enclose(slope, values).mid() for slope in row] for row in slopes.tolist()]
+    rows, columns = [], []
+    for number, row in enumerate(left):
+        sizes = [abs(slope) for slope in row]
+        column = max(range(len(row)), key=sizes.__getitem__)
+        if not sizes[column] > _TINY:
+            continue
+        rows.append(number)
+        columns.append(column)
+        for other in left[number + 1 :]:
+            ratio = other[column] / row[column]
+            other[:] = [(x - y * ratio).mid() for x, y in zip(other, row, strict=True)]
+    return rows, columns
+
+
+def _test(
+    residuals: Sequence[sp.Expr],
+    slopes: sp.Matrix,
+    unknown: Sequence[sp.Basic],
+    values: Mapping[sp.Basic, balls.Ball],
+) -> dict[sp.Basic, balls.Ball] | None:
+    """Return balls of the unknown and the values of the others, if Krawczyk's test is passed."""
+    if not unknown:
+        return {**values}
+    around = {**values, **{s: values[s] + arb(0, _RADIUS) for s in unknown}}
+    middle, whole = (
+        arb_mat([[_enclose(x, place) for x in row] for row in slopes.tolist()])
+        for place in (values, around)
+    )
+    zero = arb_mat([[_enclose(one, values)] for one in residuals])
+    try:
+        inverse = middle.mid().inv().mid()
+    except ZeroDivisionError:
+        return None
+    size = len(unknown)
+    unit = arb_mat([[arb(int(row == column)) for column in range(size)] for row in range(size)])
+    off = arb_mat([[arb(0, _RADIUS)] for _ in unknown])
+    moved = ((unit - inverse * whole) * off - inverse * zero).entries()
+    if not all(one.is_finite() and one.abs_upper() < _RADIUS for one in moved):
+        return None
+    return {**values, **{s: values[s] + one for s, one in zip(unknown, moved, strict=True)}}
+
+
+def _enclose(expression: sp.Expr, values: Mapping[sp.Basic, balls.Ball]) -> balls.Ball:
+    return balls.evaluate(expression, values, _BITS)
 
 
 def _descend(
@@ -47,7 +158,7 @@ def _descend(
     place = [mpmath.mpf(sp.N(value, _DIGITS)) for value in start]
     try:
         for _ in range(_STEPS):
-            step = _solve(mpmath.matrix(slopes(*place)), mpmath.matrix(values(*place)))
+            step = _solve(slopes(*place), values(*place))
             place = [x - dx for x, dx in zip(place, step, strict=True)]
             is_still = all(
                 abs(dx) < _SMALL * (1 + abs(x)) for x, dx in zip(place, step, strict=True)
@@ -59,12 +170,10 @@ def _descend(
     return None
 
 
-def _solve(matrix: mpmath.matrix, right: mpmath.matrix) -> Vector:
-    """Return the least solution of linear equations, of dependent ones the best."""
-    left, sizes, others = mpmath.svd_r(matrix)
-    part = left.T * right
-    scaled = [p / s if s > _SMALL else mpmath.mpf(0) for p, s in zip(part, sizes, strict=True)]
-    return list(others.T * mpmath.matrix(scaled))
+def _solve(slopes: Sequence[Vector], values: Vector) -> list[float]:
+    """Return the least solution of linear equations, of dependent ones the best, to 16 digits."""
+    left, right = (np.array(side, dtype=float) for side in (slopes, values))
+    return list(np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0])
 
 
 def _to_fraction(value: mpmath.mpf) -> sp.Expr:

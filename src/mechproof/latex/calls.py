@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _BRACKETS = ("(", "[")
+_SPACE = re.compile(r"\\[,:; ]|\\quad|~")
 
 
 def is_function(parser: Parser) -> bool:
@@ -188,7 +190,7 @@ def _is_matrix_next(parser: Parser) -> bool:
 
 def _check_bracket(parser: Parser, place: int) -> None:
     r"""Refuse a bracket behind the argument of a function that begins at a place: \sin q(a+b)."""
-    if parser.text == "(" and not conditions.is_bracketed(parser):
+    if parser.text == "(" and not (conditions.is_bracketed(parser) or _is_apart(parser)):
         printed = parser.source.latex[parser.tokens[place].start : parser.end]
         raise parser.refuse(
             f"a bracket after {printed}: a factor, or the argument of a function?",
@@ -196,11 +198,18 @@ def _check_bracket(parser: Parser, place: int) -> None:
         )
 
 
+def _is_apart(parser: Parser) -> bool:
+    r"""Return whether a bracket, a fraction or a root stands behind a space: \cos a\,(…)."""
+    before = parser.tokens[parser.place - 1].end if parser.place else 0
+    is_spaced = bool(_SPACE.search(parser.source.latex[before : parser.start]))
+    return is_spaced and parser.text in ("(", "[", r"\frac", r"\sqrt")
+
+
 def _check_reach(parser: Parser) -> None:
     """Refuse what stands close behind an argument without brackets."""
     if parser.ends_product() or parser.text in DOTS or is_function(parser):
         return
-    if calculus.is_differential(parser) or _is_matrix_next(parser):
+    if calculus.is_differential(parser) or _is_matrix_next(parser) or _is_apart(parser):
         return
     raise parser.refuse(
         "does this belong to the argument of the function before it?",

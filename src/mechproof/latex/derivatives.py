@@ -41,6 +41,8 @@ def is_derivative(parser: Parser) -> bool:
     is_d = any(
         texts[:2] == ["{", d] and texts[below : below + 2] == ["{", d] for d in ("d", PARTIAL)
     )
+    # A d with an index is a letter.
+    is_d &= "_" not in (texts[2:3] + texts[below + 2 : below + 3])
     is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
     names = [found for s in starts if (found := parser.names.match(parser.tokens, s))]
     if all(found.end in (s + 1 for s in starts) for found in names) and names:

@@ -3,14 +3,14 @@ r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, where a member of a r
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import GAPS
 from mechproof.latex.tokens import QUANTITIES
-from mechproof.latex.tree import Measure, Number
+from mechproof.latex.tree import Add, Degrees, Measure, Node, Number
 from mechproof.latex.words import AND, ELSE, IF
 
 if TYPE_CHECKING:
@@ -71,3 +71,27 @@ def _is_micro(parser: Parser, place: int) -> bool:
 
 def _is_power(parser: Parser, place: int) -> bool:
     return parser.tokens[place].text.isdigit() and parser.tokens[place - 1].text in ("{", "-")
+
+
+def find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any, str]:
+    """Return the digits of the side that is a number, with its sign, the other side, the unit."""
+    for node, other in zip(reversed(nodes), sides, strict=True):
+        sign, inside = _split_sign(node)
+        if isinstance(inside, Number):
+            return sign + inside.text, other, ""
+        if isinstance(inside, Measure):
+            return sign + inside.number.text, other, inside.unit
+        if isinstance(inside, Degrees) and isinstance(inside.number, Number):
+            return sign + inside.number.text, other, "°"
+    return "", None, ""
+
+
+def _split_sign(node: Node) -> tuple[str, Node]:
+    if isinstance(node, Add) and len(node.terms) == 1:
+        return "-", node.terms[0][1]
+    return "", node
+
+
+def is_number(node: Node) -> bool:
+    """Return whether a node is a number, with a sign and a unit at most."""
+    return isinstance(_split_sign(node)[1], Number | Measure | Degrees)

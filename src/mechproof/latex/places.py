@@ -67,8 +67,8 @@ def _read_values(parser: Parser, term: Node) -> Node:
 def is_value(parser: Parser, letter: Letter) -> bool:
     r"""Return whether an argument stands behind a letter that depends on another one.
 
-    It is a number, x(0), another letter, s(\beta), or a number times that, s(2\beta). A sum may be
-    a factor.
+    It is a number, x(0), another letter, s(\beta), or a number times or by that, s(2\beta),
+    s(\frac{\beta}{2}). A sum may be a factor.
     """
     if parser.text != "(" or letter.text in parser.factors or _find_running(parser, letter) is None:
         return False
@@ -82,13 +82,15 @@ def is_value(parser: Parser, letter: Letter) -> bool:
 
 
 def _is_letter_inside(parser: Parser) -> bool:
-    """Return whether a bracket holds one declared letter, or a number times it."""
-    place = parser.place + 1
-    while is_digit(parser.tokens[place].text) or parser.tokens[place].text == ".":
-        place += 1
-    match = parser.names.match(parser.tokens, place)
-    behind = parser.tokens[match.end : match.end + 1] if match else ()
-    return bool(behind) and behind[0].text == ")"
+    """Return whether a bracket holds one declared letter, or a number times or by it."""
+    place, met = parser.place + 1, 0
+    while place < len(parser.tokens) and (text := parser.tokens[place].text) != ")":
+        match = parser.names.match(parser.tokens, place)
+        if not (match or is_digit(text) or text in _NUMERIC):
+            return False
+        met += match is not None
+        place = match.end if match else place + 1
+    return met == 1
 
 
 def _find_running(parser: Parser, letter: Letter) -> Letter | None:

@@ -1,0 +1,164 @@
+"""Constraints of small papers: what follows from them, and what they excuse."""
+
+from __future__ import annotations
+
+import pytest
+from small_papers import outcomes
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+LOOP = r"a\cos\alpha+b\cos\beta=c\cos\gamma+h"
+CASES = {
+    "constraints are given": ([LOOP], ["DEFINITION"]),
+    "consequences of constraints": (
+        [LOOP, r"h+c\cos\gamma-b\cos\beta-a\cos\alpha=0", r"ka\cos\alpha=k(h-b\cos\beta)"],
+        ["DEFINITION", "PROVED", "not read"],
+    ),
+    "a multiple": (
+        [r"a\cos\alpha=b", r"a^2\cos^2\alpha=b^2", r"a\cos^2\alpha=b\cos\alpha"],
+        ["DEFINITION", "PROVED", "PROVED"],
+    ),
+    "nothing follows where it has no value": (
+        [
+            r"\sin\alpha=0",
+            r"\frac{k\sin\alpha}{1-\cos^2\alpha}=0",
+            r"\frac{m\sin\alpha}{a}=0",
+            r"\frac{m\sin\alpha}{n}=0",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION"],
+    ),
+    "constraints that cannot hold together may be two cases": (
+        [r"m+n=1", r"m+n=2"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "nothing follows from constraints that cannot hold together": (
+        [r"m+n=1", r"m+n=2", r"m=7u", r"m+n=k+1", r"m+n=u^2+\cos k"],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION"],
+    ),
+    "nothing follows from a constraint that holds nowhere": (
+        [
+            r"\mathrm{e}^m+\ln(1+n^2)+\sin k\cos u+1=0",
+            r"2\mathrm{e}^m+2\ln(1+n^2)+2\sin k\cos u+2=0",
+        ],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "what is true nowhere is excused by no constraint": (
+        [r"m^2+n^2+1=0", r"m=n+k"],
+        ["REFUTED", "DEFINITION"],
+    ),
+    "two sides with the same letters may be a constraint": (
+        [r"\sin(m+n)=m\cos n-n\cos m", r"2\sin(m+n)=2m\cos n-2n\cos m"],
+        ["not judged", "not judged"],
+    ),
+    "a wrong identity that one change makes right is no constraint": (
+        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n"],
+        ["REFUTED"],
+    ),
+    "what is said to be a constraint is one, whatever its letters": (
+        [r"\sin(m+n)=\sin m\cos n-\cos m\sin n", r"2\sin(m+n)=2\sin m\cos n-2\cos m\sin n"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "what a constraint contradicts is not acquitted by it": (
+        [r"m^2=n+1", r"k=m^2n=m^2n+n-m^2+2"],
+        ["DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "what holds by a constraint is not accused": (
+        [
+            r"r\sin\alpha=l\sin\beta",
+            r"u=k^2r\sin\alpha=k^2l\sin\beta",
+            r"u=r\cos\alpha+k=r\cos\alpha-k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "REFUTED"],
+    ),
+    "what a constraint may turn into the smallest value is not accused": (
+        [r"\min_\psi(a\cos\psi+c)=c-\sqrt{bc}", r"bc=a^2", r"bk=hm"],
+        ["not judged", "DEFINITION", "DEFINITION"],
+    ),
+    "a constraint that a letter of its own makes true excuses nothing": (
+        [
+            r"k=\sin2\alpha",
+            r"k=\sin\alpha\cos\alpha",
+            r"\tan\beta=\frac{\tan\alpha}{1+\cos^2\alpha}",
+        ],
+        ["DEFINITION", "REFUTED", "DEFINITION"],
+    ),
+    "nor one that gives a letter whose derivative is printed": (
+        [r"\tan\varphi=\frac{km}{1+k}", r"\dot\varphi=n", r"m=k^2", r"m=2k^2"],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "a constraint may restrict other letters, too": (
+        [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
+        ["DEFINITION", "not judged", "DEFINITION"],
+    ),
+    "a letter on which a side does not depend is none of its letters": (
+        [
+            r"k=m\cos\alpha",
+            r"n=m\sin\alpha",
+            r"k^2+n^2=m^2",
+            r"k^2+n^2=2m^2",
+            r"k^2+n^2=m^2\cos\beta",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "not judged", "DEFINITION"],
+    ),
+    "a step may follow from another member of a chain": (
+        [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
+        ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
+    ),
+    "a trace": (
+        [
+            r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",
+            r"k=\operatorname{tr}R=2\cos\alpha",
+            r"\operatorname{tr}(R^2)=2\cos2\alpha",
+            r"k=\mathrm{tr}(R)=2\sin\alpha",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "what is said to follow is compared with nothing else": (
+        [
+            r"r\sin\psi=l\sin\beta",
+            r"s=r\cos\psi+l\cos\beta=r\cos\psi+\sqrt{l^2-r^2\sin^2\psi}",
+            r"s'=-\frac{r\sin(\psi+\beta)}{\cos\beta}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "not judged"],
+    ),
+}
+SLIDER = (r"r\cos\varphi+l\cos\alpha=x", r"r\sin\varphi=l\sin\alpha")
+FOLLOWING = {
+    r"x^2-2rx\cos\varphi+r^2=l^2": "PROVED",
+    r"x^2-2rx\sin\varphi+r^2=l^2": "REFUTED",
+    r"l^2=r^2+x^2+2rx\cos\varphi": "REFUTED",
+    r"r\dot\varphi\cos\varphi=l\dot\alpha\cos\alpha": "PROVED",
+    r"r\dot\varphi\cos\varphi=l\dot\alpha\sin\alpha": "DEFINITION",
+    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi+\alpha)=0": "PROVED",
+    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi-\alpha)=0": "REFUTED",
+    r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
+    r"+l\ddot\alpha\sin\alpha+l\dot\alpha^2\cos\alpha=0": "PROVED",
+    r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
+    r"+l\ddot\alpha\sin\alpha-l\dot\alpha^2\cos\alpha=0": "DEFINITION",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "DEFINITION",
+}
+
+
+@pytest.mark.parametrize("latex", FOLLOWING)
+def test_equations_follow_from_constraints_together(latex: str) -> None:
+    letters = "%% r ; l : lengths\n%% x(t) : position\n%% \\varphi(t) ; \\alpha(t) : angles\n"
+    block = f"%% mechproof\n{letters}%% m ; n : numbers\n%% factor m, n\n%% end\n"
+    equations = "".join(f"$${one}$$\n" for one in (*SLIDER, latex))
+    rows = check("paper.tex", block + equations).rows
+    assert rows[-1].outcome == FOLLOWING[latex], rows[-1].reason
+
+
+# What a block says besides.
+SAID = {
+    "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",
+    "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_rows_beside_constraints_have_their_outcome(case: str) -> None:
+    equations, expected = CASES[case]
+    assert outcomes(*equations, block=SAID.get(case, "")) == expected

@@ -1,0 +1,129 @@
+"""Laws by pieces, in one display or several: their derivatives and where they meet."""
+
+from __future__ import annotations
+
+import pytest
+from small_papers import outcomes
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+CASES = {
+    "derivatives by pieces are compared beside the seams": (
+        [
+            r"s=\begin{cases}a\psi^2&\psi\le1\\a(2\psi-1)&\psi>1\end{cases}",
+            r"s'=\begin{cases}2a\psi&\psi<1\\2a&\psi>1\end{cases}",
+            r"s''=\begin{cases}0&\psi\ge1\\2a&\psi<1\end{cases}",
+            r"s''=\begin{cases}2a&\psi<1\\0&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<2\\0&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<1\\a&\psi>1\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED", "REFUTED"],
+    ),
+    "seams with letters": (
+        [
+            r"s=\begin{cases}a\psi^2&\psi\le k\\2ak\psi-ak^2&\psi\ge k\end{cases}",
+            r"s'=\begin{cases}2a\psi&\psi<k\\2ak&\text{otherwise}\end{cases}",
+            r"s''=\begin{cases}2a&\psi<k\\0&\psi>k\end{cases}",
+            r"s''=\begin{cases}2a&\psi<k\\2&\psi>k\end{cases}",
+            r"s'(k)=2ak",
+            r"s'(k)=ak",
+            r"s''(k)=0",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED", "REFUTED", "not read"],
+    ),
+    "derivatives are compared where their pieces join": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k\le\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2ak&\text{otherwise}\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi\le k\\2ak&k<\psi\le u\end{cases}",
+            r"s'=\begin{cases}2a\psi&0\le\psi<k\\2a\psi&k\le\psi\le u\end{cases}",
+            r"s''=\begin{cases}2a&0\le\psi\le k\\0&\text{otherwise}\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"],
+    ),
+    "values of a law by pieces": (
+        [
+            r"s=\begin{cases}a\psi^2&0\le\psi\le k\\2ak\psi-ak^2&k<\psi\le u\end{cases}",
+            r"s(0)=0",
+            r"s(u)=2aku-ak^2",
+            r"s(u)=2aku-2ak^2",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "a law that jumps has no derivative there": (
+        [
+            r"s=\begin{cases}a\psi&\psi\le1\\a\psi+h&\psi>1\end{cases}",
+            r"s'=a",
+            r"s'(1)=a",
+            r"s'(2)=a",
+        ],
+        ["DEFINITION", "PROVED", "not read", "DEFINITION"],
+    ),
+    "a law in displays of its own, and where its pieces meet": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s(\psi)=2ak\psi-ak^2\quad\text{for }k<\psi\le u",
+            r"s=2aku-ak^2,\quad\psi>u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=2ak,\quad k<\psi\le u",
+            r"s''=2a,\quad 0\le\psi<k",
+            r"s''=a,\quad 0\le\psi<k",
+            r"s(0)=0",
+            r"s=a\sin^2\psi,\quad 0\le\psi\le k",
+        ],
+        [*["DEFINITION"] * 3, *["PROVED"] * 3, "REFUTED", "PROVED", "REFUTED", *["PROVED"] * 3],
+    ),
+    "a piece that does not begin where the one before it ends, beside its velocity": (
+        [
+            r"s=a\psi^2,\quad 0\le\psi\le k",
+            r"s=2ak\psi+ak^2,\quad k<\psi\le u",
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "two values at one place": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k\le\psi\le u"],
+        ["DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "a law may jump": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k<\psi\le u"],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "a velocity may jump": (
+        [
+            r"s'=2a\psi,\quad 0\le\psi\le k",
+            r"s'=0,\quad k\le\psi\le u",
+            r"s''=2a,\quad 0<\psi<k",
+            r"s''=a,\quad 0<\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "not judged"],
+    ),
+    "ranges that overlap are no pieces of one law": (
+        [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=2a\psi,\quad 0\le\psi\le m"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "pieces whose other letters are matrices": (
+        [
+            r"s=a\psi,\quad\psi\le k",
+            r"s=ak,\quad\psi>k",
+            r"RR^T=R^TR",
+            r"s'=a,\quad\psi<k",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "PROVED", "PROVED"],
+    ),
+    "pieces of a law are no contradiction": (
+        [r"k=m,\quad m>0", r"k=-m,\quad m<0"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+}
+# What a block says besides.
+SAID = {
+    "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
+    "values of a law by pieces": "%% where 0<k<u\n",
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_rows_of_laws_have_their_outcome(case: str) -> None:
+    equations, expected = CASES[case]
+    assert outcomes(*equations, block=SAID.get(case, "")) == expected

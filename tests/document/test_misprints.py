@@ -1,0 +1,208 @@
+"""Prints that one change would make true, beside constraints, and true ones that look alike."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.document.checking import CheckedRow, check
+from mechproof.document.misprints import Entry, find_failure, find_misprint, find_slip
+from mechproof.document.witnesses import enclose, find_points
+from mechproof.proof.domain import Domain
+from mechproof.record import PrintedNumber
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% r ; l ; l_1 ; l_2 : lengths {r>0}
+%% x(t) ; y(t) : position
+%% q_1(t) ; q_2(t) ; \alpha(t) ; \beta(t) ; \gamma : angles
+%% k ; m ; n ; u ; w_1 ; w_2 ; w_3 ; T_1 ; T_2 ; T_3 : numbers
+%% J 2x2 : matrix
+%% factor l_1, l_2, w_1, w_2
+"""
+ROD = r"r\sin\alpha=l\sin\beta"
+SLIDER = r"x=r\cos\alpha+l\cos\beta"
+ARM = (
+    r"x=l_1\cos q_1+l_2\cos(q_1+q_2)",
+    r"y=l_1\sin q_1+l_2\sin(q_1+q_2)",
+    r"J=\begin{pmatrix}-l_1\sin q_1-l_2\sin(q_1+q_2)&-l_2\sin(q_1+q_2)\\"
+    r"l_1\cos q_1+l_2\cos(q_1+q_2)&l_2\cos(q_1+q_2)\end{pmatrix}",
+)
+TRAIN = (r"k=\frac{w_1-w_3}{w_2-w_3}", "T_2=-kT_1", "T_3=-(1-k)T_1")
+FOUR_BAR = (
+    r"l_1\cos q_1+l\cos\alpha=r+l_2\cos q_2",
+    r"l_1\sin q_1+l\sin\alpha=l_2\sin q_2",
+    r"m=\frac{r}{l_1}",
+    r"n=\frac{r}{l_2}",
+    r"u=\frac{l_1^2-l^2+l_2^2+r^2}{2l_1l_2}",
+)
+# What is printed before, a true print, and wrong ones.
+PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
+    "a rod eliminated": (
+        (ROD, SLIDER),
+        r"x=r\cos\alpha+\sqrt{l^2-r^2\sin^2\alpha}",
+        [
+            r"x=r\cos\alpha+\sqrt{l^2-r^2\cos^2\alpha}",
+            r"x=r\cos\alpha+\sqrt{l^2+r^2\sin^2\alpha}",
+            r"x=r\cos\alpha+\sqrt{l^2-r\sin^2\alpha}",
+        ],
+    ),
+    "a velocity": (
+        (ROD, SLIDER),
+        r"\dot x=-r\dot\alpha\frac{\sin(\alpha+\beta)}{\cos\beta}",
+        [
+            r"\dot x=-r\dot\alpha\frac{\sin(\alpha-\beta)}{\cos\beta}",
+            r"\dot x=-r\dot\alpha\frac{\sin(\alpha+\beta)}{\cos\alpha}",
+        ],
+    ),
+    "a determinant": (
+        ARM,
+        r"\det J=l_1l_2\sin q_2",
+        [r"\det J=l_1l_2\sin q_1", r"\det J=l_1l_2\cos q_2", r"\det J=l_1^2\sin q_2"],
+    ),
+    "a theorem of cosines": (
+        ARM,
+        r"x^2+y^2=l_1^2+l_2^2+2l_1l_2\cos q_2",
+        [
+            r"x^2+y^2=l_1^2+l_2^2+l_1l_2\cos q_2",
+            r"x^2+y^2=l_1^2+l_2^2-2l_1l_2\cos q_2",
+            r"x^2-y^2=l_1^2+l_2^2+2l_1l_2\cos q_2",
+        ],
+    ),
+    "Willis": (
+        TRAIN,
+        "w_1-kw_2-(1-k)w_3=0",
+        ["w_1-kw_2+(1-k)w_3=0", "w_1-kw_2-(1-k)w_2=0", "w_1-w_2-(1-k)w_3=0"],
+    ),
+    "torques": (TRAIN, "T_1+T_2+T_3=0", ["T_1+T_2-T_3=0"]),
+    "a joint": (
+        (r"k=\sin\alpha\cos\beta-\cos\gamma\cos\alpha\sin\beta=0",),
+        r"\tan\alpha=\cos\gamma\tan\beta",
+        [r"\tan\beta=\cos\gamma\tan\alpha", r"\tan\alpha=\sin\gamma\tan\beta"],
+    ),
+    "a belt": (
+        (r"\frac{w_1}{w_2}=\mathrm{e}^{m\gamma}", r"k=m\gamma"),
+        r"w_1(1-\mathrm{e}^{-m\gamma})=w_2(\mathrm{e}^{k}-1)",
+        [r"w_1(1-\mathrm{e}^{-m\gamma})=w_2(\mathrm{e}^{-k}-1)"],
+    ),
+    "Freudenstein": (
+        FOUR_BAR,
+        r"m\cos q_2-n\cos q_1+u=\cos(q_1-q_2)",
+        [
+            r"m\cos q_2-n\cos q_1-u=\cos(q_1-q_2)",
+            r"m\cos q_1-n\cos q_1+u=\cos(q_1-q_2)",
+            r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)",
+        ],
+    ),
+}
+# Prints, and what is said before the last one or in the block: none is accused.
+EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "another letter": (("k=mn", "k=mu"), "", ""),
+    "another circuit, printed alike": ((ROD, r"r\sin\alpha=-l\sin\beta"), "", ""),
+    "another assembly, in words": ((*TRAIN, "T_1+T_2-T_3=0"), "In the other case", ""),
+    "a constraint, the block says": ((*TRAIN, "T_1+T_2-T_3=0"), "", "%% constraint (4)\n"),
+    "a letter of its own": ((*TRAIN, r"T_1+T_2=m"), "", ""),
+    "a position": ((ROD, SLIDER, r"\alpha=\beta", r"x=2r\cos\alpha"), "", ""),
+    "a branch of the rod": ((ROD, SLIDER, r"x=r\cos\alpha-\sqrt{l^2-r^2\sin^2\alpha}"), "", ""),
+    "the same on both sides": ((r"m=\cos\gamma", r"k\cos\gamma=k\sin\gamma"), "", ""),
+    "two changes": (
+        (ROD, SLIDER, r"\dot x=r\dot\beta\frac{\sin(\alpha-\beta)}{\cos\beta}"),
+        "",
+        "",
+    ),
+    # With one change of what was differentiated the acceleration would not matter.
+    "constant speed, in words": (
+        (r"y=r\sin\alpha\cos\alpha", r"m=\dot\alpha", r"\ddot y=-2rm^2\sin2\alpha"),
+        "",
+        "",
+    ),
+    "a rounded number": ((r"k=\sqrt2m", r"k\sqrt2=1.9m"), "", ""),
+}
+
+
+def judge(equations: tuple[str, ...], words: str = "", block: str = "") -> CheckedRow:
+    """Return the last row of a paper."""
+    shown = [f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations]
+    text = "".join([*shown[:-1], words, " ", shown[-1]])
+    return check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[-1]
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_a_true_print_is_not_accused(name: str) -> None:
+    before, right, _ = PAPERS[name]
+    row = judge((*before, right))
+    assert row.outcome in ("PROVED", "DEFINITION", "not judged"), row.reason
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"), [(name, one) for name, paper in PAPERS.items() for one in paper[2]]
+)
+def test_a_misprint_is_refuted_where_all_else_holds(name: str, wrong: str) -> None:
+    row = judge((*PAPERS[name][0], wrong))
+    assert row.outcome == "REFUTED", row.reason
+    assert row.judgement.evidence[0].at
+
+
+@pytest.mark.parametrize("name", EXCUSED)
+def test_what_may_be_meant_is_not_accused(name: str) -> None:
+    row = judge(*EXCUSED[name])
+    assert row.outcome in ("DEFINITION", "not judged"), row.reason
+
+
+def test_what_defines_a_letter_may_have_the_misprint() -> None:
+    circle = (r"(x-l_1\cos\alpha)^2+(y-l_1\sin\alpha)^2=l_2^2", r"m=-2l_1x", r"n=-2l_1y")
+    row = judge((*circle, "u=x^2+y^2+l_1^2-l_2^2", r"m\cos\alpha+n\sin\alpha+u=0"))
+    assert row.outcome in ("PROVED", "DEFINITION")
+    row = judge((*circle, "u=x^2+y^2-l_1^2-l_2^2", r"m\cos\alpha+n\sin\alpha+u=0"))
+    assert row.outcome == "REFUTED"
+    assert "in what defines u" in row.reason
+
+
+def test_a_misprint_is_told_with_what_mends_it() -> None:
+    before, _, (wrong, *_) = PAPERS["a determinant"]
+    assert judge((*before, wrong)).reason == (
+        "the two sides differ; with q_2 for q_1 they would not"
+    )
+    before, _, (wrong, *_) = PAPERS["Freudenstein"]
+    assert judge((*before, wrong)).reason.endswith("; compared with (1), (2)")
+
+
+# Points -----------------------------------------------------------------------------------------
+
+X, Y = sp.symbols("x y", real=True)
+PLANE = Domain({X: sp.S.Reals, Y: sp.S.Reals}, (), {})
+
+
+def test_points_are_enclosed_where_a_constraint_has_a_zero() -> None:
+    circle = X**2 + Y**2 - 2
+    point = next(find_points([circle], {X, Y}, PLANE, 4))
+    found = enclose([circle, 2 * circle], point)
+    assert found is not None
+    assert found[X].rad() < 1e-15
+    assert enclose([circle], {**point, X: point[X] + sp.Rational(1, 10**6)}) is None
+    # Near a double zero nothing shows that there is any.
+    assert enclose([X**2 + sp.Rational(1, 10**30)], {X: sp.Rational(1, 10**9)}) is None
+
+
+def test_what_holds_at_a_point_of_the_constraints_does_not_fail() -> None:
+    circle = X**2 + Y**2 - 1
+    assert find_failure((Y, sp.sqrt(1 - X**2)), [circle], PLANE) is None
+    assert find_failure((Y, 1 + sp.sqrt(1 - X**2)), [circle], PLANE)
+    assert find_failure((Y, X + 1), [X**2 + Y**2 + 1], PLANE) is None
+
+
+def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
+    sides = (sp.sin(2 * X), sp.sin(X) * sp.cos(X))
+    assert find_misprint(Entry(sides), [], PLANE)
+    assert find_misprint(Entry(sides, (False, False)), [], PLANE) is None
+    assert find_misprint(Entry((sp.sin(3 * X), sp.cos(X) + Y)), [], PLANE) is None
+
+
+@pytest.mark.parametrize(
+    ("printed", "meant"),
+    [("80.91", "80.19"), ("80.18", "80.19"), ("81.19", "80.19"), ("91.08", ""), ("8.2", "")],
+)
+def test_a_number_may_have_a_wrong_digit(printed: str, meant: str) -> None:
+    value = sp.Rational("80.1921") / (10 if len(printed) == 3 else 1)
+    assert find_slip(PrintedNumber(printed, value), value) == meant

@@ -1,0 +1,63 @@
+"""Numbers beside letters: compared at sizes, in the units of their letters."""
+
+from __future__ import annotations
+
+import pytest
+from small_papers import outcomes
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+
+def test_numbers_are_compared_at_the_sizes() -> None:
+    sizes = "%% sizes r=20 mm, l=60\\,mm\n"
+    found = outcomes(r"\lambda=\frac rl=0.333", r"\lambda=\frac rl=0.34", block=sizes)
+    assert found == ["DEFINITION", "PROVED", "DEFINITION", "REFUTED"]
+    assert outcomes(r"\lambda=\frac rl", r"\lambda=0.34", block=sizes)[1] == "not judged"
+    assert outcomes(r"\lambda=\frac rl", r"\lambda=0", block=sizes)[1] == "not judged"
+
+
+def test_numbers_are_compared_in_the_units_of_their_letters() -> None:
+    block = "%% w : speed [m/s]\n%% \\omega : speed [rpm]\n%% \\delta : angle [deg]\n"
+    sizes = "%% sizes r=20 mm, \\omega=30\\,rpm, \\delta=30\n"
+    right = outcomes(r"w=r\omega=0.0628", r"x=r\sin\delta=10.0", block=block + sizes)
+    assert right == ["DEFINITION", "PROVED", "DEFINITION", "PROVED"]
+    wrong = outcomes(r"w=r\omega=0.0728", r"x=r\sin\delta=11.0", block=block + sizes)
+    assert wrong == ["DEFINITION", "REFUTED", "DEFINITION", "REFUTED"]
+    numbers = outcomes(r"\omega=\frac{30k}{\pi}=95.5", block=block + "%% sizes k=10\n")
+    assert numbers == ["DEFINITION", "PROVED"]
+    turns = "%% n_0 : turns [min^-1]\n%% sizes n_0=300\n"
+    for number, outcome in (("31.42", "PROVED"), ("3.142", "REFUTED"), ("30.42", "REFUTED")):
+        printed = rf"w=\frac{{2\pi n_0}}{{60}}={number}\,\mathrm{{s}}^{{-1}}"
+        assert outcomes(printed, block="%% w : speed\n" + turns)[1] == outcome
+
+
+UNITS = {
+    r"\lambda=\frac rl\approx0.333": ["DEFINITION", "PROVED"],
+    r"\lambda=\frac rl\approx0.343": ["DEFINITION", "REFUTED"],
+    r"x=r\cos\alpha=17.6\,\mathrm{mm}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=\SI{1.76}{\centi\metre}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=\qty{1.76}{mm}": ["DEFINITION", "REFUTED"],
+    r"\beta=\arcsin\frac rl=19.5^\circ": ["DEFINITION", "PROVED"],
+    r"\beta=\arcsin\frac rl=-19.5^\circ": ["DEFINITION", "REFUTED"],
+    r"r=20\,\text{mm},\quad l=\num{60}~\mathrm{mm}": ["DEFINITION", "DEFINITION"],
+    r"r>10\,\mathrm{mm}": ["not read"],
+    r"x=3\,\mathrm{mm}\cos\alpha": ["not read"],
+    r"x=r\cos\alpha=17.6\,\mathrm{apples}": ["not read"],
+    r"\cos30^\circ\approx0.866": ["PROVED"],
+    r"x\approx r": ["not judged"],
+    r"k\approx3.52": ["DEFINITION"],
+    r"l\approx0.06\,\mathrm m": ["DEFINITION"],
+}
+
+
+@pytest.mark.parametrize("latex", UNITS)
+def test_numbers_may_have_units(latex: str) -> None:
+    block = "%% sizes r=20 mm, l=60 mm, \\alpha=0.5\n"
+    assert outcomes(latex, block=block) == UNITS[latex]
+
+
+def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
+    block = "%% sizes r=20 mm, l=60 mm, \\beta=0.5\n"
+    numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]
+    found = outcomes(r"\beta=\arcsin\frac rl", *numbers, block=block)
+    assert found[2::2] == ["PROVED", "PROVED", "REFUTED"]

@@ -1,0 +1,38 @@
+"""Papers of a few lines, with letters that are declared."""
+
+from __future__ import annotations
+
+from mechproof.document.checking import CheckedPaper, check
+
+LETTERS = r"""%% mechproof
+%% r ; l : crank and rod [mm] {r>0}
+%% \lambda : their ratio [1]
+%% x(t) : position [mm]
+%% \varphi(t) : angle of the crank [rad]
+%% s(\psi) : lift [mm]
+%% \psi : angle of the cam [rad]
+%% a ; b ; c ; h : lengths of the links [mm] {a>0}
+%% \alpha ; \beta ; \gamma : angles [rad]
+%% k ; m ; n ; u : numbers
+%% \sigma : branch
+%% R 2x2 : rotation
+%% Q(\alpha) 2x2 : shear
+%% factor a, \dot\varphi
+%% branch \sigma=\pm1
+"""
+
+
+def paper(*equations: str, block: str = "") -> str:
+    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    return f"{LETTERS}{block}%% end\n{lines}"
+
+
+def outcomes(*equations: str, block: str = "") -> list[str]:
+    return [row.outcome for row in run(*equations, block=block).rows]
+
+
+def run(*equations: str, block: str = "") -> CheckedPaper:
+    return check("paper.tex", paper(*equations, block=block))
+
+
+ROD = r"x=r\cos\varphi"
