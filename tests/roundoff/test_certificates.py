@@ -31,6 +31,7 @@ from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
+from mechproof.roundoff.written_scales import WrittenScale
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 # Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
@@ -146,7 +147,8 @@ def test_all_that_a_bound_is_of_is_hashed() -> None:
         *(replace(subject, straight=replace(straight, steps=(step, *steps))) for step in told),
         replace(subject, straight=replace(straight, held=("y",))),
         replace(subject, straight=replace(straight, scaled=("y",))),
-        replace(subject, scale=straight),
+        replace(subject, scale=WrittenScale((straight,), 0, ())),
+        replace(subject, scale=WrittenScale((straight, straight), 1, (True,))),
         replace(subject, computed=straight),
     ]
     assert len({other.digest for other in (subject, *changed)}) == 1 + len(changed)
