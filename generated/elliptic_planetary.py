@@ -284,9 +284,9 @@ def ratio(
     Accuracy, tested: 10 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
     (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
-    Proved, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 - 2**-10, as long as no result
-    overflows or falls below the normal range: at most 10 eps with np.tan within 1 ulp, found
-    6.15; at most 10.82 eps compiled, found 7.57.
+    Proved, where |x| <= 22/7 or |x| <= 2**26 and (e <= 1 - 2**-10 or |x - 2*pi*n| >= 2**-7 for
+    all n), as long as no result overflows or falls below the normal range: at most 10 eps with
+    np.tan within 1 ulp, found 6.15; at most 10.82 eps compiled, found 7.57.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -369,10 +369,10 @@ def position(
     the normal range: at most 4.34 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
     found 3.38; at most 4.51 eps compiled, found 3.72.
 
-    Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
-    2**-10, as long as no result overflows or falls below the normal range: at most 4.64 eps
-    with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.98; at most 5.5 eps compiled,
-    found 3.48.
+    Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and (e <= 1 -
+    2**-10 or |x - 2*pi*n| >= 2**-7 for all n), as long as no result overflows or falls below
+    the normal range: at most 4.64 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
+    found 2.98; at most 5.5 eps compiled, found 3.48.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 

@@ -17,6 +17,11 @@ ValueError: shapes do not broadcast or a last axis is wrong, or `out` has anothe
 Accuracy is tested: on the stated arguments no search has found a result that is off by
 more. It is of float64, in which float32 is computed, too; eps = 2**-52.
 
+What is proved holds for all arguments that its line states, of float64 rounded to nearest,
+on the assumptions of that line: the results that they speak of are those of all operations
+on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
+proved than is tested, since a proof adds up roundings that may never meet.
+
 What errors are relative to:
 
     t = tan(phi1)
@@ -465,6 +470,9 @@ def ratio_cylindrical(
     Accuracy, tested: 10 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where
     |x| <= 2**26.
 
+    Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
+    at most 11 eps with np.tan within 1 ulp, found 5.61; at most 12.5 eps compiled, found 4.61.
+
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
     """
@@ -545,6 +553,10 @@ def position_cylindrical(
 
     Accuracy, tested: 7 eps of the larger of both terms, and what eps*x makes of the second,
     where |x| <= 2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
+
+    Proved of half-angle atan, where |x| <= 3 and e2 <= 1/2, as long as no result overflows or
+    falls below the normal range: at most 8 eps with np.arctan within 1 ulp and np.tan within 1
+    ulp, found 3.95; at most 10 eps compiled, found 3.92.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 
@@ -651,6 +663,10 @@ def acceleration_cylindrical(
     Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
     R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 =
     0 or 1/2**330 <= e2).
+
+    Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
+    below the normal range: at most 15 eps with np.tan within 1 ulp, found 8.12; at most 16.5
+    eps compiled, found 7.94.
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 

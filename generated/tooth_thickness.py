@@ -460,6 +460,10 @@ def linearisation_bound(
     Accuracy, tested: 32 eps of the value times what its root's difference loses, where (dh = 0
     or 1e-100 <= |dh|) and 1e-30 <= m and m*z <= 1e50.
 
+    Proved, where 1/4 <= alpha <= 11/14 and |dh| <= 3/16*m, as long as no result overflows or
+    falls below the normal range: at most 13 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 5.64; at most 13 eps compiled, found 5.1.
+
     Source: paper on tooth thickness, step 6, second derivative on the involute.
 
     """

@@ -17,6 +17,11 @@ ValueError: shapes do not broadcast or a last axis is wrong, or `out` has anothe
 Accuracy is tested: on the stated arguments no search has found a result that is off by
 more. It is of float64, in which float32 is computed, too; eps = 2**-52.
 
+What is proved holds for all arguments that its line states, of float64 rounded to nearest,
+on the assumptions of that line: the results that they speak of are those of all operations
+on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
+proved than is tested, since a proof adds up roundings that may never meet.
+
 What errors are relative to:
 
     |value| + sum of |p * d value/d p| over the arguments p (guide_radicand) = 2*l_BC**2 +
@@ -219,6 +224,9 @@ def guide_radicand(
     (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and
     1e-50 <= l_CD <= 1e50.
 
+    Proved, where all lengths, as long as no result overflows or falls below the normal range:
+    at most 0.92 eps NumPy's functions, found 0.83; at most 0.92 eps compiled, found 0.81.
+
     Source: Bazuev et al. 2021, equation (1).
 
     """
@@ -290,6 +298,10 @@ def lever_angle(
     (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and
     1e-50 <= l_CD <= 1e50 and guide_condition/2**48 < guide_square.
 
+    Proved, where x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4, as long as no result overflows or
+    falls below the normal range: at most 2.6 eps with np.arctan within 1 ulp, found 1.42; at
+    most 3.6 eps compiled, found 1.62.
+
     Source: Bazuev et al. 2021, equation (1).
 
     """
@@ -349,6 +361,10 @@ def rod_displacement(
     Accuracy, tested: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where
     |phi3| <= pi and (phi3 = 0 or 1e-140 <= |phi3|) and 1e-10 <= l_DE <= 1e300.
 
+    Proved, where |phi3| <= 22/7 and 1/8 <= alpha_DE <= 44/7, as long as no result overflows or
+    falls below the normal range: at most 3.05 eps with np.sin within 1 ulp, found 1.37; at most
+    2.5 eps compiled, found 1.4.
+
     Source: Bazuev et al. 2021, equation (3).
 
     """
@@ -398,6 +414,9 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     Domain: 0 < l_GH < oo.
 
     Accuracy, tested: 0.5 eps of the value.
+
+    Proved, where all lengths, as long as no result overflows or falls below the normal range:
+    at most 0.51 eps NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
 
     Source: Bazuev et al. 2021, equation (4).
 
@@ -451,6 +470,10 @@ def roller_offset(
 
     Accuracy, tested: 1.5 eps of |value| + sum of |p * d value/d p| over the arguments p, where
     (1e-50 <= |x5| <= 1e50 or x5 = 0) and 1e-50 <= l_KL <= 1e50.
+
+    Proved, where alpha_KL <= 22/7, as long as no result overflows or falls below the normal
+    range: at most 1.52 eps with np.cos within 1 ulp, found 0.72; at most 2.5 eps compiled,
+    found 0.96.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -517,6 +540,11 @@ def roller_lever_angle(
     (1e-50 <= |x5| <= 1e50 or x5 = 0) and 1e-50 <= l_KL <= 1e50 and height_condition/2**48 <
     height_square.
 
+    Proved, where -alpha_KL**2*l_KL/10 <= x5 <= l_KL/4 and alpha_KL <= 2 or l_KL/4 <= x5 <= l_KL
+    and alpha_KL <= 5/4, as long as no result overflows or falls below the normal range: at most
+    5.2 eps with np.arctan within 1 ulp and np.cos within 1 ulp and np.sin within 1 ulp, found
+    1.29; at most 5 eps compiled, found 1.31.
+
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
@@ -576,6 +604,10 @@ def wedge_displacement(
 
     Accuracy, tested: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where
     |phi7| <= pi and (phi7 = 0 or 1e-140 <= |phi7|) and 1e-10 <= l_LM <= 1e300.
+
+    Proved, where |phi7| <= 22/7 and 0 <= alpha_LM <= 44/7, as long as no result overflows or
+    falls below the normal range: at most 3.05 eps with np.cos within 1 ulp and np.sin within 1
+    ulp, found 1.44; at most 3.1 eps compiled, found 2.
 
     Source: Bazuev et al. 2021, equation (10).
 

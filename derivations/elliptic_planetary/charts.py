@@ -40,8 +40,9 @@ ROUNDER = Chart(
     {**SIZES, e: e},
     {**FREE, ANGLE_X: Interval(0, Rational(22, 7)), e: UP_TO_HALF},
 )
-# Beyond half a turn the low word is no share of what is left of x, and of e so much is left out.
-UP_TO_LIMIT = "|x| <= 2**26 and e <= 1 - 2**-10"
+# Beyond half a turn the low word is no share of what is left of x: next to whole turns so much is
+# left out of e.
+UP_TO_LIMIT = "|x| <= 2**26 and (e <= 1 - 2**-10 or |x - 2*pi*n| >= 2**-7 for all n)"
 
 
 def far(rest: Expr, e_there: Expr, within: Mapping[Symbol, Interval]) -> Chart:

@@ -18,6 +18,12 @@ from mechproof.record import (
 )
 
 from .._relations import all_of
+from .charts import (
+    NEGATED,
+    PLAIN,
+    SMOOTH,
+    STEEP,
+)
 from .equations import print_10, print_radius
 from .forms import (
     ACCELERATION_FORM,
@@ -261,6 +267,8 @@ QUANTITIES = (
                 "half-angle quotient with low word",
                 RATIO_CYLINDRICAL,
                 ("low_word", "half_angle_tangent"),
+                charts=STEEP,
+                mirrors=NEGATED,
             ),
             Form(
                 "printed (4), (10)",
@@ -287,6 +295,8 @@ QUANTITIES = (
                 POSITION_CYLINDRICAL,
                 ("positive_atan2", "half_angle_tangent"),
                 when=PLAIN_PRODUCT,
+                charts=PLAIN,
+                mirrors=NEGATED,
             ),
             Form(
                 "half-angle atan with low word",
@@ -326,6 +336,7 @@ QUANTITIES = (
                 "half-angle quotient with low word",
                 ACCELERATION_CYLINDRICAL,
                 ("low_word", "half_angle_tangent"),
+                charts=SMOOTH,
             ),
             Form("1 + e**2 - 2 e cos x", ACCELERATION_CYLINDRICAL, key="direct"),
         ),

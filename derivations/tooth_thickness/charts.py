@@ -41,3 +41,17 @@ def along(side: Expr) -> Chart:
 
 
 FLANK_CHARTS = (along(tilt), along(-tilt))
+
+# A depth may be this share of the module at least before the chord is at the base circle.
+DEPTH = Symbol("|dh|/m")
+SHALLOW = Chart(
+    f"1/4 <= {WHERE} and |dh| <= 3/16*m",
+    {dh: m * DEPTH, m: m, z: 1 / INVERSE, alpha: alpha},
+    {
+        m: LENGTHS,
+        INVERSE: Interval(0, 1),
+        alpha: Interval(Rational(1, 4), UP_TO),
+        DEPTH: Interval(0, Rational(3, 16)),
+    },
+)
+DEPTH_NEGATED = ((dh,),)

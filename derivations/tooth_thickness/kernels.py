@@ -20,7 +20,15 @@ from .bounds import (
     first_order,
     within_a_hundredth,
 )
-from .charts import DEPTHS, ERRORS, ERRORS_NEGATED, FLANK_CHARTS, RACK
+from .charts import (
+    DEPTH_NEGATED,
+    DEPTHS,
+    ERRORS,
+    ERRORS_NEGATED,
+    FLANK_CHARTS,
+    RACK,
+    SHALLOW,
+)
 from .mechanics import (
     PRINTED_INFLUENCE,
     K_m,
@@ -228,7 +236,14 @@ QUANTITIES = (
         "Bound the excess of the first order over the exact change of thickness; it is >= 0.",
         (HEIGHT, MODULE, TEETH, ANGLE),
         linearisation_bound,
-        (Form("Taylor's remainder", linearisation_bound),),
+        (
+            Form(
+                "Taylor's remainder",
+                linearisation_bound,
+                charts=(SHALLOW,),
+                mirrors=DEPTH_NEGATED,
+            ),
+        ),
         f"{SOURCE}, step 6, second derivative on the involute",
         unit="mm",
         accuracy=ACCURACY["linearisation_bound"],

@@ -7,6 +7,7 @@ from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, s
 
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Singular
 
+from . import charts
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER, guide_sum
 from .conditioning import (
     AT_REST,
@@ -132,7 +133,7 @@ STAGES = (
         "Compute the radicand of Q, the square of BC: the guide follows where it is not negative.",
         arguments(x1, l_AB, l_BC, l_CD),
         radicand,
-        (Form("product", radicand),),
+        (Form("product", radicand, charts=charts.RADICAND),),
         f"{BAZUEV} (1)",
         unit="mm**2",
         accuracy=conditioned(RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), GUIDE_SIZES),
@@ -144,7 +145,7 @@ STAGES = (
         arguments(x1, l_AB, l_BC, l_CD),
         LEVER,
         (
-            Form("half-angle atan", -2 * sp.atan(x1 / guide_sum)),
+            Form("half-angle atan", -2 * sp.atan(x1 / guide_sum), charts=charts.LEVER),
             Form(
                 "printed (1)",
                 print_1,
@@ -178,7 +179,11 @@ STAGES = (
         (LEVER_TURN, *arguments(l_DE, alpha_DE)),
         print_3,
         (
-            Form("product", -2 * l_DE * sin(phi3 / 2) * sin(alpha_DE + phi3 / 2)),
+            Form(
+                "product",
+                -2 * l_DE * sin(phi3 / 2) * sin(alpha_DE + phi3 / 2),
+                charts=charts.ROD,
+            ),
             Form("printed (3)", print_3, key="printed", source=f"{BAZUEV} (3)"),
         ),
         f"{BAZUEV} (3)",
@@ -194,7 +199,7 @@ STAGES = (
         (RUN, *arguments(l_GH)),
         PUSHED,
         (
-            Form("maximum", Max(0, x5 - l_GH), states=by_pushing),
+            Form("maximum", Max(0, x5 - l_GH), states=by_pushing, charts=charts.CLEARANCE),
             Form(
                 "printed (4)",
                 PUSHED_IN_PRINT,
@@ -213,7 +218,7 @@ STAGES = (
         "Compute R, the projection of KL on Ox: the roller lever follows where |R| <= l_KL.",
         (DRIVEN_RUN, *arguments(l_KL, alpha_KL)),
         PRINTED_R,
-        (Form("difference", PRINTED_R),),
+        (Form("difference", PRINTED_R, charts=charts.OFFSET),),
         f"{BAZUEV}s (7) and (8)",
         unit="mm",
         accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), ARM_SIZES),
@@ -225,7 +230,13 @@ STAGES = (
         (DRIVEN_RUN, *arguments(l_KL, alpha_KL)),
         ROLLER,
         (
-            Form("half-angle atan", ROLLER_FORM, states=from_projection(upwards), on=UPWARD),
+            Form(
+                "half-angle atan",
+                ROLLER_FORM,
+                states=from_projection(upwards),
+                on=UPWARD,
+                charts=charts.ROLLER,
+            ),
             Form(
                 "printed (7), (8)",
                 DIRECTION_IN_PRINT.subs(R, PRINTED_R),
@@ -267,7 +278,11 @@ STAGES = (
         (ROLLER_TURN, *arguments(l_LM, alpha_LM)),
         print_10,
         (
-            Form("product", 2 * l_LM * sin(phi7 / 2) * cos(alpha_LM + phi7 / 2)),
+            Form(
+                "product",
+                2 * l_LM * sin(phi7 / 2) * cos(alpha_LM + phi7 / 2),
+                charts=charts.WEDGE,
+            ),
             Form("printed (10)", print_10, key="printed", source=f"{BAZUEV} (10)"),
         ),
         f"{BAZUEV} (10)",

@@ -82,7 +82,7 @@ def measure_apart(
     """Return how far two results are apart, and the scale of that; the scale is computed, too."""
     if subject.scale is None:
         return np.abs(one - other), np.abs(one)
-    scale = np.broadcast_to(run(subject.scale, points, IN_DOUBLES)[0], len(one))
+    scale = np.broadcast_to(run(subject.scale.straights[0], points, IN_DOUBLES)[0], len(one))
     if subject.map is None:
         return np.abs(one - other), scale.reshape(-1, *[1] * (one.ndim - 1))
     point, shift = (

@@ -32,6 +32,7 @@ OPERATIONS: dict[str, tuple[Callable[..., float], list[tuple[float, float]]]] = 
     "sin": (math.sin, [(0.5, 1.2)]),
     "tan": (math.tan, [(0.1, 1.2)]),
     "arctan": (math.atan, [(0.1, 3.0)]),
+    "arctan2": (math.atan2, [(0.1, 0.5), (-3.0, 2.0)]),
 }
 STEP = 2.0**-20
 

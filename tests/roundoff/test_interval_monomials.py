@@ -95,6 +95,61 @@ def test_a_size_keeps_what_is_never_negative() -> None:
     assert size.span.low[0] <= 0.1 < 0.2 <= size.span.high[0]
 
 
+def test_a_pole_of_any_sign_keeps_it_in_its_size() -> None:
+    """The size of 1/x is that of x over x**2, on both sides of 0."""
+    variables = BoxVariables([side_between(-0.1, 0.2)], [False])
+    size = variables.variable(0, -1).size()
+    assert size.powers == (-2,)
+    assert (size.span.low[0], size.span.high[0]) == (0.0, pytest.approx(0.2))
+
+
+@pytest.mark.parametrize(
+    ("y", "x"), [(-0.5, 2.0), (0.1, -2.0), (1e-3, 1e-3), (-3.0, -0.1), (-1.0, 0.0)]
+)
+def test_the_angle_of_a_point_is_held(y: float, x: float) -> None:
+    for reach in (0.0, 1e-6, 1e-4):
+        sides = [side_between(value - reach, value + reach) for value in (y, x)]
+        variables = BoxVariables(sides, [False, False])
+        angle, _ = RULES["arctan2"]([variables.variable(0), variables.variable(1)], None)
+        span = angle.expanded()
+        assert span.low[0] <= math.atan2(y, x) <= span.high[0]
+        assert reach_of(span) <= 1e-14 + 4 * reach / math.hypot(y, x)
+
+
+def test_an_angle_on_the_ray_of_half_a_turn_is_not_known() -> None:
+    """On one side it is a whole turn from what it is on the other."""
+    variables = BoxVariables([side_between(-1e-9, 1e-9), side_between(-2.0, -1.0)], [False, False])
+    angle, _ = RULES["arctan2"]([variables.variable(0), variables.variable(1)], None)
+    assert not np.any(angle.expanded().is_finite)
+
+
+def test_extremes_hold_every_value_and_no_end_too_many() -> None:
+    """Of 1/x, which has no finite interval, and of a number the size is told by 1/x."""
+    variables = BoxVariables([side_between(0.0, 0.5)], [True])
+    pole, three = variables.variable(0, -1).scaled(exactly(4.0)), variables.constant(exactly(3.0))
+    larger, _ = RULES["maximum"]([pole, three], None)
+    assert larger.powers == (-1,)
+    for x in (1e-9, 0.25, 0.5):
+        assert larger.span.low[0] / x <= max(4 / x, 3) <= larger.span.high[0] / x
+    assert larger.span.low[0] == 4.0
+    variables = BoxVariables([side_between(0.0, 2.0)], [True])
+    smaller, _ = RULES["minimum"]([variables.variable(0), variables.constant(ONE)], None)
+    assert (smaller.span.low[0], smaller.span.high[0]) == (0.0, 1.0)
+
+
+def test_a_value_next_to_zero_is_one_variable_for_equal_arguments() -> None:
+    """Where an argument is known to a box alone, two may differ that have the same box."""
+    variables = BoxVariables([side_between(1.5, 1.6)], [True], zeros=3)
+    x = variables.variable(0)
+    one, again = (RULES["cos"]([x], None)[0] for _ in range(2))
+    assert np.all((one / again).expanded().is_finite)
+    other, _ = RULES["cos"]([x.scaled(exactly(1.03125))], None)
+    assert not np.any((one / other).expanded().is_finite)
+    wide = variables.constant(side_between(1.5, 1.6))
+    apart = [RULES["cos"]([wide], None)[0] for _ in range(2)]
+    assert not np.any((apart[0] / apart[1]).expanded().is_finite)
+
+
 def test_what_vanishes_alike_has_a_finite_quotient() -> None:
     variables = BoxVariables([side_between(0.0, 0.1)], [True])
     x = variables.variable(0)

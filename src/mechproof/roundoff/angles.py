@@ -97,7 +97,7 @@ def take_odd(
         inside = z.largest() < end
         if monomial.variables.choose(inside, ~inside) == 0:
             return monomial.scaled(over_argument(name, z))
-    return monomial.variables.constant(function(z))
+    return monomial.variables.name(name, monomial, function(z))
 
 
 def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
@@ -125,7 +125,8 @@ def take_sine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial
 
 def take_cosine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the cosine."""
-    return monomial.variables.constant(cosine(reduce(monomial, turn, 1).expanded()))
+    argument = reduce(monomial, turn, 1)
+    return monomial.variables.name("cos", argument, cosine(argument.expanded()))
 
 
 def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
@@ -135,3 +136,17 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
         quarter = PI * exactly(0.5 * sign)
         return monomial.variables.constant(quarter - arctangent(inverse.expanded()))
     return take_odd(monomial, "arctan", arctangent, math.inf)
+
+
+def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:
+    """Return the angle of a point, not finite where it may lie on the ray of half a turn."""
+    above, ahead = y.expanded(), x.expanded()
+    masks = (ahead.low > 0, above.low > 0, above.high < 0)
+    right, up, down = masks[0], masks[1] & ~masks[0], masks[2] & ~masks[0]
+    choice = x.variables.choose(right, up, down, ~(right | up | down))
+    if choice == 0:
+        return take_arctangent(y / x)
+    if choice == 3:
+        return x.variables.constant(exactly(math.nan))
+    quarter = PI * exactly((0.5, -0.5)[choice - 1])
+    return x.variables.constant(quarter - arctangent((x / y).expanded()))

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,8 +35,11 @@ from mechproof.roundoff.condition_numbers import CarriedConditions, find_conditi
 from mechproof.roundoff.endpoint_rounding import (
     RoundedEndpoints,
     limit_by_spacing,
+    limit_by_terms,
     round_endpoints,
+    shifts,
     widen_by_ulps,
+    within_one,
 )
 from mechproof.roundoff.error_tables import ErrorTable
 from mechproof.roundoff.grids import (
@@ -51,6 +54,7 @@ from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rounded_steps import RoundedStep, take_least
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
+from mechproof.roundoff.spreading import spread
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
 
 # Of the errors of numbers.
@@ -64,10 +68,15 @@ KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approxima
 
 @dataclass(frozen=True)
 class ErrorScale:
-    """What errors are relative to: a scale, or the value; whether it is at least the value."""
+    """What errors are relative to: a scale, or the value; whether it is at least the value.
+
+    The value, if held, and `terms` add up to it; it is at least each of `least`; signs apart.
+    """
 
     scale: IntervalMonomial | None
     holds_value: bool
+    terms: Sequence[IntervalMonomial] = ()
+    least: Sequence[IntervalMonomial] = ()
 
 
 class ErrorAnalysis:
@@ -174,11 +183,11 @@ class ErrorAnalysis:
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         if step.ulps <= HALF and step.kind in LIMITED:
-            found = RoundedEndpoints(_within_one(found.span), 0.0)
+            found = RoundedEndpoints(within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
         grid = find_grid(step.kind, [self._find_grid(o) for o in step.operands])
-        is_exact = is_exact | are_doubles(grid, found.span) | _shifts(step.kind, given)
+        is_exact = is_exact | are_doubles(grid, found.span) | shifts(step.kind, given)
         relative = np.where(is_exact, 0.0, EPS * step.ulps)
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
@@ -186,7 +195,7 @@ class ErrorAnalysis:
                 # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
                 limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
-                limit = take_least(limit, _limit_by_terms(step.kind, given))
+                limit = take_least(limit, limit_by_terms(step.kind, given))
             limit = np.where(is_exact, 0.0, limit)
         span = (
             found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
@@ -242,7 +251,10 @@ class ErrorAnalysis:
 
     def sum_errors(self, output: Operand, bar: ErrorScale) -> Ends:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
-        total = sum(self.list_errors(output, bar).values(), np.float64(0.0))
+        total = sum(self.list_errors(output, replace(bar, terms=())).values(), np.float64(0.0))
+        if bar.terms and (bar.scale is None or np.any(bar.scale.is_wide)):
+            shares = self._list_shares(output, bar).values()
+            total = take_least(total, spread([*shares], len(bar.terms) + bar.holds_value))
         # The value that errors are a share of is that of the steps with part of their roundings.
         total = total * (1 + EPS * len(self.rounded)) * (1 + 2 * EPS * total)
         return np.where(np.isfinite(total), total, np.inf)
@@ -254,13 +266,17 @@ class ErrorAnalysis:
 
     def list_errors(self, output: Operand, bar: ErrorScale) -> dict[str, Ends]:
         """Bound what each step adds to the error of an output, in eps of the scale."""
+        return {r: take_least(*found) for r, found in self._list_shares(output, bar).items()}
+
+    def _list_shares(self, output: Operand, bar: ErrorScale) -> dict[str, list[Ends]]:
+        """Bound it in eps of each of what the scale is at least."""
         scales = self._list_scales(output, bar)
         inverses = [self._one / scale for scale in scales]
         # Relative to itself the output has its condition number from the start.
         value = self.value(output)
         carried = CarriedConditions(output, [ONE if s is value else UNKNOWN for s in scales])
         slopes = {output: self._one}
-        errors = {}
+        errors: dict[str, list[Ends]] = {}
         numbers = None
         for rounded in reversed(self.rounded):
             slope = slopes.pop(rounded.step.result, None)
@@ -279,17 +295,36 @@ class ErrorAnalysis:
                 self._carry(rounded, conditions, carried)
             if np.any(rounded.relative):
                 slope = slope.scaled(around(1.0, rounded.relative))
-            if rounded.step.result == output and bar.holds_value and np.any(rounded.relative):
-                # The rounding of the value itself, of which the scale has no less.
-                errors[output] = take_least(errors[output], rounded.relative / EPS)
+            if rounded.step.result == output and np.any(rounded.relative):
+                shares = errors[rounded.step.result]
+                if bar.holds_value:
+                    # The rounding of the value itself, of which the scale has no less.
+                    place = len(shares) - len(bar.terms) - 1
+                    shares[place] = take_least(shares[place], rounded.relative / EPS)
+                elif bar.least:
+                    share = self._compare_terms(rounded.step, inverses)
+                    shares[0] = take_least(shares[0], rounded.relative / EPS * share)
             for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         if numbers is not None:
             sizes = [(numbers * inverse).expanded().largest() for inverse in inverses]
-            errors[CONSTANT] = take_least(*sizes) / EPS
+            errors[CONSTANT] = [size / EPS for size in sizes]
         return errors
+
+    def _compare_terms(self, step: Step, inverses: Sequence[IntervalMonomial]) -> Ends:
+        """Bound a sum by what its terms are beside what the scale is at least."""
+        if step.kind not in ("add", "subtract"):
+            return np.inf
+        a, b = (self.value(operand) for operand in step.operands)
+        one, other = (
+            take_least(*((term * inverse).expanded().largest() for inverse in inverses))
+            for term in (a, b)
+        )
+        # What is left of two, one taken off the other, is not larger than both.
+        is_difference = a.decide_sign() * b.decide_sign() == (-1 if step.kind == "add" else 1)
+        return np.maximum(one, other) if is_difference else one + other
 
     def _carry(
         self, rounded: RoundedStep, conditions: Sequence[Interval], carried: CarriedConditions
@@ -304,32 +339,12 @@ class ErrorAnalysis:
         carried.carry(conditions, rounded.relative, taken, numbers)
 
     def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
-        """List what the scale is at least: the value, and each of two terms of one sign."""
+        """List what the scale is at least: each of two terms of one sign, the value, its terms."""
         scales = [bar.scale] if bar.scale else []
         value = self.value(output)
         if not bar.holds_value:
-            return scales
+            return [*scales, *bar.least, *bar.terms]
         last = next((m.step for m in self.rounded if m.step.result == output), None)
         terms = [self.value(o) for o in last.operands] if last and last.kind == "add" else []
         signs = {term.decide_sign() for term in terms}
-        return [*scales, value, *(terms if signs in ({1}, {-1}) else [])]
-
-
-def _within_one(span: Interval) -> Interval:
-    return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
-
-
-def _shifts(kind: str, given: Sequence[Interval]) -> Mask:
-    """Say where all that is computed is multiplied or divided by one power of two."""
-    factors = {"multiply": given, "square": given, "divide": given[1:]}.get(kind, ())
-    known: Mask = False
-    for factor in factors:
-        known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == HALF)
-    return known
-
-
-def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
-    """Bound the rounding of a sum by a term of it: the other one is a double."""
-    if kind in ("add", "subtract"):
-        return np.fmin(given[0].largest(), given[1].largest())
-    return np.inf
+        return [*scales, *(terms if signs in ({1}, {-1}) else []), *bar.least, value, *bar.terms]

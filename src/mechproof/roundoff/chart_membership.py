@@ -23,6 +23,8 @@ from mechproof.roundoff.symmetry import ODD, list_parities
 
 TURNS, PI = sp.Symbol("turns"), CONSTANTS[sp.pi]
 Signs = frozenset[str]
+# What is less is a rounding.
+NEAR = 1e-9
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,8 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     if chart.rest is not None:
         equations.append(chart.rest + 2 * sp.pi * TURNS - chart.angle)
     found = sp.solve(equations, list(chart.within), dict=True)
+    if len(found) > 1:
+        found = [place for place in found if _is_at_middle(chart, drawn, place)]
     if len(found) != 1 or found[0].keys() != chart.within.keys():
         raise ValueError(f"chart: {chart.arguments} do not tell their coordinates")
     (place,) = found
@@ -72,6 +76,21 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     inputs = {drawn[symbol]: names[symbol] for symbol in chart.arguments}
     return lower_steps(
         inputs, frozenset(), tuple(inputs.values()), _count_turns(chart, place), gaps
+    )
+
+
+def _is_at_middle(
+    chart: Chart, drawn: Mapping[sp.Basic, sp.Dummy], place: Mapping[sp.Symbol, sp.Expr]
+) -> bool:
+    """Say whether a solution is that of the two signs of a root which the coordinates have."""
+    middle = {
+        name: (side.inf + side.sup) / 2 if side.sup.is_finite else sp.S.One
+        for name, side in chart.within.items()
+    }
+    arguments = {drawn[symbol]: value.subs(middle) for symbol, value in chart.arguments.items()}
+    return all(
+        name in place and abs(sp.N(place[name].subs(arguments) - value)) < NEAR
+        for name, value in middle.items()
     )
 
 

@@ -16,6 +16,7 @@ import sympy as sp
 
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
+from mechproof.roundoff.powers_of_two import take_powers_last
 from mechproof.roundoff.steps import (
     CONSTANT,
     PRODUCT_REST,
@@ -30,6 +31,7 @@ Pair = tuple[sp.Expr, sp.Expr]
 
 def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps with what is compensated held; ValueError where a rest is no low word."""
+    straight = take_powers_last(straight)
     products = _list_rounded(straight, PRODUCT_REST)
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
         for output in straight.outputs:

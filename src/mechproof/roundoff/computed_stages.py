@@ -17,12 +17,12 @@ from mechproof.arithmetic.intervals import EPS, Array
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
-from mechproof.programs.kernel import Kernel, build_kernel, input_names
+from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.operations import SYMBOLIC, Arithmetic
-from mechproof.programs.program import CONSTANTS, Operand, Program
+from mechproof.programs.program import CONSTANTS, Program
 from mechproof.programs.scalar import defer_in_stage, map_affinely
 from mechproof.record import Chart, Form, Paper, Quantity
-from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
+from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
@@ -37,19 +37,19 @@ from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import (
     CONSTANT,
     EXACT,
-    Step,
     StraightLineProgram,
     flatten_stage,
     keep_needed,
 )
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
+from mechproof.roundoff.written_scales import WrittenScale, write_scale
 
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 # Compiled kernels have their own, of which nothing is proved.
 UNPROVED = frozenset({"exp", "log"})
+WAVES = ("sin", "cos")
 # In doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
-PLAIN_REWRITES = ("half_angle_tangent",)
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class ComputedStage:
     way: str
     straight: StraightLineProgram
     exact: StraightLineProgram
-    scale: StraightLineProgram | None
+    scale: WrittenScale | None
     computed: StraightLineProgram | None = None
     map: AffineMap | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(
@@ -78,7 +78,8 @@ class ComputedStage:
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps, of the coordinates and of the scale."""
-        parts = (self.straight, self.form.charts, self.form.mirrors, self.scale, *self._programs)
+        scale = self.scale.straights if self.scale else (None,)
+        parts = (self.straight, self.form.charts, self.form.mirrors, *scale, *self._programs)
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
@@ -120,14 +121,16 @@ class ComputedStage:
     ) -> tuple[ErrorAnalysis, ErrorScale]:
         """Return all values over boxes, and what errors are relative to."""
         steps = self.map.entries if self.map else self.straight
-        both = (steps, *([self.scale] if self.scale else []))
-        poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
-        variables, monomials, turn = region.enter(boxes, poles, forced)
+        all_steps = [steps, *(self.scale.straights if self.scale else ())]
+        kinds = [step.kind for straight in all_steps for step in straight.steps]
+        # Where terms are told apart what vanishes cancels term by term.
+        waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
+        variables, monomials, turn = region.enter(boxes, kinds.count("tan"), forced, waves)
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
         given = {names[symbol]: express(value, variables, monomials) for symbol, value in arguments}
         found = []
-        for straight in both:
+        for straight in all_steps:
             plain = self._add_up(straight, region.chart)
             stated = {
                 result: express(value, variables, monomials) for result, value in plain.items()
@@ -136,14 +139,9 @@ class ComputedStage:
             found.append(evaluation)
         if self.scale is None:
             return found[0], ErrorScale(None, True)
-        whole, *rest = (found[1].value(output) for output in self.scale.outputs)
-        if not rest or rest[0].decide_sign() <= 0:
-            return found[0], ErrorScale(whole, False)
-        # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
-        is_known = whole.span.is_finite
-        return found[0], ErrorScale(
-            rest[0] if variables.choose(is_known, ~is_known) else whole, True
-        )
+        analysis, *scales = found
+        pairs = zip(scales, self.scale.straights, strict=True)
+        return analysis, self.scale.weigh(*([*map(s.value, own.outputs)] for s, own in pairs))
 
     def _add_up(self, straight: StraightLineProgram, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))
@@ -163,7 +161,9 @@ class ComputedStage:
         apart = [
             arithmetic["number"](value) - true for value, true in zip(found, exact, strict=True)
         ]
-        scales = [run(self.scale, given, arithmetic)[0]] * len(exact) if self.scale else exact
+        scales = exact
+        if self.scale:
+            scales = run(self.scale.straights[0], given, arithmetic)[:1] * len(exact)
         if self.map:
             whole = self.map.compute_scale(scales[0], given, arithmetic)
             return [measure_norm(apart, arithmetic) / whole / EPS]
@@ -206,7 +206,7 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
             continue
-        scale = _write_scale(kernel.quantity, form, stage, paper)
+        scale = write_scale(kernel.quantity, form, stage, paper)
         straight = find_compensated(flatten_stage(stage, IN_NUMPY))
         _check_kinds(straight)
         _check_signs(straight, kernel, form)
@@ -222,7 +222,7 @@ def _compile(
     form: Form,
     stage: Stage,
     exact: StraightLineProgram,
-    scale: StraightLineProgram | None,
+    scale: WrittenScale | None,
 ) -> ComputedStage:
     compiled = defer_in_stage(stage)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
@@ -276,58 +276,3 @@ def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -
         raise ValueError("a shift that is computed")
     inputs = (*points, *stage.parameters)
     return AffineMap(replace(straight, inputs=inputs), points, shift)
-
-
-def _write_scale(
-    quantity: Quantity, form: Form, stage: Stage, paper: Paper
-) -> StraightLineProgram | None:
-    """Write the scale as the form is written, but for its low words, and without roundings."""
-    if quantity.accuracy is None or quantity.accuracy.scale is None:
-        return None
-    rewrites = tuple(name for name in form.rewrites if name in PLAIN_REWRITES)
-    size, value = quantity.accuracy.scale.written_out(), quantity.definition
-    if stage.affine:
-        points, shift = quantity.arguments[0].symbols, stage.prepare.outputs[-len(stage.running) :]
-        size = find_size(size, points, [s for s, n in input_names(quantity).items() if n in shift])
-        needed = tuple(a for a in quantity.arguments if size.free_symbols & {*a.symbols})
-        quantity = replace(quantity, arguments=needed)
-    more = [size - part for part in (value, sp.Abs(value)) if _has_terms(size, part)]
-    straights = [
-        _write_exact(expression, rewrites, quantity, paper) for expression in (size, *more)
-    ]
-    return _join(straights)
-
-
-def _has_terms(size: sp.Expr, part: sp.Basic) -> bool:
-    """Say whether a sum has all terms of another."""
-    return isinstance(part, sp.Expr) and {*sp.Add.make_args(part)} <= {*sp.Add.make_args(size)}
-
-
-def _write_exact(
-    expression: sp.Expr, rewrites: tuple[str, ...], quantity: Quantity, paper: Paper
-) -> StraightLineProgram:
-    if not expression.free_symbols:
-        return StraightLineProgram((), (), (float(expression),))
-    written = Form("scale", expression, rewrites)
-    alone = replace(quantity, forms=(written,))
-    (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
-    straight = flatten_stage(stage, IN_NUMPY)
-    return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
-
-
-def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
-    """Put steps one after the other under names of their own."""
-    steps: list[Step] = []
-    outputs: list[Operand] = []
-    for number, straight in enumerate(straights):
-        own = {step.result: f"{number}.{step.result}" for step in straight.steps}
-
-        def rename(operand: Operand, own: Mapping[str, str] = own) -> Operand:
-            return own.get(operand, operand) if isinstance(operand, str) else operand
-
-        steps += [
-            replace(s, result=own[s.result], operands=tuple(map(rename, s.operands)))
-            for s in straight.steps
-        ]
-        outputs += map(rename, straight.outputs)
-    return StraightLineProgram(straights[0].inputs, tuple(steps), tuple(outputs))

@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, list_corners
+from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, Mask, list_corners
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.fused import add_exactly, fma
 
@@ -134,3 +134,24 @@ def widen_by_ulps(span: Interval, ulps: float) -> Interval:
     """Enclose what is off by so many ulps."""
     share = 2 * ulps * EPS
     return Interval(span.low - np.abs(span.low) * share, span.high + np.abs(span.high) * share)
+
+
+def within_one(span: Interval) -> Interval:
+    """Return what is at most 1 in size."""
+    return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
+
+
+def shifts(kind: str, given: Sequence[Interval]) -> Mask:
+    """Say where all that is computed is multiplied or divided by one power of two."""
+    factors = {"multiply": given, "square": given, "divide": given[1:]}.get(kind, ())
+    known: Mask = False
+    for factor in factors:
+        known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == 0.5)
+    return known
+
+
+def limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
+    """Bound the rounding of a sum by a term of it: the other one is a double."""
+    if kind in ("add", "subtract"):
+        return np.fmin(given[0].largest(), given[1].largest())
+    return np.inf

@@ -9,13 +9,15 @@ in.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import ONE, Interval, Mask
+from mechproof.arithmetic.intervals import ONE, Ends, Interval, Mask
 
 Powers = tuple[int, ...]
+# So many times its least size is the largest of a wide interval.
+WIDE = 1.25
 
 
 class MixedBoxesError(Exception):
@@ -39,11 +41,15 @@ class BoxVariables:
         positive: Sequence[bool],
         poles: int = 0,
         forced: tuple[int, ...] = (),
+        zeros: int = 0,
     ) -> None:
-        self._positive = (*positive, *(False,) * poles)
+        more = poles + zeros
+        self._positive = (*positive, *(False,) * more)
         self.spans = list(spans)
-        self._free = list(range(len(spans), len(spans) + poles))
-        self.none: Powers = (0,) * (len(spans) + poles)
+        self._free = list(range(len(spans), len(spans) + more))
+        self.none: Powers = (0,) * (len(spans) + more)
+        # Of functions that may vanish, which many ask for.
+        self._named: dict[Hashable, IntervalMonomial] | None = {} if zeros else None
         self._known: dict[Powers, Interval] = {}
         self._forced = forced
         self._path: tuple[int, ...] = ()
@@ -83,9 +89,9 @@ class BoxVariables:
         return self.keep_positive(powers) == powers
 
     def keep_positive(self, powers: Powers) -> Powers:
-        """Return those of the powers that are never negative."""
+        """Return powers that are never negative, each the same or one less."""
         return tuple(
-            power if power % 2 == 0 or positive else 0
+            power if power % 2 == 0 or positive else power - 1
             for power, positive in zip(powers, self._positive, strict=True)
         )
 
@@ -98,6 +104,22 @@ class BoxVariables:
         index = self._free.pop(0)
         self.spans.append(span)
         return self.variable(index)
+
+    def name(self, function: str, argument: IntervalMonomial, value: Interval) -> IntervalMonomial:
+        """Return a function's value; one next to zero is a variable, the same for all who ask.
+
+        So it cancels where it is divided by itself.
+        """
+        # Only a number times powers of variables is known to be the same wherever it stands.
+        if self._named is None or not np.all(argument.span.low == argument.span.high):
+            return self.constant(value)
+        wide = self.constant(value).is_wide
+        if self.choose(~wide, wide) == 0:
+            return self.constant(value)
+        key = (function, argument.powers, np.asarray(argument.span.low).tobytes())
+        if key not in self._named:
+            self._named[key] = self.add_variable(value)
+        return self._named[key]
 
     def expand(self, powers: Powers) -> Interval:
         """Return a product of powers; not finite for reciprocals of what may vanish."""
@@ -159,6 +181,11 @@ class IntervalMonomial:
             powers = tuple([2 * p for p in powers])
         return IntervalMonomial(self.variables, self.span.power(2), powers)
 
+    @property
+    def is_wide(self) -> Mask:
+        """Say where the interval is next to zero beside its width, holds it or is not known."""
+        return ~(np.maximum(self.span.low, -self.span.high) * WIDE > self.span.largest())
+
     def expanded(self) -> Interval:
         """Return the interval of the value."""
         if self.powers is self.variables.none:
@@ -181,16 +208,20 @@ class IntervalMonomial:
         return (1, -1, 0)[self.variables.choose(above, below & ~above, ~(above | below))]
 
     def size(self) -> IntervalMonomial:
-        """Return the absolute value, which keeps the powers that are never negative."""
+        """Return the absolute value, of which even powers of what may be negative are kept."""
         kept = self.variables.intern(self.variables.keep_positive(self.powers))
         return IntervalMonomial(self.variables, self._over(kept).size(), kept)
 
-    def united(self, other: IntervalMonomial) -> IntervalMonomial:
-        """Return a monomial that holds the values of both."""
+    def extreme(
+        self, other: IntervalMonomial, choose: Callable[[Ends, Ends], Ends]
+    ) -> IntervalMonomial:
+        """Return the larger or the smaller of two values, by what chooses so of their ends."""
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
-        return IntervalMonomial(
-            self.variables, self._over(common).union(other._over(common)), common
-        )
+        if not self.variables.is_positive(common):
+            common = self.variables.none
+        one, two = self._over(common), other._over(common)
+        span = Interval(choose(one.low, two.low), choose(one.high, two.high))
+        return IntervalMonomial(self.variables, span, common)
 
     def _over(self, common: Powers) -> Interval:
         if self.powers == common:

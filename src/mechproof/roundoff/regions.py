@@ -47,14 +47,14 @@ class ChartRegion:
         return "more turns" if self.turns is None else f"{self.turns} turns"
 
     def enter(
-        self, boxes: Boxes, poles: int, forced: tuple[int, ...] = ()
+        self, boxes: Boxes, poles: int, forced: tuple[int, ...] = (), zeros: int = 0
     ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
         """Return the variables of boxes, its coordinates as monomials and the angle's turn."""
         spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
         if self.turns is not None:
             # The reciprocal of the angle, which is known when its rest is.
             spans.append(ONE)
-        variables = BoxVariables(spans, self._list_positive(boxes), poles, forced)
+        variables = BoxVariables(spans, self._list_positive(boxes), poles, forced, zeros)
         monomials = {name: variables.variable(i) for i, name in enumerate(self.names)}
         if not self.is_turned:
             return variables, monomials, None

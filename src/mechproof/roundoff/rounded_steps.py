@@ -25,8 +25,10 @@ class RoundedStep:
     # Of a number that is no double, what its rounding is, with its sign, as a share of itself.
     known: Interval | None = None
 
-    def weigh(self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]) -> Ends:
-        """Bound what it adds in eps of a scale, of some the one where it adds least.
+    def weigh(
+        self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]
+    ) -> list[Ends]:
+        """Bound what it adds in eps of each of some scales.
 
         The slopes are those of an output over each scale, the conditions its condition numbers.
         """
@@ -35,17 +37,15 @@ class RoundedStep:
             absolute = self.absolute / EPS
             least = self.exact.expanded().size().low
             share = np.fmin(share, absolute / np.where(least > 0, least, np.nan))
-        bounds = []
-        for slope, condition in zip(slopes, conditions, strict=True):
-            if np.any(self.relative):
-                bounds.append(condition.largest() * share)
-            if absolute is not None:
-                bounds.append(slope.expanded().largest() * absolute)
-        if not bounds:
-            return np.float64(0.0)
         # An exact operation adds nothing, even where its slope is not known.
         is_exact = np.maximum(share, 0.0 if absolute is None else absolute) == 0
-        return np.where(is_exact, 0.0, take_least(*bounds) * (1 + 8 * EPS))
+        bounds = []
+        for slope, condition in zip(slopes, conditions, strict=True):
+            found = [condition.largest() * share] if np.any(self.relative) else []
+            if absolute is not None:
+                found.append(slope.expanded().largest() * absolute)
+            bounds.append(np.where(is_exact, 0.0, take_least(*found) * (1 + 8 * EPS)))
+        return bounds
 
 
 def take_least(*bounds: Ends) -> Ends:

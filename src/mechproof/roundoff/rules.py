@@ -7,8 +7,15 @@ from types import MappingProxyType
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import ONE, Interval, exactly, exponential, logarithm
-from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
+from mechproof.arithmetic.intervals import ONE, Ends, Interval, exactly, exponential, logarithm
+from mechproof.roundoff.angles import (
+    Turn,
+    take_angle,
+    take_arctangent,
+    take_cosine,
+    take_sine,
+    take_tangent,
+)
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 
 EITHER = Interval(np.float64(-1.0), np.float64(1.0))
@@ -84,23 +91,26 @@ def _absolute(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
 
 
 def _maximum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return _either(given, (given[0] - given[1]).expanded())
+    a, b = given
+    return _either(a, b, (a - b).expanded(), np.maximum)
 
 
 def _minimum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return _either(given, (given[1] - given[0]).expanded())
-
-
-def _either(given: Sequence[IntervalMonomial], lead: Interval) -> Moved:
-    """Return the first where it leads, the second where it does not, both where undecided."""
     a, b = given
+    return _either(a, b, (b - a).expanded(), np.minimum)
+
+
+def _either(
+    a: IntervalMonomial, b: IntervalMonomial, lead: Interval, choose: Callable[[Ends, Ends], Ends]
+) -> Moved:
+    """Return the first where it leads, the second where it does not, both where undecided."""
     one = _one(a)
     leads, follows = lead.low >= 0, lead.high <= 0
     choice = a.variables.choose(leads, follows & ~leads, ~(leads | follows))
     if choice < 2:
-        return given[choice], ((one, None), (None, one))[choice]
+        return (a, b)[choice], ((one, None), (None, one))[choice]
     some = a.variables.constant(SOME)
-    return a.united(b), (some, some)
+    return a.extreme(b, choose), (some, some)
 
 
 def _tan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
@@ -119,6 +129,12 @@ def _cos(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
 def _arctan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     (a,) = given
     return take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)
+
+
+def _arctan2(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    y, x = given
+    square = x.squared() + y.squared()
+    return take_angle(y, x), (x / square, -(y / square))
 
 
 def _exp(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
@@ -150,6 +166,7 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "cos": _cos,
         "tan": _tan,
         "arctan": _arctan,
+        "arctan2": _arctan2,
         "exp": _exp,
         "log": _log,
     }

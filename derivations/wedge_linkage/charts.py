@@ -1,0 +1,114 @@
+"""Coordinates over which the rounding errors of the stages of paper 4 are bounded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sympy import Expr, Interval, Rational, Symbol, oo
+
+from mechproof.record import Chart
+
+from .symbols import (
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    phi3,
+    phi7,
+    x1,
+    x5,
+)
+
+# All lengths are shares of one that is the largest.
+LARGEST, PART = Symbol("R", positive=True), Symbol("l_AB/arm", positive=True)
+SHARES = tuple(Symbol(f"share_{letter}", positive=True) for letter in "abc")
+LENGTHS, SHARE = Interval(0, oo), Interval(0, 1)
+X, Y, Z, W = (Symbol(letter, positive=True) for letter in "xyzw")
+
+
+def by_largest(
+    displacement: Symbol, sizes: tuple[Symbol, ...], text: str, angles: dict[Symbol, Interval]
+) -> Iterator[Chart]:
+    """Make the charts of a displacement of any sign and sizes, by which of them is the largest."""
+    lengths = (displacement, *sizes)
+    for largest in lengths:
+        others = [length for length in lengths if length is not largest]
+        within = {LARGEST: LENGTHS, **dict.fromkeys(SHARES[: len(others)], SHARE), **angles}
+        for sign in (1, -1):
+            shares = dict(zip(others, SHARES, strict=False))
+            values = {largest: LARGEST, **{n: LARGEST * share for n, share in shares.items()}}
+            values[displacement] = sign * values[displacement]
+            yield Chart(text, {**values, **{angle: angle for angle in angles}}, within)
+
+
+UPWARD = "alpha_KL <= 22/7"
+RADICAND = tuple(by_largest(x1, (l_AB, l_BC, l_CD), "all lengths", {}))
+CLEARANCE = tuple(by_largest(x5, (l_GH,), "all lengths", {}))
+OFFSET = tuple(by_largest(x5, (l_KL,), UPWARD, {alpha_KL: Interval(0, Rational(22, 7))}))
+
+# Beyond, the square of BC cancels, and its error is compared with a condition that has no bound.
+CLOSING = "x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4"
+QUARTER = Interval(0, Rational(1, 4))
+
+
+def guide(x: Expr, length: Expr, arm: Expr, within: dict[Symbol, Interval]) -> Chart:
+    """Make the chart of the pusher's way, of the guide's length and of the arm."""
+    arguments = {x1: LARGEST * x, l_BC: LARGEST * length, l_AB: LARGEST * arm * PART}
+    arguments[l_CD] = LARGEST * arm * (1 - PART)
+    return Chart(CLOSING, arguments, {LARGEST: LENGTHS, PART: SHARE, **within})
+
+
+# The arm, the guide or the way is the largest; beside a long arm both may be small.
+LEVER = (
+    guide(Y**2 * W, Y, 1, {Y: SHARE, W: SHARE}),
+    guide(Z**2, Z * W, 1, {Z: SHARE, W: SHARE}),
+    guide(X, 1, Y, {X: SHARE, Y: SHARE}),
+    guide(1, X, Y, {X: SHARE, Y: SHARE}),
+    guide(-(Y**2) * W, Y, 1, {Y: SHARE, W: QUARTER}),
+    guide(-X, 1, Y, {X: QUARTER, Y: SHARE}),
+)
+
+# Farther on the height of the roller cancels, and its error has no bound, as the guide's.
+LIFTED = "-alpha_KL**2*l_KL/10 <= x5 <= l_KL/4 and alpha_KL <= 2"
+LIFTED_FAR = "l_KL/4 <= x5 <= l_KL and alpha_KL <= 5/4"
+RAISED = Interval(-Rational(1, 10), Rational(1, 8))
+ROLLER = tuple(
+    Chart(text, {l_KL: LARGEST, x5: LARGEST * x, alpha_KL: angle}, {LARGEST: LENGTHS, **within})
+    for text, x, angle, within in (
+        (LIFTED, alpha_KL**2 * W, alpha_KL, {alpha_KL: Interval(0, 2), W: RAISED}),
+        (LIFTED, Z**2, Z * W, {Z: Interval(0, Rational(1, 2)), W: Interval(0, 3)}),
+        (
+            LIFTED_FAR,
+            X,
+            alpha_KL,
+            {X: Interval(Rational(1, 4), 1), alpha_KL: Interval(0, Rational(5, 4))},
+        ),
+    )
+)
+
+
+def arm(
+    turned: Symbol, direction: Symbol, length: Symbol, least: Expr, text: str
+) -> tuple[Chart, ...]:
+    """Make the charts of an arm that turns by half a turn at most, to either side."""
+    within = {
+        X: Interval(0, Rational(22, 7)),
+        direction: Interval(least, Rational(44, 7)),
+        LARGEST: LENGTHS,
+    }
+    return tuple(
+        Chart(text, {turned: sign * X, direction: direction, length: LARGEST}, within)
+        for sign in (1, -1)
+    )
+
+
+# At a direction of 0 a turn and the direction vanish together, and with them the value and all
+# that the rounding of their sum is compared with.
+ROD = arm(phi3, alpha_DE, l_DE, Rational(1, 8), "|phi3| <= 22/7 and 1/8 <= alpha_DE <= 44/7")
+WEDGE = arm(phi7, alpha_LM, l_LM, 0, "|phi7| <= 22/7 and 0 <= alpha_LM <= 44/7")

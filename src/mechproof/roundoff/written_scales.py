@@ -1,0 +1,145 @@
+"""Written scales: in, what errors are relative to; out, its steps, and those of its terms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+from sympy.simplify.fu import TR9
+
+from mechproof.programs.code import Stage
+from mechproof.programs.kernel import build_kernel, input_names
+from mechproof.programs.program import Operand
+from mechproof.record import Form, Paper, Quantity
+from mechproof.roundoff.affine import find_size
+from mechproof.roundoff.bound import ErrorScale
+from mechproof.roundoff.expansions import IN_NUMPY
+from mechproof.roundoff.interval_monomials import IntervalMonomial
+from mechproof.roundoff.sharing import share_equal_steps
+from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage
+
+PLAIN_REWRITES = ("positive_atan2", "half_angle_tangent")
+# Of fewer terms one is the whole scale, nearly.
+LEAST_TERMS = 3
+
+
+@dataclass(frozen=True)
+class WrittenScale:
+    """The steps of a scale and of what it is more than the value, where it has all its terms.
+
+    Told besides, but for their signs, are so many terms of a sum, without the value, if it is one,
+    and what it is at least: the candidates of a maximum. Those `known` are never negative.
+    """
+
+    straights: tuple[StraightLineProgram, ...]
+    terms: int
+    known: tuple[bool, ...]
+
+    def weigh(
+        self, outputs: Sequence[IntervalMonomial], parts: Sequence[IntervalMonomial] = ()
+    ) -> ErrorScale:
+        """Return the scale over boxes, with its terms where none is negative."""
+        whole, *rest = outputs
+        pairs = zip(self.known, parts, strict=True)
+        signs = [known or part.decide_sign() > 0 for known, part in pairs]
+        terms = parts[: self.terms] if all(signs[: self.terms]) else ()
+        least = [part for part, holds in zip(parts, signs, strict=True) if holds][len(terms) :]
+        if not rest or (not terms and rest[0].decide_sign() <= 0):
+            return ErrorScale(whole, False, terms, least)
+        # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
+        is_known = whole.span.is_finite
+        scale = rest[0] if whole.variables.choose(is_known, ~is_known) else whole
+        return ErrorScale(scale, True, terms, least)
+
+
+def write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> WrittenScale | None:
+    """Write the scale as the form is written, but for its low words, and without roundings."""
+    if quantity.accuracy is None or quantity.accuracy.scale is None:
+        return None
+    rewrites = tuple(name for name in form.rewrites if name in PLAIN_REWRITES)
+    scale = quantity.accuracy.scale
+    # The value is written as it is in the scale.
+    size, value = (
+        _join_waves(replace(scale, expression=part).written_out())
+        for part in (scale.expression, quantity.definition)
+    )
+    if stage.affine:
+        points, shift = quantity.arguments[0].symbols, stage.prepare.outputs[-len(stage.running) :]
+        size = find_size(size, points, [s for s, n in input_names(quantity).items() if n in shift])
+
+    def write(*expressions: sp.Expr) -> StraightLineProgram:
+        return _join([_write_exact(e, rewrites, quantity, paper) for e in expressions])
+
+    terms = _list_terms(size)
+    own = [part for part in (value, sp.Abs(value)) if _list_terms(part) <= terms]
+    others = sorted(terms - _list_terms(own[0]) if own else terms, key=sp.default_sort_key)
+    least = [part for term in others if isinstance(term, sp.Max) for part in term.args]
+    if len(others) + len(own) < LEAST_TERMS:
+        others = []
+    straights = [write(size, *(size - part for part in own))]
+    parts = [*others, *sorted(least, key=sp.default_sort_key)]
+    if parts:
+        straights.append(share_equal_steps(write(*map(_drop_signs, parts))))
+    known = tuple(part.is_extended_nonnegative is True for part in parts)
+    return WrittenScale(tuple(straights), len(others), known)
+
+
+def _join_waves(size: sp.Basic) -> sp.Basic:
+    """Write differences of sines and of cosines as products, which vanish as their angles do."""
+    return size.replace(
+        lambda part: part.is_Add and all(term.has(sp.sin, sp.cos) for term in part.args), TR9
+    )
+
+
+def _list_terms(size: sp.Basic) -> set[sp.Basic]:
+    return {*sp.Add.make_args(size)}
+
+
+def _drop_signs(term: sp.Expr) -> sp.Expr:
+    """Return what a term is the size of: only sizes are compared with it."""
+    factors = sp.Mul.make_args(term)
+    return sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else f for f in factors))
+
+
+def _write_exact(
+    expression: sp.Expr, rewrites: tuple[str, ...], quantity: Quantity, paper: Paper
+) -> StraightLineProgram:
+    if not expression.free_symbols:
+        return StraightLineProgram((), (), (float(expression),))
+    written = Form("scale", expression, rewrites)
+    needed = tuple(a for a in quantity.arguments if _find_symbols(expression, paper) & {*a.symbols})
+    alone = replace(quantity, forms=(written,), arguments=needed)
+    (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
+    straight = flatten_stage(stage, IN_NUMPY)
+    return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
+
+
+def _find_symbols(expression: sp.Expr, paper: Paper) -> set[sp.Basic]:
+    """Return the symbols of an expression and of what the paper defines them by."""
+    found: set[sp.Basic] = set()
+    waiting = {*expression.free_symbols}
+    while waiting:
+        found |= waiting
+        defined = (paper.given[symbol] for symbol in waiting if symbol in paper.given)
+        waiting = {symbol for value in defined for symbol in value.free_symbols} - found
+    return found
+
+
+def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
+    """Put steps one after the other under names of their own."""
+    steps: list[Step] = []
+    outputs: list[Operand] = []
+    inputs = tuple(dict.fromkeys(name for straight in straights for name in straight.inputs))
+    for number, straight in enumerate(straights):
+        own = {step.result: f"{number}.{step.result}" for step in straight.steps}
+
+        def rename(operand: Operand, own: Mapping[str, str] = own) -> Operand:
+            return own.get(operand, operand) if isinstance(operand, str) else operand
+
+        steps += [
+            replace(s, result=own[s.result], operands=tuple(map(rename, s.operands)))
+            for s in straight.steps
+        ]
+        outputs += map(rename, straight.outputs)
+    return StraightLineProgram(inputs, tuple(steps), tuple(outputs))

@@ -1,0 +1,141 @@
+"""Terms of a scale: errors put to them add up to no less, and what a scale is told to be it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from certified import GROUP
+
+from mechproof.arithmetic.intervals import Array
+from mechproof.programs.kernel import list_functions
+from mechproof.record import (
+    Accuracy,
+    Argument,
+    Chart,
+    Form,
+    Paper,
+    Quantity,
+    Scale,
+    Variable,
+)
+from mechproof.roundoff.certificate import cover_all
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.spreading import spread
+from mechproof.roundoff.steps import HALF
+
+pytestmark = pytest.mark.xdist_group(GROUP)
+a, b = sp.symbols("a b", positive=True)
+angle = sp.Symbol("angle", real=True)
+
+
+def add_up(errors: Array, terms: Array) -> float:
+    return float(errors.sum() / terms.sum())
+
+
+def test_errors_put_to_terms_add_up_to_no_less() -> None:
+    """Of random terms, however unlike, and errors that are shares of one of them."""
+    rng = np.random.default_rng(1)
+    for _ in range(200):
+        terms = 10.0 ** rng.uniform(-8, 0, 3)
+        errors = rng.uniform(0, 1, 5) * terms[rng.integers(0, 3, 5)]
+        shares = [
+            [np.array([inf]), *(e / terms)[:, np.newaxis]] for e in errors for inf in [np.inf]
+        ]
+        assert add_up(errors, terms) <= spread(shares, 3)[0]
+
+
+def test_terms_that_vanish_together_need_no_quotient() -> None:
+    """Of two errors, each half of its own term, the bound is one half; one on both is less."""
+    unknown, half = np.array([np.inf]), np.array([0.5])
+    assert spread([[half, unknown], [unknown, half]], 2)[0] == pytest.approx(0.5)
+    assert spread([[half, half]], 2)[0] == pytest.approx(0.25)
+    assert spread([[half, unknown], [half, unknown]], 2)[0] == pytest.approx(1.0)
+    assert not np.isfinite(spread([[unknown, unknown]], 2)[0])
+
+
+def test_one_term_too_many_is_seen() -> None:
+    """Put to a term that the scale does not have, errors are beyond the bound."""
+    terms = np.array([1.0, 1e-9])
+    errors = np.array([0.5, 0.5]) * terms[0]
+    honest = [[np.array([0.5]), np.array([0.5 / terms[1]])]] * 2
+    forged = [[np.array([0.5]), np.array([0.5])]] * 2
+    assert add_up(errors, terms) <= spread(honest, 2)[0]
+    assert add_up(errors, terms) > spread(forged, 2)[0]
+
+
+def write_subjects(
+    value: sp.Expr, scale: sp.Expr, chart: Chart, symbols: Sequence[sp.Symbol]
+) -> list[ComputedStage]:
+    form = Form("as it is", value, charts=(chart,))
+    arguments = tuple(Argument(str(s), (s,), str(s)) for s in symbols)
+    accuracy = Accuracy(9, Scale("its terms", scale))
+    quantity = Quantity("f", "Compute f.", arguments, value, (form,), "here", accuracy=accuracy)
+    paper = Paper(
+        "own",
+        "A paper",
+        variables=tuple(Variable(s, str(s)) for s in symbols),
+        rows=(),
+        quantities=(quantity,),
+    )
+    return [s for kernel in list_functions(paper) for s in list_computed_stages(kernel, paper)]
+
+
+def is_shown(subject: ComputedStage, bound: float) -> bool:
+    return all(cover.open is None for _, cover in cover_all(subject, bound, 2000))
+
+
+SIZES = a**2 + 2 * b**2 + sp.Abs(a**2 - b**2)
+
+
+def write_squares(scale: sp.Expr) -> list[ComputedStage]:
+    chart = Chart("", {a: a, b: b}, dict.fromkeys((a, b), sp.Interval(0, 1)))
+    return write_subjects(a**2 - b**2, scale, chart, (a, b))
+
+
+def test_a_corner_where_all_terms_vanish_is_bounded() -> None:
+    """Neither a nor b is a share of the other there: the boxes at 0 never tell their quotient."""
+    for subject in write_squares(SIZES):
+        assert is_shown(subject, 0.6)
+
+
+def test_a_kernel_with_a_rounding_more_is_above_the_bound() -> None:
+    """A square that is rounded ten times more is off by more than is shown of it once."""
+    for subject in write_squares(SIZES):
+        steps = tuple(
+            replace(s, ulps=10 * HALF) if s.kind == "square" else s for s in subject.straight.steps
+        )
+        worse = replace(subject, straight=replace(subject.straight, steps=steps))
+        assert not is_shown(worse, 0.6)
+
+
+def test_a_scale_without_a_term_has_no_bound() -> None:
+    """Where a**2 is left out, an error of it is compared with nothing at b = 0 and a = b."""
+    for subject in write_squares(2 * b**2 + sp.Abs(a**2 - b**2) + b**3):
+        assert subject.scale is not None
+        assert subject.scale.terms
+        assert not is_shown(subject, 0.6)
+
+
+def test_a_function_that_vanishes_cancels_beside_itself() -> None:
+    """A cosine vanishes at a quarter of a turn, and its error with it, but not as its square."""
+    chart = Chart("", {a: a, angle: angle}, {a: sp.Interval(0, 1), angle: sp.Interval(1, 2)})
+    value = sp.cos(angle) - a
+    for scale, bounded in (
+        (sp.Abs(sp.cos(angle)) + a + sp.Abs(value), True),
+        (sp.cos(angle) ** 2 + a**2 + a**3, False),
+    ):
+        (first, *_) = write_subjects(value, scale, chart, (angle, a))
+        assert is_shown(first, 1.6) == bounded
+
+
+def test_what_a_maximum_is_at_least_bounds_a_difference() -> None:
+    chart = Chart("", {a: a, b: b}, dict.fromkeys((a, b), sp.Interval(0, 1)))
+    for subject in write_subjects(a - b * b, sp.Max(a, b * b), chart, (a, b)):
+        assert is_shown(subject, 1.01)
+        assert not is_shown(subject, 0.99)
+    for subject in write_subjects(a - b * b, sp.Max(a, b**3), chart, (a, b)):
+        assert not is_shown(subject, 4.0)
