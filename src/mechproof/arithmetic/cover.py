@@ -51,11 +51,13 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
         waiting, heights = waiting[high], heights[high]
         if not len(waiting):
             break
-        highest = waiting[np.argmax(heights)]
-        if count + 2 * len(waiting) > most or bound(take_middles(highest[np.newaxis]))[0] > aim:
-            left = as_box(highest)
+        is_too_much = count + 2 * len(waiting) > most
+        if not is_too_much:
+            sides, middle = choose_sides(bound, waiting, heights, whole)
+        if is_too_much or middle > aim:
+            left = as_box(waiting[np.argmax(heights)])
             return Cover(count, ((float(heights.max()), left), *worst), left)
-        waiting = halve(bound, waiting, heights, whole)
+        waiting = halve(waiting, sides)
     return Cover(count, tuple(worst), None)
 
 
@@ -79,9 +81,9 @@ def divide(whole: Boxes, sides: int) -> Boxes:
     return whole
 
 
-def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
-    """Cut a side of every box in two: that which adds most to its bound, or the longest."""
-    sides, rows = _choose_sides(bound, boxes, heights, whole), np.arange(len(boxes))
+def halve(boxes: Boxes, sides: NDArray[np.intp]) -> Boxes:
+    """Cut a side of every box in two."""
+    rows = np.arange(len(boxes))
     first, second = boxes.copy(), boxes.copy()
     middles = _find_middles(boxes)[rows, sides]
     first[rows, sides, 1] = middles
@@ -89,8 +91,14 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
     return np.concatenate([first, second])
 
 
-def _choose_sides(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> NDArray[np.intp]:
-    """Choose the side without whose length the bound is lowest, or the longest of the box."""
+def choose_sides(
+    bound: Bound, boxes: Boxes, heights: Array, whole: Boxes
+) -> tuple[NDArray[np.intp], float]:
+    """Choose the side without whose length the bound is lowest, or the longest of the box.
+
+    The bound at the middle of the highest box comes with them: of few boxes it takes as long as of
+    many.
+    """
     spans = whole[:, :, 1] - whole[:, :, 0]
     spans = np.where(np.isfinite(spans) & (spans > 0), spans, np.inf)
     with np.errstate(invalid="ignore"):
@@ -102,10 +110,12 @@ def _choose_sides(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> N
     thin = boxes[rows]
     thin[np.arange(len(rows)), sides] = middles[rows, sides, np.newaxis]
     lowest = np.full(shares.shape, np.inf)
-    lowest[rows, sides] = bound(thin)
+    highest = take_middles(boxes[[np.argmax(heights)]])
+    found = bound(np.concatenate([highest, thin]))
+    lowest[rows, sides] = found[1:]
     best = np.argmin(lowest, axis=1)
     chosen: NDArray[np.intp] = np.where(lowest.min(axis=1) < heights, best, longest)
-    return chosen
+    return chosen, float(found[0])
 
 
 def _find_middles(boxes: Boxes) -> Array:

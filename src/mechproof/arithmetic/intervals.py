@@ -45,9 +45,9 @@ class Interval:
 
     __slots__ = ("_sign", "high", "low")
 
-    def __init__(self, low: Ends, high: Ends) -> None:
+    def __init__(self, low: Ends, high: Ends, sign: int | None = None) -> None:
         self.low, self.high = low, high
-        self._sign: int | None = None
+        self._sign = sign
 
     @property
     def sign(self) -> int:
@@ -62,10 +62,11 @@ class Interval:
         return np.isfinite(self.low) & np.isfinite(self.high)
 
     def __neg__(self) -> Interval:
-        return Interval(-self.high, -self.low)
+        return Interval(-self.high, -self.low, None if self._sign is None else -self._sign)
 
     def __add__(self, other: Interval) -> Interval:
-        return widen(self.low + other.low, self.high + other.high)
+        sign = self._sign if self._sign == other._sign else None
+        return widen(self.low + other.low, self.high + other.high, sign or None)
 
     def __sub__(self, other: Interval) -> Interval:
         return widen(self.low - other.high, self.high - other.low)
@@ -75,7 +76,7 @@ class Interval:
             return self
         if self is ONE:
             return other
-        return widen(*_multiply(self, other))
+        return _multiply(self, other)
 
     def __truediv__(self, other: Interval) -> Interval:
         return self if other is ONE else self * other.inverted()
@@ -136,31 +137,32 @@ def _raise(end: Ends, exponent: int) -> Interval:
 
 def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:
     """Return the ends whose products are the smallest and the largest, if signs tell them."""
-    if not (a.sign and b.sign):
+    sign, other = a.sign, b.sign
+    if not (sign and other):
         return None
-    if a.sign > 0:
-        if b.sign > 0:
+    if sign > 0:
+        if other > 0:
             return (a.low, b.low), (a.high, b.high)
         return (a.high, b.low), (a.low, b.high)
-    if b.sign > 0:
+    if other > 0:
         return (a.low, b.high), (a.high, b.low)
     return (a.high, b.high), (a.low, b.low)
 
 
-def _multiply(a: Interval, b: Interval) -> tuple[Ends, Ends]:
+def _multiply(a: Interval, b: Interval) -> Interval:
     if corners := list_corners(a, b):
         (p, q), (r, s) = corners
-        return p * q, r * s
+        return widen(p * q, r * s, a.sign * b.sign)
     if a.sign or b.sign:
         one, other = (a, b) if a.sign else (b, a)
         if one.sign < 0:
             one, other = -one, -other
-        return (
+        return widen(
             np.minimum(one.low * other.low, one.high * other.low),
             np.maximum(one.low * other.high, one.high * other.high),
         )
     p, q, r, s = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
-    return (
+    return widen(
         np.minimum(np.minimum(p, q), np.minimum(r, s)),
         np.maximum(np.maximum(p, q), np.maximum(r, s)),
     )
@@ -181,11 +183,14 @@ def careful(*, moves: bool) -> Iterator[None]:
         _mode["moves"] = before
 
 
-def widen(low: Ends, high: Ends) -> Interval:
-    """Return the interval between two ends that were rounded to nearest."""
+def widen(low: Ends, high: Ends, sign: int | None = None) -> Interval:
+    """Return the interval between two ends that were rounded to nearest; `sign` if it is known."""
     if _mode["moves"]:
         low = np.where(np.abs(low) < SMALLEST, np.minimum(np.sign(low), 0.0) * SMALLEST, low)
         high = np.where(np.abs(high) < SMALLEST, np.maximum(np.sign(high), 0.0) * SMALLEST, high)
+    if sign:
+        outward = sign * OUTWARD
+        return Interval(low * (1 - outward), high * (1 + outward), sign)
     return Interval(low - np.abs(low) * OUTWARD, high + np.abs(high) * OUTWARD)
 
 

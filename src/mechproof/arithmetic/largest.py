@@ -18,6 +18,7 @@ from mechproof.arithmetic.cover import (
     Boxes,
     as_box,
     as_boxes,
+    choose_sides,
     divide,
     halve,
     take_middles,
@@ -68,7 +69,8 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
             boxes, heights = boxes[~low], heights[~low]
         if not len(boxes) or count >= most:
             break
-        parts = halve(bound, boxes[:TOGETHER], heights[:TOGETHER], whole)
+        sides, _ = choose_sides(bound, boxes[:TOGETHER], heights[:TOGETHER], whole)
+        parts = halve(boxes[:TOGETHER], sides)
         count += len(parts) // 2
         boxes = np.concatenate([boxes[TOGETHER:], parts])
         heights = np.concatenate([heights[TOGETHER:], _raise(bound(parts))])
