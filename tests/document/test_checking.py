@@ -90,6 +90,10 @@ CASES = {
         [r"k=m\cos\alpha+n\cos\beta", r"k=n\cos\alpha+m\cos\beta", r"m=n"],
         ["DEFINITION", "not judged", "DEFINITION"],
     ),
+    "of two special positions neither defines a letter": (
+        [r"m\sin\alpha=n\sin\beta", r"\alpha=-\beta", r"\alpha+\beta=\pi"],
+        ["DEFINITION", "DEFINITION", "DEFINITION"],
+    ),
     "units tell what a bracket multiplies": (
         [
             r"x=r(1-\cos\alpha)",

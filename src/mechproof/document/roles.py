@@ -305,7 +305,7 @@ def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> boo
 
     A letter that is introduced as another one has not been met before.
     """
-    is_letter = value.is_Symbol or isinstance(value, sp.MatrixSymbol)
+    is_letter = value.is_Symbol or (-value).is_Symbol or isinstance(value, sp.MatrixSymbol)
     has_number = any(isinstance(member, Number | Measure) for member in chain.members)
     return is_letter and (symbol in known.met or has_number)
 
