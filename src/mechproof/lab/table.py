@@ -62,10 +62,13 @@ def list_lines(
     yield INTRODUCTION
     shipped = (_describe_shipped(record, found) for record in records for found in record.searched)
     yield from _table(SHIPPED_HEAD, shipped)
-    proved = [_describe_claim(record, claim) for record in records for claim in find_claims(record)]
+    proved = [(record, claim) for record in records for claim in find_claims(record)]
     if proved:
+        shared = _share_assumptions([claim for _, claim in proved])
         yield PROVED
-        yield from _table(PROVED_HEAD, proved)
+        if shared:
+            yield f"Assumed of all: {'; '.join(shared)}.\n"
+        yield from _table(PROVED_HEAD, (_describe_claim(*pair, shared) for pair in proved))
     for record in records:
         yield f"\n## {record.quantity}\n"
         yield f"Scaled: {record.error_unit}. {_describe_run(record)}\n"
@@ -78,7 +81,7 @@ def list_lines(
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
     yield _line(head)
-    yield _line(["---"] * len(head))
+    yield _line(["-"] * len(head))
     for row in rows:
         yield _line(row)
 
@@ -92,10 +95,14 @@ def _describe_run(record: Record) -> str:
     simd = machine.simd[-1] if machine.simd else "no SIMD"
     quick = ", quick" if record.quick else ""
     taken = (
-        f"Taken {record.taken[:10]} on {machine.processor}, {simd}, load {record.load}, "
+        f"Taken {record.taken[:10]} on {_shorten(machine.processor)}, {simd}, load {record.load}, "
         f"numpy {machine.versions['numpy']}{quick}."
     )
     return f"{taken} {record.lacking}".rstrip()
+
+
+def _shorten(processor: str) -> str:
+    return processor.replace("(R)", "").removesuffix(" Processor")
 
 
 def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:
@@ -104,17 +111,22 @@ def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:
     return record.quantity, found.way, bound, worst, searched, tried
 
 
-def _describe_claim(record: Record, claim: RoundingClaim) -> Sequence[str]:
+def _share_assumptions(claims: Sequence[RoundingClaim]) -> Sequence[str]:
+    first, *others = claims
+    return [text for text in first.assumptions if all(text in c.assumptions for c in others)]
+
+
+def _describe_claim(record: Record, claim: RoundingClaim, shared: Sequence[str]) -> Sequence[str]:
     return (
         record.quantity,
         claim.form,
-        claim.way,
+        claim.way.removesuffix("'s functions"),
         f"nothing shown: open at {claim.open}" if claim.open else " or ".join(claim.where),
         # In full: a bound that is rounded down is none.
         f"{claim.proved:g}",
         f"{claim.found:g}",
         _number(record.worst_of(find_way(record, claim))),
-        "; ".join(claim.assumptions),
+        "; ".join(text for text in claim.assumptions if text not in shared),
     )
 
 
