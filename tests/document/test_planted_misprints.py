@@ -6,7 +6,8 @@ import pytest
 import sympy as sp
 
 from mechproof.document.checking import CheckedRow, check
-from mechproof.document.misprints import Entry, find_failure, find_misprint, find_slip
+from mechproof.document.misprints import find_failure, find_misprint
+from mechproof.document.slips import Entry, find_slip
 from mechproof.document.witnesses import enclose, find_points
 from mechproof.proof.domain import Domain
 from mechproof.record import PrintedNumber

@@ -10,9 +10,10 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
-from mechproof.document.misprints import RUNG, Entry, find_failure, find_misprint, find_slip
+from mechproof.document.misprints import RUNG, find_failure, find_misprint
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
+from mechproof.document.slips import Entry, find_slip
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
 from mechproof.proof.domain import Domain

@@ -9,19 +9,18 @@ become one that stands elsewhere, or the same on both sides.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, islice, pairwise
+from itertools import islice
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.scales import agrees
+from mechproof.document.slips import Change, Entry, Sides, list_alike, list_changes
 from mechproof.document.witnesses import Point, enclose, find_points
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_plainly
-from mechproof.record import PrintedNumber
 
 RUNG = "separating balls"
 # Points that are tried; points with values that are enough, and at how many a mended print holds.
@@ -32,41 +31,8 @@ _FEW = 4
 _MOST = 6000
 _NEAR = sp.Rational(1, 10**4)
 _CLOSE = balls.to_ball(10) ** -15
-_FEWEST_DIGITS = 3
-_TURNING = (sp.sin, sp.cos, sp.tan)
-_EXPONENTS = {
-    **{sp.Integer(2): (1, 3), sp.Integer(3): (2,), sp.Integer(4): (2, 3)},
-    **{sp.Integer(-1): (1, -2), sp.Integer(-2): (-1,), sp.Rational(1, 2): (1,)},
-    **{sp.Rational(3, 2): (1, sp.Rational(1, 2)), sp.Rational(-1, 2): (-1,)},
-}
-_DIGITS = tuple(map(sp.Integer, range(1, 10)))
 
-Sides = tuple[sp.Expr, sp.Expr]
 Values = Mapping[sp.Basic, sp.Expr | balls.Ball]
-
-
-@dataclass(frozen=True)
-class Entry:
-    """The sides of an equation, and which of them are printed so: only these have misprints."""
-
-    sides: Sides
-    are_printed: tuple[bool, bool] = (True, True)
-
-
-@dataclass(frozen=True)
-class Change:
-    """Sides that a print would have with one part of it, or of what defines a letter, changed."""
-
-    sides: Sides
-    printed: sp.Basic
-    meant: sp.Basic
-    within: sp.Basic | None = None
-
-    @property
-    def reason(self) -> str:
-        """Say what is wrong."""
-        where = f" in what defines {self.within}" if self.within else ""
-        return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
 
 
 @dataclass(frozen=True)
@@ -94,11 +60,11 @@ def find_misprint(
     met = {s for side in sides for s in side.free_symbols}
     known = {s: v for s, v in domain.given.items() if s in met and isinstance(v, sp.Expr)}
     defined = {s: value for s, value in known.items() if s in printed}
-    alike = _list_alike(met.union(*(value.free_symbols for value in defined.values())), domain)
+    alike = list_alike(met.union(*(value.free_symbols for value in defined.values())), domain)
     places = _find_failures(sides, given, domain, alike)
     values = [{s: balls.evaluate(domain.resolve(s), place) for s in alike} for place in places]
     repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
-    changes = _list_changes(entry, _list_alike(met, domain), defined)
+    changes = list_changes(entry, list_alike(met, domain), defined)
     for change in islice(changes, _MOST if places else 0):
         if _holds_often(change.sides, values) and not _is_trivial(change.sides, repeated, known):
             evidence = _show(sides, given, domain, places)
@@ -181,114 +147,3 @@ def _show(
                 at = {str(s): show_plainly(found[s])[0] for s in sorted(met, key=str)}
                 return Evidence("the two sides", at, *balls.show_apart(one, other))
     return None
-
-
-def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
-    """Return the number that rounds a value and differs from the print in one digit, or none.
-
-    Two neighbours may be exchanged. Of numbers with less than three digits that says nothing.
-    """
-    text = says.printed
-    places = [n for n, sign in enumerate(text) if sign.isdigit()]
-    if len(text.strip("-0.").replace(".", "")) < _FEWEST_DIGITS:
-        return ""
-    slips = {text[:n] + digit + text[n + 1 :] for n in places for digit in "0123456789"}
-    slips |= {
-        text[:n] + text[m] + text[n + 1 : m] + text[n] + text[m + 1 :] for n, m in pairwise(places)
-    }
-    return next((slip for slip in sorted(slips) if agrees(PrintedNumber(slip, value))), "")
-
-
-# Changes ----------------------------------------------------------------------------------------
-
-
-def _list_alike(letters: Collection[sp.Basic], domain: Domain) -> list[sp.Basic]:
-    """Return letters, and those that differ from one by an index."""
-    stems = {str(s).partition("_")[0] for s in letters}
-    known = {s for s in (*domain.within, *domain.given) if s.is_Symbol}
-    alike = {s for s in known if str(s).partition("_")[0] in stems}
-    return sorted({*letters} | alike, key=str)
-
-
-def _list_changes(
-    entry: Entry, letters: Sequence[sp.Basic], defined: Mapping[sp.Basic, sp.Expr]
-) -> Iterator[Change]:
-    """Yield sides that differ in one place from those printed.
-
-    Two letters may be exchanged. What defines a letter keeps its letters: with others much would
-    be true.
-    """
-    one, other = entry.sides
-    if entry.are_printed[0]:
-        for changed, printed, meant in _change(one, letters, is_term=True):
-            yield Change((changed, other), printed, meant)
-    if entry.are_printed[1]:
-        for changed, printed, meant in _change(other, letters, is_term=True):
-            yield Change((one, changed), printed, meant)
-    if not all(entry.are_printed):
-        return
-    for pair in combinations(sorted(one.free_symbols | other.free_symbols, key=str), 2):
-        values = dict(zip(pair, reversed(pair), strict=True))
-        exchanged = one.xreplace(values), other.xreplace(values)
-        yield Change(exchanged, sp.Tuple(*pair), sp.Tuple(*reversed(pair)))
-    for letter, value in defined.items():
-        for changed, printed, meant in _change(value, (), is_term=True):
-            put_in = {letter: changed}
-            yield Change((one.xreplace(put_in), other.xreplace(put_in)), printed, meant, letter)
-
-
-def _change(
-    part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool
-) -> Iterator[tuple[sp.Expr, sp.Basic, sp.Basic]]:
-    for meant in _exchange(part, letters, is_term=is_term):
-        if meant != part:
-            yield meant, part, meant
-    is_sum = isinstance(part, sp.Add | sp.Function)
-    inside = part.args[:1] if isinstance(part, sp.Pow) and part.exp.is_number else part.args
-    for place, argument in enumerate(inside):
-        if isinstance(argument, sp.Expr):
-            for changed, printed, meant in _change(argument, letters, is_term=is_sum):
-                arguments = [*part.args[:place], changed, *part.args[place + 1 :]]
-                yield part.func(*arguments), printed, meant
-
-
-def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> Iterator[sp.Expr]:
-    """Yield what may have been meant in place of a part that is printed."""
-    yield -part
-    yield 2 * part
-    yield part / 2
-    if part.is_Symbol:
-        yield part**2
-        yield from letters
-        yield from (part + letter for letter in letters)
-    elif isinstance(part, _TURNING):
-        yield part**2
-        yield from (other(*part.args) for other in _TURNING)
-    elif isinstance(part, sp.Pow):
-        yield from (part.base**exponent for exponent in _EXPONENTS.get(part.exp, ()))
-        yield from (part / part.base * letter for letter in letters)
-    elif part.is_Integer:
-        yield from _DIGITS
-    elif isinstance(part, sp.Mul):
-        yield from (part / factor for factor in part.args)
-        yield from _move_bracket(part)
-    elif isinstance(part, sp.Add):
-        yield part**2
-        yield from _enter_bracket(part)
-    if is_term:
-        yield from (part * letter for letter in letters)
-        yield from (part / letter for letter in letters)
-
-
-def _move_bracket(part: sp.Mul) -> Iterator[sp.Expr]:
-    """Yield a b + c for a (b + c)."""
-    for factor in part.args:
-        for term in factor.args if isinstance(factor, sp.Add) else ():
-            yield part / factor * term + factor - term
-
-
-def _enter_bracket(part: sp.Add) -> Iterator[sp.Expr]:
-    """Yield a (b + c) for a b + c."""
-    for term in part.args:
-        for factor in term.args if isinstance(term, sp.Mul) else ():
-            yield factor * (part - term + term / factor)
