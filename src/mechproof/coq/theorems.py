@@ -165,10 +165,11 @@ def _state(relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = (
     hypotheses = _list_hypotheses(relation, domain, between)
     _refuse_long(hypotheses)
     symbols = list_letters(relation, *hypotheses)
-    points = tuple(islice(_list_points(symbols, domain, (relation, *hypotheses)), _POINTS))
-    for point in points:
+    points = islice(_list_points(symbols, domain, (relation, *hypotheses)), _POINTS)
+    compared = tuple(islice(points, _COMPARED))
+    for point in chain(compared, points):
         if all(is_true(h, point) for h in hypotheses):
-            return Theorem(symbols, hypotheses, relation, point, points=points[:_COMPARED])
+            return Theorem(symbols, hypotheses, relation, point, points=compared)
     raise UnwritableError("no point of the domain satisfies all hypotheses")
 
 
@@ -207,13 +208,16 @@ def _list_numbers(symbols: Sequence[sp.Basic], domain: Domain) -> Iterator[Point
         yield {}
         return
     published = (domain.points_at(sizes_of(sizes), wanted) for sizes in domain.published)
-    for found in chain(*published, _try_points(wanted, domain)):
+    for found in chain(chain.from_iterable(published), _try_points(wanted, domain)):
         yield {symbol: found[symbol] for symbol in wanted}
 
 
-def _try_points(symbols: list[sp.Basic], domain: Domain) -> list[Point]:
+def _try_points(symbols: list[sp.Basic], domain: Domain) -> Iterator[Point]:
+    """Yield points of the domain, few at first: one of them nearly always does."""
     try:
-        return domain.points(symbols, _POINTS)
+        few = domain.points(symbols, _COMPARED)[:_COMPARED]
+        yield from few
+        yield from domain.points(symbols, _POINTS)[len(few) :]
     except RecordError as error:
         raise UnwritableError(str(error)) from error
 
