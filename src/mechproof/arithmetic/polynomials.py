@@ -55,27 +55,35 @@ def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]
 
     Functions count as symbols. Raises `sympy.PolynomialError` for what is no polynomial.
     """
-    above, below = sp.together(polynomial).as_numer_denom()
-    parts = [argument.as_base_exp() for argument in sp.Mul.make_args(above)]
-    found: dict[sp.Poly, int] = {}
-    number = sp.S.One
     try:
-        for base, power in parts:
-            coefficient, factors = _factor_part(base)
-            number *= coefficient**power
-            for factor, times in factors:
-                found[factor] = found.get(factor, 0) + times * _to_integer(power)
+        return _factor_product(polynomial)
+    except sp.PolynomialError:
+        # A quotient in it may be one of numbers, once all is over one denominator.
+        above, below = sp.together(polynomial).as_numer_denom()
+    try:
+        number, factors = _factor_product(above)
     except sp.PolynomialError:
         # Of roots, say, or over other numbers than the rationals.
         constant, others = sp.factor_list(polynomial)
         return constant, others
     if not below.is_Rational:
         raise sp.PolynomialError(f"no polynomial: {polynomial}")
-    return number / below, [(f.as_expr(), n) for f, n in sorted(found.items(), key=_sort_key)]
+    return number / below, factors
 
 
-def _to_integer(power: sp.Expr) -> int:
-    if not power.is_Integer:
+def _factor_product(product: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
+    found: dict[sp.Poly, int] = {}
+    number = sp.S.One
+    for base, power in (argument.as_base_exp() for argument in sp.Mul.make_args(product)):
+        coefficient, factors = _factor_part(base)
+        number *= coefficient**power
+        for factor, times in factors:
+            found[factor] = found.get(factor, 0) + times * _to_count(power)
+    return number, [(f.as_expr(), n) for f, n in sorted(found.items(), key=_sort_key)]
+
+
+def _to_count(power: sp.Expr) -> int:
+    if not (power.is_Integer and power > 0):
         raise sp.PolynomialError(f"no power of a polynomial: {power}")
     return int(power)
 

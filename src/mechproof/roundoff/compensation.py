@@ -11,9 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import sympy as sp
 
+from mechproof.arithmetic.polynomials import cancel
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.powers_of_two import take_powers_last
@@ -35,7 +37,7 @@ def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
     products = _list_rounded(straight, PRODUCT_REST)
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
         for output in straight.outputs:
-            if _slope(straight, name, products, output) != 0:
+            if not _is_still(straight, name, products, output):
                 raise ValueError(f"an output depends on the rounding of {name}, its rest apart")
     return replace(straight, held=products)
 
@@ -46,10 +48,10 @@ def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _slope(
+def _is_still(
     straight: StraightLineProgram, name: str, products: Sequence[str], output: Operand
-) -> sp.Expr:
-    """Return the derivative of an output by a rounded value, as its rests and products see it."""
+) -> bool:
+    """Return whether no rounded value moves an output, as its rests and products see it."""
     symbols = (*straight.inputs, *CONSTANTS)
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in symbols}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
@@ -70,19 +72,27 @@ def _slope(
             values[step.result] = _differentiate(step, given)
         if step.result == name and name in products:
             values[name] = moved
-    return sp.cancel(sp.together(values[output][1]))
+    return cancel(values[output][1])[0] == 0
 
 
 def _differentiate(step: Step, given: list[Pair]) -> Pair:
     """Return value and derivative; those of functions are symbols, their derivatives rational."""
-    dummies = [sp.Dummy() for _ in given]
-    meaning = dummies[0] if step.kind == CONSTANT else SYMBOLIC[step.kind](*dummies)
-    places = dict(zip(dummies, (value for value, _ in given), strict=True))
-    total = sum(
-        (meaning.diff(d) * slope for d, (_, slope) in zip(dummies, given, strict=True)), sp.S.Zero
-    )
+    meaning, arguments, slopes = _find_slopes(step.kind, len(given))
+    places = dict(zip(arguments, (value for value, _ in given), strict=True))
+    moving = zip(slopes, (slope for _, slope in given), strict=True)
+    total = sp.Add(*(part * slope for part, slope in moving if slope != 0))
     value = meaning
     if not meaning.is_rational_function():
         value = sp.Symbol(f"value {step.result}")
         total = total.xreplace({meaning: value})
-    return sp.expand(value.xreplace(places)), total.xreplace(places)
+    return value.xreplace(places), total.xreplace(places)
+
+
+@cache
+def _find_slopes(
+    kind: str, count: int
+) -> tuple[sp.Expr, tuple[sp.Dummy, ...], tuple[sp.Expr, ...]]:
+    """Return the meaning of an operation, in letters for its operands, and its derivatives."""
+    letters = tuple(sp.Dummy() for _ in range(count))
+    meaning = letters[0] if kind == CONSTANT else SYMBOLIC[kind](*letters)
+    return meaning, letters, tuple(meaning.diff(letter) for letter in letters)
