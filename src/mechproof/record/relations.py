@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import sympy as sp
@@ -22,6 +23,7 @@ class Slack(NamedTuple):
     strict: bool
 
 
+@lru_cache(maxsize=1024)
 def find_slack(relation: sp.Basic) -> Slack | None:
     """Return the greater side of an inequality less the smaller; None for any other relation."""
     if not isinstance(relation, _ORDERS):
@@ -46,6 +48,7 @@ def is_strict(relation: sp.Basic) -> bool:
     return isinstance(relation, _STRICT)
 
 
+@lru_cache(maxsize=1024)
 def is_comparison(relation: sp.Basic) -> bool:
     """Tell whether a relation compares numbers as they are given, so that no rounding decides it.
 

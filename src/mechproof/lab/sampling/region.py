@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -59,8 +60,12 @@ class Region:
 
     def ends(self, symbol: sp.Symbol) -> tuple[float, float]:
         """Return both ends of the set of a symbol as doubles."""
-        values = self.domain.set_of(symbol)
-        return float(values.inf), float(values.sup)
+        return self._ends[symbol]
+
+    @cached_property
+    def _ends(self) -> Mapping[sp.Symbol, tuple[float, float]]:
+        sets = {s: self.domain.set_of(s) for s in self.symbols}
+        return {s: (float(values.inf), float(values.sup)) for s, values in sets.items()}
 
     def is_count(self, symbol: sp.Symbol) -> bool:
         """Return whether a symbol takes whole numbers only."""
@@ -68,8 +73,12 @@ class Region:
 
     def list_values(self, symbol: sp.Symbol) -> list[float]:
         """List the values of a symbol that has so many, none for any other."""
-        values = self.domain.set_of(symbol)
-        return [float(value) for value in values.args] if values.is_FiniteSet else []
+        return self._values.get(symbol, [])
+
+    @cached_property
+    def _values(self) -> Mapping[sp.Symbol, list[float]]:
+        sets = {s: self.domain.set_of(s) for s in self.symbols}
+        return {s: [*map(float, v.args)] for s, v in sets.items() if v.is_FiniteSet}
 
     def is_discrete(self, symbol: sp.Symbol) -> bool:
         """Return whether next to a value of a symbol there is no other."""
@@ -90,9 +99,8 @@ class Region:
     def mark_near(self, columns: Columns, margin: float = -ROUGHLY) -> Array:
         """Mark the points that are inside by a relative margin; a negative one lets some out."""
         kept: Array = np.all([np.isfinite(columns[s]) for s in self.symbols], axis=0)
-        for symbol in self.symbols:
-            if values := self.list_values(symbol):
-                kept = kept & np.isin(columns[symbol], values)
+        for symbol, values in self._values.items():
+            kept = kept & np.isin(columns[symbol], values)
         for relation in self.relations:
             kept = kept & _holds(relation, columns, margin)
         return kept

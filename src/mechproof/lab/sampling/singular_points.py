@@ -16,7 +16,14 @@ import numpy as np
 import sympy as sp
 
 from mechproof.kernel_support.order import step_ulps
-from mechproof.lab.sampling.draws import Rng, count_points, draw_inside, draw_mixed
+from mechproof.lab.sampling.draws import (
+    SIGNS,
+    Rng,
+    count_points,
+    draw_inside,
+    draw_mixed,
+    pick,
+)
 from mechproof.lab.sampling.points import PointSet, draw_ladder
 from mechproof.lab.sampling.stated_sizes import FEWEST, Facts
 from mechproof.lab.sampling.zero_sets import Columns, ZeroSet, find_integers, find_roots
@@ -176,7 +183,7 @@ def _draw_integers(
 def _spread(rng: Rng, roots: Array, size: Array, width: Array) -> Array:
     """Return the roots, doubles beside them, and points at distances of all sizes from them."""
     count = len(roots)
-    side = rng.choice([-1.0, 1.0], count)
+    side = pick(rng, SIGNS, count)
     ulps = np.rint(side * 10 ** rng.uniform(0, 3, count))
     with np.errstate(all="ignore"):
         ladder = roots + side * size * 10 ** rng.uniform(-DECADES, 0, count)

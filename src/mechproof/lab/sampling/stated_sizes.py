@@ -54,10 +54,19 @@ class Facts:
         return {s: a.usual for a in self.arguments for s in a.symbols if a.usual}
 
     @cached_property
-    def printed(self) -> tuple[Mapping[sp.Symbol, tuple[float, ...]], ...]:
+    def printed(self) -> tuple[Mapping[sp.Symbol, Array], ...]:
         """Return the published sizes as doubles: nominal, lower and upper limit."""
         rows = [{s: v for s, v in p.sizes.items() if s in self.symbols} for p in self.published]
         return tuple({s: _list_limits(v) for s, v in row.items()} for row in rows if row)
+
+    @cached_property
+    def printed_anywhere(self) -> Mapping[sp.Symbol, Array]:
+        """Return the published sizes of each symbol, of all rows together."""
+        empty: Array = np.empty(0)
+        return {
+            s: np.concatenate([empty, *(row[s] for row in self.printed if s in row)])
+            for s in self.symbols
+        }
 
     @cached_property
     def singular_places(self) -> tuple[ZeroSet, ...]:
@@ -103,7 +112,7 @@ class Facts:
         Of roots that recur for ever those beyond the usual sizes are left out; other roots may
         follow the rest of the arguments toward zero.
         """
-        known = [size for row in self.printed for size in row.get(symbol, ()) if size]
+        known = [size for size in self.printed_anywhere[symbol] if size]
         known += [edge for edge in self.usual.get(symbol, ()) if edge > 0]
         sizes = np.abs(known or [1.0])
         low, high = self.region.ends(symbol)
@@ -129,8 +138,8 @@ class Facts:
         return tuple(g[0] if len(g) == 1 else np.stack(g, axis=-1) for g in grouped)
 
 
-def _list_limits(size: sp.Expr | Toleranced) -> tuple[float, ...]:
+def _list_limits(size: sp.Expr | Toleranced) -> Array:
     if not isinstance(size, Toleranced):
-        return (float(size),)
+        return np.array([float(size)])
     ends = (0, size.lower, size.upper)
-    return tuple(dict.fromkeys(float(size.nominal + end) for end in ends))
+    return np.array([*dict.fromkeys(float(size.nominal + end) for end in ends)])

@@ -102,10 +102,10 @@ def _compile(expression: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Callable[..., 
 def call(expression: sp.Expr, values: Columns) -> Array:
     """Evaluate an expression in doubles, point by point."""
     names, function = _compile(expression)
-    shape = np.broadcast_shapes(*map(np.shape, values.values()))
+    shape = np.broadcast(*values.values()).shape
     with np.errstate(all="ignore"):
-        result = function(*(values[s] for s in names))
-    return np.broadcast_to(np.asarray(result, float), shape)
+        result = np.asarray(function(*(values[s] for s in names)), float)
+    return result if result.shape == shape else np.broadcast_to(result, shape)
 
 
 def _as_function(place: ZeroSet, symbol: sp.Symbol, values: Columns) -> Callable[[Array], Array]:
