@@ -17,6 +17,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
+# The names of modules that are a library's or the package's: there are thousands.
+_libraries: set[str] = set()
 # What modules of the package and of derivations are called.
 OWN = ("mechproof", "_mechproof")
 # Papers and what is generated from them: of no paper but their own.
@@ -60,13 +62,10 @@ def _find_helpers() -> set[Path]:
 
     A derivation may use them without opening them, where another one did before.
     """
-    loaded = {
-        file
-        for name, module in list(sys.modules.items())
-        if not name.startswith(OWN) and (file := getattr(module, "__file__", None))
-    }
-    # Finding out where each of some thousand links leads takes longer than most papers.
-    resolved = {Path(file).resolve() for file in loaded if not _is_library(file)}
+    loaded = {n: getattr(sys.modules.get(n), "__file__", None) for n in {*sys.modules} - _libraries}
+    files = {name: file for name, file in loaded.items() if file}
+    _libraries.update(n for n, file in files.items() if n.startswith(OWN) or _is_library(file))
+    resolved = {Path(file).resolve() for name, file in files.items() if name not in _libraries}
     return {file for file in resolved if _is_own(file)}
 
 
@@ -74,7 +73,6 @@ def _is_own(file: Path) -> bool:
     return file.is_file() and (file.is_relative_to(HERE) or not _is_library(str(file)))
 
 
-@cache
 def _is_library(name: str) -> bool:
     """Say whether a file changes with the version of what is installed only."""
     file = Path(name)
