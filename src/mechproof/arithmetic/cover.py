@@ -22,6 +22,8 @@ Bound = Callable[[Boxes], Array]
 FINEST = 2.0**-13
 # So many of the parts with the largest bounds are kept.
 WORST = 32
+# So few boxes are bounded in hardly more time than one.
+FEW = 64
 # So often the first sides are halved before any box is bounded.
 CUTS = 2
 
@@ -43,21 +45,19 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
     whole, count = as_boxes(box), 0
     worst: list[tuple[float, Box]] = []
     waiting = divide(whole, first)
+    heights = bound(waiting)
     while len(waiting):
-        heights = bound(waiting)
         high = ~(np.isfinite(heights) & (heights <= aim))
         count += int(np.sum(~high))
         worst = _keep_worst(worst, heights[~high], waiting[~high])
         waiting, heights = waiting[high], heights[high]
         if not len(waiting):
             break
-        is_too_much = count + 2 * len(waiting) > most
-        if not is_too_much:
-            sides, middle = choose_sides(bound, waiting, heights, whole)
-        if is_too_much or middle > aim:
+        halves = halve(bound, waiting, heights, whole) if count + 2 * len(waiting) <= most else None
+        if halves is None or halves.middle > aim:
             left = as_box(waiting[np.argmax(heights)])
             return Cover(count, ((float(heights.max()), left), *worst), left)
-        waiting = halve(waiting, sides)
+        waiting, heights = halves.boxes, halves.heights
     return Cover(count, tuple(worst), None)
 
 
@@ -81,23 +81,23 @@ def divide(whole: Boxes, sides: int) -> Boxes:
     return whole
 
 
-def halve(boxes: Boxes, sides: NDArray[np.intp]) -> Boxes:
-    """Cut a side of every box in two."""
-    rows = np.arange(len(boxes))
-    first, second = boxes.copy(), boxes.copy()
-    middles = _find_middles(boxes)[rows, sides]
-    first[rows, sides, 1] = middles
-    second[rows, sides, 0] = middles
-    return np.concatenate([first, second])
+@dataclass(frozen=True)
+class Halves:
+    """Both halves of boxes, all the first before the second, with their bounds.
+
+    The bound at the middle of the highest box comes with them.
+    """
+
+    boxes: Boxes
+    heights: Array
+    middle: float
 
 
-def choose_sides(
-    bound: Bound, boxes: Boxes, heights: Array, whole: Boxes
-) -> tuple[NDArray[np.intp], float]:
-    """Choose the side without whose length the bound is lowest, or the longest of the box.
+def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
+    """Cut each box across the side without whose length its bound is lowest, or the longest.
 
-    The bound at the middle of the highest box comes with them: of few boxes it takes as long as of
-    many.
+    To bound few boxes takes as long as to bound many: of few, the halves across every side are
+    bounded at once with what is needed for the choice.
     """
     spans = whole[:, :, 1] - whole[:, :, 0]
     spans = np.where(np.isfinite(spans) & (spans > 0), spans, np.inf)
@@ -105,17 +105,40 @@ def choose_sides(
         lengths = np.where(np.isfinite(spans), boxes[:, :, 1] - boxes[:, :, 0], 0.0)
     shares = lengths / spans
     longest = np.argmax(shares, axis=1)
-    middles = _find_middles(boxes)
-    rows, sides = np.nonzero((shares > FINEST) & np.isfinite(heights)[:, np.newaxis])
-    thin = boxes[rows]
-    thin[np.arange(len(rows)), sides] = middles[rows, sides, np.newaxis]
+    tried = (shares > FINEST) & np.isfinite(heights)[:, np.newaxis]
+    thin = _flatten(boxes, *np.nonzero(tried))
+    middle = take_middles(boxes[[np.argmax(heights)]])
+    every = np.arange(len(boxes))
+    cut = np.zeros_like(tried)
+    if len(boxes) <= FEW:
+        cut = tried.copy()
+        cut[every, longest] = True
+    halves = _cut(boxes, *np.nonzero(cut))
+    found = bound(np.concatenate([middle, thin, *halves]))
     lowest = np.full(shares.shape, np.inf)
-    highest = take_middles(boxes[[np.argmax(heights)]])
-    found = bound(np.concatenate([highest, thin]))
-    lowest[rows, sides] = found[1:]
+    lowest[tried] = found[1 : 1 + len(thin)]
     best = np.argmin(lowest, axis=1)
-    chosen: NDArray[np.intp] = np.where(lowest.min(axis=1) < heights, best, longest)
-    return chosen, float(found[0])
+    sides = np.where(lowest.min(axis=1) < heights, best, longest)
+    chosen = np.concatenate(_cut(boxes, every, sides))
+    if not cut.any():
+        return Halves(chosen, bound(chosen), float(found[0]))
+    known = np.full((2, *cut.shape), np.nan)
+    known[:, cut] = found[1 + len(thin) :].reshape(2, -1)
+    return Halves(chosen, known[:, every, sides].ravel(), float(found[0]))
+
+
+def _flatten(boxes: Boxes, rows: NDArray[np.intp], sides: NDArray[np.intp]) -> Boxes:
+    """Return boxes, each with a side that is its middle alone."""
+    flat = boxes[rows]
+    flat[np.arange(len(rows)), sides] = _find_middles(boxes)[rows, sides, np.newaxis]
+    return flat
+
+
+def _cut(boxes: Boxes, rows: NDArray[np.intp], sides: NDArray[np.intp]) -> tuple[Boxes, Boxes]:
+    """Return the first and the second halves of boxes across a side of each."""
+    first, second, each = boxes[rows], boxes[rows], np.arange(len(rows))
+    first[each, sides, 1] = second[each, sides, 0] = _find_middles(boxes)[rows, sides]
+    return first, second
 
 
 def _find_middles(boxes: Boxes) -> Array:

@@ -18,7 +18,6 @@ from mechproof.arithmetic.cover import (
     Boxes,
     as_box,
     as_boxes,
-    choose_sides,
     divide,
     halve,
     take_middles,
@@ -69,11 +68,10 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
             boxes, heights = boxes[~low], heights[~low]
         if not len(boxes) or count >= most:
             break
-        sides, _ = choose_sides(bound, boxes[:TOGETHER], heights[:TOGETHER], whole)
-        parts = halve(boxes[:TOGETHER], sides)
-        count += len(parts) // 2
-        boxes = np.concatenate([boxes[TOGETHER:], parts])
-        heights = np.concatenate([heights[TOGETHER:], _raise(bound(parts))])
+        halves = halve(bound, boxes[:TOGETHER], heights[:TOGETHER], whole)
+        count += len(halves.boxes) // 2
+        boxes = np.concatenate([boxes[TOGETHER:], halves.boxes])
+        heights = np.concatenate([heights[TOGETHER:], _raise(halves.heights)])
     highest = _keep(highest, boxes, heights, kept)
     found = max(finished, float(heights.max(initial=0.0)))
     return Largest(found, reached, count, tuple(map(as_box, highest[0])), None)
