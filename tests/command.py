@@ -13,7 +13,7 @@ from typing import Any
 from typer.testing import CliRunner, Result
 
 from mechproof.cli import app
-from mechproof.processes import WorkerError, _answer
+from mechproof.tools.processes import WorkerError, _answer
 
 HEAD = """
 from sympy import Function, Integral, Interval, S, Symbol, cos, gamma, oo, pi, sin, symbols

@@ -11,7 +11,7 @@ from zlib import crc32
 
 import pytest
 
-from mechproof.cache import VARIABLE
+from mechproof.tools.cache import VARIABLE
 
 # What takes longest begins first: no worker waits for another at the end.
 LONGEST = (

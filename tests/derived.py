@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from mechproof import derivation, verification
+from mechproof import derivation
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab.subject import find_subjects
-from mechproof.opening import Opened, open_paper
+from mechproof.pipeline import verification
+from mechproof.pipeline.opening import Opened, open_paper
+from mechproof.pipeline.verification import find_ledgers
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.verification import find_ledgers
 
 SYSTEMS = find_systems(packaged_directory())
 

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import mechproof
 from mechproof.cli import app
 from mechproof.fpcore.expressions import FPCoreError
-from mechproof.pasted import PastedError
+from mechproof.pipeline.pasted import PastedError
 
 CORES = """(FPCore (x) :name "half" :pre (<= 1 x 2) (/ x (+ x 0.1)))
 (FPCore (x) :name "pole" :pre (<= 1 x 2) (/ x (- x 1)))

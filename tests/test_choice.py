@@ -9,7 +9,6 @@ import pytest
 import mechproof
 from mechproof import choose
 from mechproof.choice import EXTRAS
-from mechproof.extras import tell_install
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -21,6 +20,7 @@ from mechproof.measured import (
     Timing,
     write_record,
 )
+from mechproof.tools.extras import tell_install
 
 # Fast and without error, and not to be chosen.
 REFUSED = ("wrong", "lossy", "in order", "in part", "enclosed")

@@ -14,7 +14,7 @@ from command import PROVED, hear_hangups, in_process, run, write
 from weights import first_of
 
 from mechproof.__main__ import EXTRA
-from mechproof.extras import tell_install
+from mechproof.tools.extras import tell_install
 
 
 @pytest.mark.parametrize(

@@ -14,8 +14,8 @@ from mechproof.derivation import (
     load_part,
     packaged_directory,
 )
+from mechproof.pipeline.verification import judge_derivations
 from mechproof.record import RESERVED, Paper
-from mechproof.verification import judge_derivations
 
 SHARED = 'CITATION = "my notes"\n'
 PAPER = "from mechproof.record import Paper\n"

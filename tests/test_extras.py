@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from command import PROVED, run, write
 
-from mechproof import extras
 from mechproof.codegen.backends import numpy as numpy_backend
+from mechproof.tools import extras
 
 
 class Installed(metadata.Distribution):

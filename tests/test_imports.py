@@ -13,7 +13,7 @@ from import_graph import split
 
 import mechproof
 from mechproof import derivations, kernels, mechanisms
-from mechproof.extras import tell_install
+from mechproof.tools.extras import tell_install
 
 HEAVY = frozenset({"sympy", "jinja2", "lark", "flint", "matplotlib", "numba", "scipy"})
 
@@ -39,7 +39,7 @@ LOADED = {
     "kernel_support": {"numpy", "mechproof.arguments", "mechproof.kernel_support"},
     "compiled_support": {
         *("numpy", "numba", "llvmlite"),
-        *("mechproof.compiled_support", "mechproof.extras", "mechproof.kernel_support"),
+        *("mechproof.compiled_support", "mechproof.tools.extras", "mechproof.kernel_support"),
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
@@ -56,7 +56,7 @@ LOADED = {
         *("mechproof.kernels", "mechproof.derivatives"),
     },
     "tolerance": {
-        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.extras"),
+        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.tools.extras"),
         *("mechproof.laws", "mechproof.tolerance"),
         *("mechproof.derivatives", "mechproof.measured"),
     },
@@ -68,9 +68,9 @@ LOADED = {
         "mechproof.kernels",
         "mechproof.laws",
         "mechproof.mechanisms",
-        "mechproof.notebook",
+        "mechproof.tools.notebook",
     },
-    "record": {"sympy", "mechproof.notebook", "mechproof.record"},
+    "record": {"sympy", "mechproof.tools.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "programs": {
         *("sympy", "mpmath", "flint"),
@@ -78,7 +78,13 @@ LOADED = {
     },
     "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
-        *("sympy", "flint", "mechproof.cache", "mechproof.notebook", "mechproof.arithmetic"),
+        *(
+            "sympy",
+            "flint",
+            "mechproof.tools.cache",
+            "mechproof.tools.notebook",
+            "mechproof.arithmetic",
+        ),
         *("mechproof.latex", "mechproof.proof", "mechproof.record"),
     },
     "proof.newton": {
@@ -90,19 +96,19 @@ LOADED = {
     "roundoff": {
         *("numpy", "sympy", "flint"),
         *("mechproof.roundoff", "mechproof.programs", "mechproof.arithmetic", "mechproof.record"),
-        *("mechproof.kernel_support", "mechproof.cache", "mechproof.json_rows"),
+        *("mechproof.kernel_support", "mechproof.tools.cache", "mechproof.tools.json_rows"),
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
-        *("mechproof.executors", "mechproof.extras"),
+        *("mechproof.executors", "mechproof.tools.extras"),
         *("mechproof.codegen", "mechproof.programs", "mechproof.arithmetic", "mechproof.proof"),
         *("mechproof.record", "mechproof.roundoff"),
-        *("mechproof.cache", "mechproof.files"),
+        *("mechproof.tools.cache", "mechproof.tools.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
     "exports": {
-        *("numpy", "mechproof.exports", "mechproof.arguments", "mechproof.files"),
-        *("mechproof.extras", "mechproof.mechanisms", "mechproof.plot"),
+        *("numpy", "mechproof.exports", "mechproof.arguments", "mechproof.tools.files"),
+        *("mechproof.tools.extras", "mechproof.mechanisms", "mechproof.plot"),
     },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
@@ -169,7 +175,7 @@ def test_the_probe_sees_a_heavy_import() -> None:
 def imported(nodes: Iterable[ast.AST]) -> set[str]:
     """Packages the nodes import, of our own the first two names; the standard library is left out.
 
-    What is imported for type checkers alone is never loaded.
+    Tools are named one by one. What is imported for type checkers alone is never loaded.
     """
     names: set[str] = set()
     for node in nodes:
@@ -179,12 +185,10 @@ def imported(nodes: Iterable[ast.AST]) -> set[str]:
             module = f"{'.' * node.level}{node.module or ''}"
             inner = [f"{module}.{alias.name}" for alias in node.names]
             names |= set(inner) if module == "mechproof" else {module}
-    parts = (name.split(".") for name in names)
-    return {
-        ".".join(part[: 2 if part[0] == "mechproof" else 1])
-        for part in parts
-        if part[0] not in sys.stdlib_module_names
-    }
+    parts = [name.split(".") for name in names]
+    others = [part for part in parts if part[0] not in sys.stdlib_module_names]
+    lengths = [3 if p[:2] == ["mechproof", "tools"] else 1 + (p[0] == "mechproof") for p in others]
+    return {".".join(part[:length]) for part, length in zip(others, lengths, strict=True)}
 
 
 def breaches(source: str, package: str) -> set[str]:

@@ -18,16 +18,7 @@ Room = tuple[str, ...]
 # the room of its longest name. The rooms of one layer do not know each other.
 LAYERS: tuple[Mapping[str, Room], ...] = (
     {
-        "tools": (
-            "cache",
-            "extras",
-            "files",
-            "json_rows",
-            "made",
-            "notebook",
-            "processes",
-            "reads",
-        ),
+        "tools": ("tools",),
         "arguments": ("arguments",),
     },
     {
@@ -60,20 +51,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
         "derivations": ("derivations",),
         "improvement": ("improvement",),
     },
-    {
-        "pipeline": (
-            "bounding",
-            "bounds_page",
-            "certification",
-            "ledger_cache",
-            "opening",
-            "pasted",
-            "pipeline",
-            "row_scripts",
-            "validation",
-            "verification",
-        )
-    },
+    {"pipeline": ("pipeline",)},
     {"command line": ("__main__", "cli")},
     {"the whole": ("__init__",)},
 )
@@ -163,7 +141,7 @@ def made_up(module: str, source: str) -> Mapping[str, Kinds]:
         ("latex.tree", "if TYPE_CHECKING:\n    import mechproof.proof.verdict", "proof.verdict"),
         ("programs.domain", "from ..proof.domain import Domain", "proof.domain"),
         ("roundoff.bound", "from mechproof.codegen import forms", "codegen.forms"),
-        ("verification", "def f():\n    import mechproof.cli.console", "cli.console"),
+        ("pipeline.verification", "def f():\n    import mechproof.cli.console", "cli.console"),
         ("lab.ways", "def f():\n    from mechproof import plot", "plot"),
     ],
 )  # fmt: skip

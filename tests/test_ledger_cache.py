@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 from weights import first_of
 
-from mechproof import ledger_cache, verification
-from mechproof.cache import VARIABLE
 from mechproof.derivation import DerivationError
-from mechproof.ledger_cache import LedgerCache
+from mechproof.pipeline import ledger_cache, verification
+from mechproof.pipeline.ledger_cache import LedgerCache
+from mechproof.pipeline.verification import find_ledgers
 from mechproof.proof.verdict import Verdict
-from mechproof.reads import HERE, list_program
-from mechproof.verification import find_ledgers
+from mechproof.tools.cache import VARIABLE
+from mechproof.tools.reads import HERE, list_program
 
 HEAD = """
 import os, sys, time
@@ -126,7 +126,11 @@ def test_another_program_or_another_version_counts(
 
 def test_the_program_is_all_of_the_package_but_papers_and_kernels() -> None:
     files = {path.relative_to(HERE).as_posix() for path in list_program()}
-    assert {"latex/expansion.py", "codegen/templates/numpy_module.py.jinja", "reads.py"} <= files
+    assert {
+        "latex/expansion.py",
+        "codegen/templates/numpy_module.py.jinja",
+        "tools/reads.py",
+    } <= files
     assert not [name for name in files if name.startswith(("derivations/", "kernels/"))]
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.made import STAGED, Change, ForeignFileError, Made
+from mechproof.tools.made import STAGED, Change, ForeignFileError, Made
 
 LIST = "made.sha256"
 FILES = {

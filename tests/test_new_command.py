@@ -9,7 +9,7 @@ import pytest
 from command import run
 
 from mechproof import choose
-from mechproof.cache import VARIABLE
+from mechproof.tools.cache import VARIABLE
 
 
 @pytest.fixture(autouse=True)

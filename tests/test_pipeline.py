@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from command import OPEN, PROVED, write
 
-from mechproof import pipeline
 from mechproof.codegen.regenerate import LIST
-from mechproof.pipeline import PipelineError, regenerate
-from mechproof.validation import ValidationError
+from mechproof.pipeline import stages as pipeline
+from mechproof.pipeline.stages import PipelineError, regenerate
+from mechproof.pipeline.validation import ValidationError
 
 
 def test_the_stages_run_in_their_order(tmp_path: Path) -> None:

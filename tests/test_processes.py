@@ -16,7 +16,7 @@ import pytest
 from command import hear_hangups
 from weights import first_of
 
-from mechproof.processes import WorkerError, run_batches, run_tasks
+from mechproof.tools.processes import WorkerError, run_batches, run_tasks
 
 STARTS = [s for s in ("fork", "spawn") if s in multiprocessing.get_all_start_methods()]
 for_each_start = pytest.mark.parametrize("start", STARTS)
@@ -136,7 +136,7 @@ LONG = {
 PARENT = """
 import os, sys
 from pathlib import Path
-from mechproof.processes import run_tasks
+from mechproof.tools.processes import run_tasks
 
 def work(folder):
     Path(folder, str(os.getpid())).touch()

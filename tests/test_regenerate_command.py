@@ -9,7 +9,7 @@ from command import PROVED, run, write
 from weights import first_of
 
 from mechproof.codegen.regenerate import LIST
-from mechproof.made import Made
+from mechproof.tools.made import Made
 
 
 def test_regenerate_writes_a_users_own_folder(tmp_path: Path) -> None:

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from mechproof.derivation import DerivationError, load_paper
+from mechproof.pipeline.verification import VerificationError, judge_derivations
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
-from mechproof.verification import VerificationError, judge_derivations
 
 TEXT = """
 from pathlib import Path
@@ -62,7 +62,7 @@ def test_what_the_forms_refuse_is_charged_to_the_derivation(
     def refuse(paper: object) -> None:
         raise NotImplementedError("no such rewrite")
 
-    monkeypatch.setattr("mechproof.opening.form_rows", refuse)
+    monkeypatch.setattr("mechproof.pipeline.opening.form_rows", refuse)
     with pytest.raises(DerivationError, match=r"mine\.py: no such rewrite"):
         judge_derivations([file])
 

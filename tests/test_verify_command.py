@@ -13,7 +13,7 @@ from command import HEAD, OPEN, PROVED, in_process, run, write
 from weights import first_of
 
 from mechproof.derivation import DerivationError, stop_after
-from mechproof.verification import judge_derivations
+from mechproof.pipeline.verification import judge_derivations
 
 FIELDS = {
     "id",

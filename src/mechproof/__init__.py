@@ -16,7 +16,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 if TYPE_CHECKING:
     from mechproof import (
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
         plot as plot,
         tolerance as tolerance,
     )
-    from mechproof.bounding import bound
     from mechproof.choice import choose
     from mechproof.document.checking import check
     from mechproof.exports import export
@@ -42,6 +41,7 @@ if TYPE_CHECKING:
         TrackWheel,
         WedgeLinkage,
     )
+    from mechproof.pipeline.bounding import bound
     from mechproof.report.formula_texts import formula
     from mechproof.tailoring import tailor
 
@@ -67,7 +67,7 @@ __all__ = [
 PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot", "tolerance")
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
-    "bound": "mechproof.bounding",
+    "bound": "mechproof.pipeline.bounding",
     "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
     "export": "mechproof.exports",

@@ -10,8 +10,8 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import NoReturn
 
-from mechproof.extras import tell_install
-from mechproof.processes import ENDING
+from mechproof.tools.extras import tell_install
+from mechproof.tools.processes import ENDING
 
 # What the extra `derive` installs, as it is imported.
 EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "sympy", "typer")

@@ -18,7 +18,6 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from mechproof.arguments.scalars import check_count, check_number, refuse, require
-from mechproof.extras import tell_install
 from mechproof.measured import (
     FOLDER as MEASURED,
     KERNELS,
@@ -29,6 +28,7 @@ from mechproof.measured import (
     read_record,
 )
 from mechproof.measured_ranges import Size, check_ranges, find_cells
+from mechproof.tools.extras import tell_install
 
 __all__ = ["Choice", "choose"]
 

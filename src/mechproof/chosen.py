@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from mechproof.files import write_whole
 from mechproof.programs.rewrites import REWRITES
 from mechproof.record import Form, Paper, Quantity
+from mechproof.tools.files import write_whole
 
 Chosen = Mapping[str, tuple[str, ...]]
 # The key of the form that the derivation itself ships.

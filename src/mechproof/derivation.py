@@ -26,9 +26,9 @@ from mechproof.arguments.scalars import require
 from mechproof.chosen import choose_forms
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
-from mechproof.processes import limit_time
 from mechproof.proof.dimensions import check_derived
 from mechproof.record import Paper
+from mechproof.tools.processes import limit_time
 
 PACKAGE = "mechproof.derivations"
 # Folders that are not the package's get a package name of their own for each load.

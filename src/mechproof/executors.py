@@ -126,7 +126,7 @@ def _run(
 
 def _explain(error: Exception) -> Exception:
     """Return the error of what an executor raised by itself."""
-    from mechproof.processes import WorkerError
+    from mechproof.tools.processes import WorkerError
 
     if isinstance(error, pickle.PicklingError | AttributeError | TypeError):
         return TypeError(

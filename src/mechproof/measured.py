@@ -22,8 +22,8 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Literal
 
-from mechproof.files import write_whole
-from mechproof.json_rows import read_fields, write_lines
+from mechproof.tools.files import write_whole
+from mechproof.tools.json_rows import read_fields, write_lines
 
 __all__ = [
     "COPY",

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from mechproof.arithmetic.largest import bound_largest
-from mechproof.bounding import read_boundings
-from mechproof.bounds_page import HEADS, compare
 from mechproof.comparison import fptaylor, gappa
 from mechproof.fpcore.reading import read_cores
+from mechproof.pipeline.bounding import read_boundings
+from mechproof.pipeline.bounds_page import HEADS, compare
 from mechproof.roundoff.boxed import BoxedProgram, Convention, put_in_box
 
 DOCS = Path(__file__).parents[2] / "docs"

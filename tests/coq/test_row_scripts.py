@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from command import PROVED, run, write
 
-from mechproof import row_scripts
-from mechproof.row_scripts import WITHOUT_ROW, write_row_scripts
-from mechproof.verification import judge_derivations
+from mechproof.pipeline import row_scripts
+from mechproof.pipeline.row_scripts import WITHOUT_ROW, write_row_scripts
+from mechproof.pipeline.verification import judge_derivations
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
 

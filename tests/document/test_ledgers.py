@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from mechproof.cache import VARIABLE
 from mechproof.cli import app
+from mechproof.pipeline.verification import find_ledgers
 from mechproof.proof.verdict import State, Verdict
-from mechproof.verification import find_ledgers
+from mechproof.tools.cache import VARIABLE
 
 BLOCK = "%% mechproof\n%% r ; l : lengths [mm]\n%% k : ratio\n%% end\n"
 RIGHT = BLOCK + "\\begin{equation}k=\\frac rl\\end{equation}\n"

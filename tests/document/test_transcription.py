@@ -11,9 +11,9 @@ import sympy as sp
 from mechproof.derivation import DerivationError, load_paper
 from mechproof.document.block import BlockError
 from mechproof.document.transcription import Transcription
+from mechproof.pipeline.verification import judge_derivations
 from mechproof.proof.verdict import State, Verdict
 from mechproof.record import ANGLE, Claim, Equation
-from mechproof.verification import judge_derivations
 
 PAPER = r"""
 %% mechproof

@@ -14,10 +14,10 @@ from mechproof.conformity import Normal, Uniform
 from mechproof.kernels import wedge_linkage
 from mechproof.lab import measure as measuring
 from mechproof.lab.subject import find_subjects
-from mechproof.processes import START
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.tolerance import Size, certified_range, corner_range, monte_carlo_range
 from mechproof.tolerance.scatter import DRAWN
+from mechproof.tools.processes import START
 
 SIZES = WedgeLinkage.published_sizes(1)
 WHEEL = {"R": Size(41.5, 0.1, -0.1), "A": Size(3.75, 0.2, -0.1), "z": Size(6)}

@@ -15,8 +15,8 @@ from jobs import JOBS, make_executor
 from mechproof.executors import run_in_order, spawn_generators
 from mechproof.lab import measure as measuring
 from mechproof.lab.subject import find_subjects
-from mechproof.processes import WorkerError
 from mechproof.tolerance import Size, corner_range
+from mechproof.tools.processes import WorkerError
 
 
 def fail(x: Any, s: Any) -> Any:

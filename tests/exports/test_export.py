@@ -17,10 +17,11 @@ from PIL import Image
 from scipy.special import ellipe
 
 import mechproof
-from mechproof import CylindricalPair, EllipticPlanetary, OvalPair, OvalPlanetary, export, extras
+from mechproof import CylindricalPair, EllipticPlanetary, OvalPair, OvalPlanetary, export
 from mechproof.exports import cut_teeth
 from mechproof.exports.curves import place_in_mm, trace_outline
 from mechproof.exports.teeth import measure_perimeter
+from mechproof.tools import extras
 
 ELLIPTIC = EllipticPlanetary.published(1)
 OVAL = OvalPlanetary(CylindricalPair(30, 20), "0.2")

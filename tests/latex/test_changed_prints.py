@@ -19,11 +19,11 @@ from weights import first_of
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
-from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Paper, RecordError, Row
+from mechproof.tools.processes import WorkerError, run_tasks
 
 SYSTEMS = (
     *("elliptic_planetary", "measurement", "oval_planetary"),

@@ -24,11 +24,11 @@ from mechproof import (
     plot,
 )
 from mechproof.conformity import Normal, Shares
-from mechproof.extras import tell_install
 from mechproof.kernels import wedge_linkage
 from mechproof.plot.canvas import SMALL
 from mechproof.plot.pitch_curves import place_wheels
 from mechproof.tolerance import Size, certified_range, corner_range, monte_carlo_range
+from mechproof.tools.extras import tell_install
 
 ELLIPTIC = EllipticPlanetary.published(2)
 RESTING = OvalPlanetary.published(3)

@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 from weights import first_of
 
-from mechproof import opening, verification
-from mechproof.cache import VARIABLE
 from mechproof.derivation import DerivationError
+from mechproof.pipeline import opening, verification
+from mechproof.pipeline.verification import judge_derivations
 from mechproof.proof import verdict_cache
 from mechproof.proof.verdict import Verdict
 from mechproof.proof.verdict_cache import VerdictCache
-from mechproof.verification import judge_derivations
+from mechproof.tools.cache import VARIABLE
 
 HEAD = """
 import os, time
@@ -167,8 +167,8 @@ def test_the_sources_of_the_prover_are_all_it_imports() -> None:
     How a notebook shows them and where they are kept changes none.
     """
     other = (
-        "from mechproof.cache import Store, make_key, name_place",
-        "from mechproof.notebook import Displayed",
+        "from mechproof.tools.cache import Store, make_key, name_place",
+        "from mechproof.tools.notebook import Displayed",
     )
     names = {path.name for path in verdict_cache.prover_sources()}
     assert {"judge.py", "ladder.py", "algebra.py", "domain.py", "statements.py"} <= names

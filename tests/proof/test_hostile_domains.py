@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from weights import make_thorough
 
-from mechproof.pasted import Pasted, judge_pasted
+from mechproof.pipeline.pasted import Pasted, judge_pasted
 from mechproof.proof.verdict import Verdict
 
 N = ("n",)

@@ -12,10 +12,10 @@ from own_papers import TESTS, write_hostile, write_slider_crank
 
 from mechproof.derivation import packaged_directory
 from mechproof.measured import Record
+from mechproof.pipeline.verification import judge_derivations
 from mechproof.record import Paper
 from mechproof.report import build_site, judged_derivations, write_folder
 from mechproof.report.judged_derivations import _read_records
-from mechproof.verification import judge_derivations
 
 # Of what was measured this is shown with every test, all with the thorough ones: a chart takes
 # longer than the rest of its page.

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.cache import VARIABLE, Store
 from mechproof.report import kept_formulas
 from mechproof.report.kept_formulas import KeptFormulas
+from mechproof.tools.cache import VARIABLE, Store
 
 
 @pytest.fixture

@@ -10,9 +10,9 @@ import pytest
 from own_papers import write_slider_crank
 from typer.testing import CliRunner
 
-from mechproof.cache import VARIABLE
 from mechproof.cli import app
 from mechproof.report.kept_site import SITE, load_site
+from mechproof.tools.cache import VARIABLE
 
 AGED = 10.0
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.made import STAGED, ForeignFileError
 from mechproof.report.site import LIST, check_folder, write_folder
+from mechproof.tools.made import STAGED, ForeignFileError
 
 FILES = {"index.html": "one", "papers/a.html": "a", "papers/b.html": "b"}
 

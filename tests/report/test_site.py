@@ -20,7 +20,6 @@ from derived import paper_of
 from own_papers import HURT
 from pages import find_faults
 
-from mechproof.cache import VARIABLE
 from mechproof.derivation import packaged_directory
 from mechproof.kernels import elliptic_planetary
 from mechproof.kernels.elliptic_planetary import position
@@ -33,6 +32,7 @@ from mechproof.report.formula_texts import LANGUAGES, formula
 from mechproof.report.mathml import write_formula
 from mechproof.report.pages import read_font, read_stylesheet
 from mechproof.report.pictures import chart, draw_pictures, list_charts
+from mechproof.tools.cache import VARIABLE
 
 pytestmark = pytest.mark.xdist_group("report")
 # WCAG 2.2, AA: text of usual size.
@@ -253,7 +253,7 @@ def test_nothing_of_a_paper_is_markup(files: dict[str, str]) -> None:
 def test_the_same_papers_give_the_same_bytes(papers: list[Path]) -> None:
     code = (
         "import sys, hashlib; from pathlib import Path; from mechproof.report import build_site;"
-        "from mechproof.verification import judge_derivations;"
+        "from mechproof.pipeline.verification import judge_derivations;"
         "p = [Path(a) for a in sys.argv[1:]];"
         "files = build_site(p, judge_derivations(p)).files;"
         "print(hashlib.sha256(repr(files).encode()).hexdigest())"

@@ -21,14 +21,14 @@ from typer.testing import CliRunner
 from weights import first_of
 
 import mechproof
-from mechproof import extras
-from mechproof.cache import VARIABLE
 from mechproof.cli.commands import app
 from mechproof.kernels import elliptic_planetary
 from mechproof.tailoring import tailored as kernels
 from mechproof.tailoring.build import build
 from mechproof.tailoring.request import read_request
 from mechproof.tailoring.tailored import NUMBA, NUMPY, Tailored, make_kernel
+from mechproof.tools import extras
+from mechproof.tools.cache import VARIABLE
 
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}

@@ -8,7 +8,10 @@ from typing import Annotated
 
 import typer
 
-from mechproof.bounding import (
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.json_file import clear_json, write_json
+from mechproof.fpcore.expressions import FPCoreError
+from mechproof.pipeline.bounding import (
     FPCORE,
     PARTS,
     TOLERANCE,
@@ -19,13 +22,10 @@ from mechproof.bounding import (
     read_boundings,
     read_pasted,
 )
-from mechproof.bounds_page import CITED, compare
-from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.json_file import clear_json, write_json
-from mechproof.files import write_whole
-from mechproof.fpcore.expressions import FPCoreError
-from mechproof.pasted import Pasted, PastedError
+from mechproof.pipeline.bounds_page import CITED, compare
+from mechproof.pipeline.pasted import Pasted, PastedError
 from mechproof.roundoff.boxed import Convention
+from mechproof.tools.files import write_whole
 
 Texts = list[str] | None
 DIGITS = 4

@@ -16,8 +16,8 @@ from mechproof.cli.paths import (
     find_places,
     read_out,
 )
-from mechproof.made import ForeignFileError
-from mechproof.verification import LIMIT
+from mechproof.pipeline.verification import LIMIT
+from mechproof.tools.made import ForeignFileError
 
 
 def certify(
@@ -59,7 +59,7 @@ def certify(
     from mechproof.coq.checker import RECORD_LIMIT, CheckerError
     from mechproof.coq.coverage import check_folder, keep_record, read_known
     from mechproof.coq.folder import write_folder
-    from mechproof.row_scripts import write_row_scripts
+    from mechproof.pipeline.row_scripts import write_row_scripts
 
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")

@@ -17,10 +17,10 @@ from mechproof.document.checking import CheckedPaper, check as check_paper, rows
 from mechproof.document.draft import draft_block
 from mechproof.document.judging import LIMIT
 from mechproof.document.sources import STDIN, SUFFIXES, read_source
-from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
-from mechproof.processes import WorkerError
+from mechproof.pipeline.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import State, Verdict
+from mechproof.tools.processes import WorkerError
 
 Texts = list[str] | None
 DEFAULTS = (

@@ -39,11 +39,11 @@ from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
-from mechproof.extras import list_other_versions, tell_install
-from mechproof.made import Change
+from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.ledger import to_json
 from mechproof.proof.verdict import State, Verdict
-from mechproof.verification import LIMIT
+from mechproof.tools.extras import list_other_versions, tell_install
+from mechproof.tools.made import Change
 
 app = typer.Typer(
     add_completion=False,
@@ -155,7 +155,7 @@ def regenerate(
         refuse("--improve and --check: give one of them, a check writes nothing")
     if better:
         offer_forms((), places, write=True, limit=SEARCH_LIMIT)
-    from mechproof import pipeline
+    from mechproof.pipeline import stages as pipeline
 
     try:
         done = pipeline.regenerate(
@@ -204,7 +204,7 @@ def measure(
     places = find_places(derivations, root)
     if not places.generated.is_dir():
         refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
-    from mechproof import pipeline
+    from mechproof.pipeline import stages as pipeline
 
     directory = None if places.is_packaged else places.derivations
     try:

@@ -12,9 +12,9 @@ from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.paths import DerivationsOption, Places, find_locations, find_places, read_out
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.files import write_whole
+from mechproof.pipeline.verification import LIMIT
 from mechproof.record import Paper
-from mechproof.verification import LIMIT
+from mechproof.tools.files import write_whole
 
 Sizes = dict[str, float | tuple[float, ...]]
 

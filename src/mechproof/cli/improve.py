@@ -13,7 +13,7 @@ from mechproof.chosen import add_chosen
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.paths import DerivationsOption, Places, RootOption, find_places
 from mechproof.derivation import DerivationError
-from mechproof.processes import WorkerError
+from mechproof.tools.processes import WorkerError
 
 # Seconds for a quantity.
 SEARCH_LIMIT = 300.0

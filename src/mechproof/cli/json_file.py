@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from mechproof.cli.console import fail, refuse
-from mechproof.files import write_whole
+from mechproof.tools.files import write_whole
 
 # What would be lost if an option had its value forgotten.
 PAPERS = (".tex", ".md", ".py")

@@ -11,8 +11,7 @@ import typer
 
 from mechproof.cli.console import fail, show_progress
 from mechproof.derivation import DerivationError
-from mechproof.proof.ledger import JudgedPaper, Ledger
-from mechproof.verification import (
+from mechproof.pipeline.verification import (
     VerificationError,
     find_ledgers,
     judge_derivations,
@@ -20,6 +19,7 @@ from mechproof.verification import (
     name_judging,
     restore_papers,
 )
+from mechproof.proof.ledger import JudgedPaper, Ledger
 
 NoCacheOption = Annotated[
     bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")

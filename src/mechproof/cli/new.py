@@ -12,9 +12,9 @@ import typer
 from mechproof.cli.console import refuse, say
 from mechproof.document.sources import MARKDOWN, SUFFIXES
 from mechproof.document.transcription import Transcription
-from mechproof.files import write_whole
 from mechproof.record import RESERVED
 from mechproof.record.texts import is_name
+from mechproof.tools.files import write_whole
 
 SKELETONS = files("mechproof.cli").joinpath("skeletons")
 

@@ -24,10 +24,10 @@ from mechproof.cli.paths import (
 )
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
-from mechproof.files import write_whole
-from mechproof.ledger_cache import LedgerCache
-from mechproof.made import ForeignFileError
-from mechproof.verification import LIMIT
+from mechproof.pipeline.ledger_cache import LedgerCache
+from mechproof.pipeline.verification import LIMIT
+from mechproof.tools.files import write_whole
+from mechproof.tools.made import ForeignFileError
 
 if TYPE_CHECKING:
     from mechproof.report import Site

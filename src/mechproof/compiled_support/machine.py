@@ -15,7 +15,7 @@ try:
     from numba import njit, typeof, types
     from numba.extending import intrinsic, overload
 except ImportError as error:
-    from mechproof.extras import tell_install
+    from mechproof.tools.extras import tell_install
 
     raise ImportError(
         f"compiled kernels and shares need numba, the extra fast: {tell_install('fast')}"

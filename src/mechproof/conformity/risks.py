@@ -153,7 +153,8 @@ def simulate_shares(
     each chunk is drawn by a generator spawned from `rng`. `progress` is called as
     progress(parts done, count) after every chunk. With any `executor` of `concurrent.futures` the
     counts are the same. Raises ValueError for a count or chunk below 1 and for reversed limits,
-    `mechproof.processes.WorkerError` if the executor loses a worker and does not make up for it.
+    `mechproof.tools.processes.WorkerError` if the executor loses a worker and does not make up for
+    it.
 
     Source: paper on tooth thickness, algorithm steps 1-10.
     """

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from mechproof.coq.libraries import LIBRARIES
 from mechproof.coq.scripts import write_assumptions
-from mechproof.processes import count_processors
+from mechproof.tools.processes import count_processors
 
 # Seconds of a processor for a file; what is recorded as accepted took a third of it at most.
 LIMIT = 150.0

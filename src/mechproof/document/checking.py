@@ -25,11 +25,11 @@ from mechproof.document.roles import Role, name_member
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
-from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
 from mechproof.record import Conjunction, Equality, Equation, Paper, Row
+from mechproof.tools.processes import WorkerError, run_tasks
 
 _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "

@@ -35,9 +35,9 @@ from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
-from mechproof.processes import limit_time
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Paper
+from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")

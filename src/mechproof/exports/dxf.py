@@ -7,8 +7,8 @@ from types import ModuleType
 from typing import Any
 
 from mechproof.exports.curves import find_ellipse, measure_centres, trace_outline
-from mechproof.extras import require_modules
 from mechproof.plot.pitch_curves import Wheel
+from mechproof.tools.extras import require_modules
 
 # The unit of a drawing that is millimetres, and the colour of each wheel's layer.
 COLOURS = {4: 1, 5: 5, 6: 3, 3: 6}

@@ -14,10 +14,10 @@ from mechproof.exports.curves import place_in_mm
 from mechproof.exports.dxf import write_dxf
 from mechproof.exports.svg import write_svg
 from mechproof.exports.tables import write_motion, write_outlines
-from mechproof.files import write_whole
 from mechproof.mechanisms.units import Units
 from mechproof.plot.motion import Planetary, check_planetary
 from mechproof.plot.pitch_curves import Wheel
+from mechproof.tools.files import write_whole
 
 __all__ = ["export"]
 

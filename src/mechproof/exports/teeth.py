@@ -15,8 +15,8 @@ import numpy as np
 
 from mechproof.arguments.scalars import check_count, require
 from mechproof.exports.curves import place_in_mm
-from mechproof.extras import require_modules
 from mechproof.plot.motion import Planetary, check_planetary
+from mechproof.tools.extras import require_modules
 
 __all__ = ["cut_teeth"]
 

@@ -22,9 +22,9 @@ from mechproof.improvement.candidates import (
 from mechproof.improvement.form_search import UNFIT, search
 from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import Subject, find_subjects
-from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
+from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # So many of the best candidates are tried to be proved.
 TRIED = 4

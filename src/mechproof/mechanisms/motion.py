@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import refuse
 from mechproof.mechanisms.time_derivatives import differentiate, interpolate
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 __all__ = ["Drive", "Motion"]
 

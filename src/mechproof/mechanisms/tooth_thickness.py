@@ -29,7 +29,7 @@ from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import follow_kind, invert
 from mechproof.mechanisms.units import Units
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 __all__ = ["ToothThickness"]
 

@@ -50,7 +50,7 @@ from mechproof.mechanisms.tooth_thickness_design import (
     get_risk,
 )
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 __all__ = ["IT_120_TO_180", "ThicknessInspection"]
 

@@ -41,7 +41,7 @@ from mechproof.mechanisms.track_wheel_design import (
     solve_tilt,
 )
 from mechproof.mechanisms.units import Units
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 __all__ = ["TrackWheel"]
 

@@ -26,7 +26,7 @@ from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.units import Units
-from mechproof.notebook import Displayed
+from mechproof.tools.notebook import Displayed
 
 if TYPE_CHECKING:
     from mechproof.tolerance import CornerRange, Size

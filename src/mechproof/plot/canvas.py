@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mechproof.arguments.scalars import require
-from mechproof.extras import require_modules
+from mechproof.tools.extras import require_modules
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,7 +10,6 @@ from dataclasses import asdict, dataclass, field
 from html import escape
 from types import MappingProxyType
 
-from mechproof.notebook import Displayed
 from mechproof.proof.cards import make_card
 from mechproof.proof.equalities import IDENTICAL
 from mechproof.proof.findings import LedgerFinding
@@ -18,6 +17,7 @@ from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
 from mechproof.record.findings import WEIGHTS
+from mechproof.tools.notebook import Displayed
 
 # The `$id` of ledger.schema.json, which lies beside this module.
 SCHEMA = "urn:mechproof:ledger:1"

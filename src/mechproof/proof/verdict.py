@@ -8,9 +8,9 @@ from enum import StrEnum
 from types import MappingProxyType
 
 from mechproof.latex.sentences import is_sentence
-from mechproof.notebook import Displayed
 from mechproof.proof.anchors import name_anchor
 from mechproof.proof.numbers import describe_number
+from mechproof.tools.notebook import Displayed
 
 
 class Verdict(StrEnum):

@@ -13,10 +13,10 @@ from typing import Any
 
 from sympy.external.gmpy import GROUND_TYPES
 
-from mechproof.cache import Store, make_key, name_place
 from mechproof.proof.fingerprint import Fingerprint, NoFingerprintError
 from mechproof.proof.verdict import Evidence, Judgement, Place, Verdict
 from mechproof.record import Paper
+from mechproof.tools.cache import Store, make_key, name_place
 
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"

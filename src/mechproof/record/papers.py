@@ -9,12 +9,12 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.notebook import Displayed
 from mechproof.record.findings import Finding
 from mechproof.record.quantities import OnePass, Quantity
 from mechproof.record.rows import Row
 from mechproof.record.texts import check_name, check_texts
 from mechproof.record.variables import Notation, Part, Variable, list_given
+from mechproof.tools.notebook import Displayed
 
 # Names of the generated package that no system may take.
 RESERVED = ("compiled", "derivatives", "forms", "kernels", "measured")

@@ -7,7 +7,7 @@ from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
 
-from mechproof.cache import Store, make_key
+from mechproof.tools.cache import Store, make_key
 
 # What an entry rests on besides its LaTeX: what writes it.
 WRITERS = tuple(map(Path(__file__).with_name, ("mathml.py", "breaks.py", "formulas.py")))

@@ -13,11 +13,11 @@ from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 
-from mechproof.cache import Store, make_key
 from mechproof.measured import KERNELS
-from mechproof.reads import digest_program
 from mechproof.report.judged_derivations import find_generated
 from mechproof.report.site import Site
+from mechproof.tools.cache import Store, make_key
+from mechproof.tools.reads import digest_program
 
 SITE = Store("report.json")
 

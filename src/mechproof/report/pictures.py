@@ -13,15 +13,15 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
-from mechproof.cache import Store, make_key
-from mechproof.json_rows import write_lines
 from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
 from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import KERNELS, Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
-from mechproof.processes import WorkerError, run_tasks
-from mechproof.reads import HERE, list_program
+from mechproof.tools.cache import Store, make_key
+from mechproof.tools.json_rows import write_lines
+from mechproof.tools.processes import WorkerError, run_tasks
+from mechproof.tools.reads import HERE, list_program
 
 # Seconds for a picture; beyond, something hangs.
 LIMIT = 300.0
@@ -34,7 +34,7 @@ MOST_KEPT = 400
 PACKAGES = ("matplotlib", "numpy")
 # What charts are drawn by, and what no figure shows.
 CHART_SOURCES = ("lab", "plot", "measured.py")
-UNSEEN = ("cli", "report", "document", "latex", "improvement", "certification.py", "pasted.py")
+UNSEEN = ("cli", "report", "document", "latex", "improvement", "pipeline")
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from html import unescape
 from pathlib import Path
 from urllib.parse import quote, unquote
 
-from mechproof.made import ForeignFileError
 from mechproof.report.pages import STYLESHEET, render
+from mechproof.tools.made import ForeignFileError
 
 # What every page says before its stylesheet.
 MADE = '<meta name="generator" content="mechproof '

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.made import STAGED, ForeignFileError, Made
 from mechproof.proof.ledger import AT_HAND, JudgedPaper
 from mechproof.proof.rungs import RUNGS
 from mechproof.report.judged_derivations import JudgedDerivation, find_source
@@ -25,6 +24,7 @@ from mechproof.report.pictures import (
 )
 from mechproof.report.quantities import QuantityView, describe_quantities
 from mechproof.report.rows import MARKED
+from mechproof.tools.made import STAGED, ForeignFileError, Made
 
 INDEX = "index.html"
 # Lists the files of the report, so that the next one knows what it may replace.

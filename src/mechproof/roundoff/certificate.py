@@ -17,13 +17,13 @@ from functools import partial
 import numpy as np
 
 from mechproof.arithmetic.cover import WORST, Cover, cover_below
-from mechproof.json_rows import read_fields, write_lines
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
+from mechproof.tools.json_rows import read_fields, write_lines
 
 # The most boxes of all regions that may show a bound.
 MOST = 16000

@@ -7,7 +7,6 @@ from contextlib import suppress
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from mechproof.cache import Store, make_key
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import (
     Certificate,
@@ -16,6 +15,7 @@ from mechproof.roundoff.certificate import (
     read_certificate,
     write_certificate,
 )
+from mechproof.tools.cache import Store, make_key
 
 FOLDER = "certificates"
 CERTIFIED = Store("certified.json")

@@ -72,7 +72,7 @@ def _is_still(
             values[step.result] = _differentiate(step, given)
         if step.result == name and name in products:
             values[name] = moved
-    return cancel(values[output][1])[0] == 0
+    return bool(cancel(values[output][1])[0] == 0)
 
 
 def _differentiate(step: Step, given: list[Pair]) -> Pair:

@@ -14,8 +14,8 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from mechproof.executors import BALLS
-from mechproof.extras import require_modules
 from mechproof.tailoring.receiving import NEEDED
+from mechproof.tools.extras import require_modules
 
 if TYPE_CHECKING:
     from mechproof.tailoring.tailored import Tailored

@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Any
 
 from mechproof.executors import BALLS
-from mechproof.extras import require_modules
+from mechproof.tools.extras import require_modules
 
 # What tailoring needs of the extra, as it is imported.
 NEEDED = ("flint", "jinja2", "mpmath", "sympy")

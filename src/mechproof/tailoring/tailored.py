@@ -17,14 +17,12 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import require
-from mechproof.cache import cache_folder
 from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.c_names import WORDS
 from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel_reading import check_module
-from mechproof.files import write_whole
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import NOTHING, Program, unfuse
@@ -33,6 +31,8 @@ from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model
 from mechproof.tailoring.receiving import receive
 from mechproof.tailoring.request import Request
+from mechproof.tools.cache import cache_folder
+from mechproof.tools.files import write_whole
 
 NUMBA, NUMPY = "numba", "NumPy"
 # Characters of a name that every compiler of C99 tells apart.

@@ -30,9 +30,9 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_number, check_text, require
 from mechproof.executors import BALLS, check_executor, run_in_order
-from mechproof.extras import tell_install
 from mechproof.tolerance.problem import Bounds, Problem
 from mechproof.tolerance.sizes import Floats, Progress, Report, Size, check_sizes
+from mechproof.tools.extras import tell_install
 
 if TYPE_CHECKING:
     from mechproof.record import Paper
@@ -124,7 +124,7 @@ def certified_range(
         Without the `derive` extra.
     TypeError, ValueError
         Names the parameter: also a size of which a part lies outside the domain.
-    mechproof.processes.WorkerError
+    mechproof.tools.processes.WorkerError
         If the executor loses a worker and does not make up for it.
 
     """

@@ -148,7 +148,7 @@ def corner_range(
     TypeError, ValueError
         Names the parameter; also where the function returns complex numbers or another shape, or
         cannot be sent to the processes of an executor.
-    mechproof.processes.WorkerError
+    mechproof.tools.processes.WorkerError
         If the executor loses a worker and does not make up for it.
 
     Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.

@@ -95,7 +95,7 @@ def monte_carlo_range(
 
     Raises
     ------
-    TypeError, ValueError, mechproof.processes.WorkerError
+    TypeError, ValueError, mechproof.tools.processes.WorkerError
         As in `corner_range`; an executor of processes needs laws that can be pickled.
 
     """

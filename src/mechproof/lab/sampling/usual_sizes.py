@@ -96,7 +96,7 @@ def _middle(facts: Facts, symbol: sp.Symbol) -> float:
     """Return a size of the published row that has most arguments, or the middle usual edge."""
     fullest = max(facts.printed, key=len, default={})
     if symbol in fullest:
-        return fullest[symbol][0]
+        return float(fullest[symbol][0])
     if values := facts.region.list_values(symbol):
         return values[-1]
     edges = facts.usual.get(symbol)

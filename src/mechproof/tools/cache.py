@@ -17,7 +17,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from mechproof.files import write_whole
+from mechproof.tools.files import write_whole
 
 VARIABLE = "MECHPROOF_CACHE"
 # Keys without a value that a file holds; more are of old sources.

@@ -17,10 +17,10 @@ from mechproof.latex.names import INDEX
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
 from mechproof.latex.values import depends
-from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Definition, Equation, Notation, Paper, Part, Row, Variable
+from mechproof.tools.processes import WorkerError, run_tasks
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",

@@ -18,8 +18,8 @@ from mechproof.codegen.forms import (
 from mechproof.derivation import DerivationError, load_paper
 from mechproof.programs.derivatives import select_wanted
 from mechproof.proof.findings import follower_rows
-from mechproof.reads import digest_program
 from mechproof.record import Paper, Quantity, Row
+from mechproof.tools.reads import digest_program
 
 
 @dataclass(frozen=True)

@@ -13,14 +13,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from mechproof.cache import Store, name_place
 from mechproof.chosen import find_file
 from mechproof.proof.findings import LedgerCost, LedgerFinding
 from mechproof.proof.ledger import Ledger, Origin
 from mechproof.proof.verdict import Left, Place, State, Verdict
 from mechproof.proof.verdict_cache import UNREAD, read_judgement
-from mechproof.reads import are_unchanged, digest_program
 from mechproof.record import Weight
+from mechproof.tools.cache import Store, name_place
+from mechproof.tools.reads import are_unchanged, digest_program
 
 
 class LedgerCache:

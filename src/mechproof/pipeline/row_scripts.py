@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_row_script
-from mechproof.opening import Opened, open_paper
-from mechproof.processes import START, WorkerError, run_tasks
+from mechproof.pipeline.opening import Opened, open_paper
 from mechproof.proof.ledger import JudgedPaper
+from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # Seconds for the scripts of a row; beyond, something hangs.
 LIMIT = 600.0

@@ -8,12 +8,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechproof.cache import Store, make_key
 from mechproof.derivation import load_paper
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.validation import validate
-from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.record import Paper
+from mechproof.tools.cache import Store, make_key
+from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # What a validation rests on besides the emitted source and the derivation.
 LAYERS = (
@@ -80,7 +80,7 @@ def _validate(task: tuple[Path, Path, str]) -> None:
 
 def _key(place: Path, paper: Paper, files: Mapping[str, str]) -> str:
     """Return a key of all that the values depend on: sources of the package and of the paper."""
-    package = Path(__file__).parent
+    package = Path(__file__).parents[1]
     sources = [p for layer in LAYERS for p in sorted((package / layer).rglob("*.py"))]
     sources += sorted(place.rglob("*.py")) if place.is_dir() else [place]
     sources += sorted(place.parent.glob("_*.py"))

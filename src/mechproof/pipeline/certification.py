@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from mechproof.derivation import load_paper
-from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate
 from mechproof.roundoff.certificate_files import certify_paper
+from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # Seconds for a paper: a search for bounds that nobody knows yet may take an hour.
 LIMIT = 6 * 3600.0

@@ -14,7 +14,7 @@ from importlib.metadata import distributions
 from importlib.util import source_from_cache
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
+HERE = Path(__file__).resolve().parents[1]
 STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
 # The names of modules that are a library's or the package's: there are thousands.

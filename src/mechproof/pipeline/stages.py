@@ -18,30 +18,30 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.certification import certify_derivations
 from mechproof.codegen.forms import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
-from mechproof.extras import require_modules
 from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
-from mechproof.made import Change, ForeignFileError, Made
 from mechproof.measured import FOLDER, find_known, read_records, write_record
-from mechproof.processes import start_executor
-from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
-from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.certificate_files import write_certificates
-from mechproof.validation import ValidationError, validate_derivations
-from mechproof.verification import (
+from mechproof.pipeline.certification import certify_derivations
+from mechproof.pipeline.validation import ValidationError, validate_derivations
+from mechproof.pipeline.verification import (
     LIMIT,
     VerificationError,
     judge_derivations,
     list_failures,
     name_judging,
 )
+from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
+from mechproof.roundoff.certificate import Certificate, tell_proofs
+from mechproof.roundoff.certificate_files import write_certificates
+from mechproof.tools.extras import require_modules
+from mechproof.tools.made import Change, ForeignFileError, Made
+from mechproof.tools.processes import start_executor
 
 # Called with the title of a stage, whose context it is; yields what is told of its progress.
 Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]

@@ -1,0 +1,1 @@
+"""The pipeline: what commands call, from papers to verdicts, certificates and generated files."""

@@ -1,0 +1,1 @@
+"""Tools: files, caches, processes, and what is installed; they know no formulas."""
