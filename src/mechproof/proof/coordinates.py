@@ -55,11 +55,20 @@ def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Ex
     """Let each absolute value, its squares being squares of the number, be one not negative."""
     if not expression.has(sp.Abs):
         return expression
-    expression = sp.expand(expression)
+    # Multiplied out with names in it: of a new absolute value SymPy would ask for the sign.
     nodes = sorted(expression.atoms(sp.Abs), key=sp.default_sort_key)
     named = {node: sp.Dummy("size", nonnegative=True) for node in nodes}
+    expanded = sp.expand(expression.xreplace(named))
     coordinates.nonnegative |= set(named.values())
-    return expression.xreplace(named)
+    numbers = {size: node.args[0].xreplace(named) for node, size in named.items()}
+    powers = [p for p in expanded.atoms(sp.Pow) if p.base in numbers and p.exp.is_Integer]
+    return expanded.xreplace({p: _square(numbers[p.base], p) for p in powers})
+
+
+def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
+    """Write a power of a number's size by the square of the number, as far as it goes."""
+    times, rest = divmod(int(power.exp), 2)
+    return number ** (2 * times) * power.base**rest
 
 
 def free_tangents(expression: sp.Expr) -> sp.Expr:
