@@ -162,7 +162,7 @@ def test_what_is_asked_to_end_tidies_up(tmp_path: Path, ending: signal.Signals) 
     code = (
         "import sys, time, mechproof.__main__ as m\n"
         "from pathlib import Path\n"
-        "from mechproof import made\n"
+        "from mechproof.tools import made\n"
         "def run():\n"
         "    with made._stage(Path(sys.argv[1])):\n"
         "        print('ready', flush=True)\n"
