@@ -21,10 +21,12 @@ from mechproof.record import (
     PrintedNumber,
     Reading,
     Variable,
+    all_of,
+    less,
+    ours,
 )
 
 from ._metrology import student_coverage
-from ._relations import less
 
 POSITIVE = Interval.open(0, oo)
 # The rows that are findings of both papers.
@@ -62,14 +64,12 @@ def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
     return Datum(
         f"{table}, encoder",
         r"0.088^\circ,\ 0.3\,\%,\ 0.6\text{ ms},\ 0\dots5\text{ V},\ 22\text{ mm}",
-        Conjunction(
-            (
-                Definition(resolution, Rational("0.088")),
-                Definition(linearity, Rational("0.003")),
-                Definition(read_time, Rational("0.0006")),
-                Definition(output, Rational(5)),
-                Definition(diameter, 22 * millimetre),
-            )
+        all_of(
+            Definition(resolution, Rational("0.088")),
+            Definition(linearity, Rational("0.003")),
+            Definition(read_time, Rational("0.0006")),
+            Definition(output, Rational(5)),
+            Definition(diameter, 22 * millimetre),
         ),
         note="Resolution, linearity, reading speed, output signal, diameter; no formula uses "
         "them. The text at hand does not say what the 0.3 % refers to; of 360° it is 1.08°.",
@@ -134,12 +134,12 @@ def interval_of_errors(
 ) -> Claim:
     """Judge of what the interval is: of the errors, as it is called, or of their mean."""
     counts = [line.count for line in readings.values()]
-    of_mean = Conjunction(tuple(PrintedNumber("95", of_the_mean(count)) for count in counts))
+    of_mean = all_of(*(PrintedNumber("95", of_the_mean(count)) for count in counts))
     return Claim(
         INTERVAL,
         r"\text{the confidence interval of the measurement errors at a confidence level of 95 \% "
         r"is determined as }\bar q\pm2u",
-        Conjunction(tuple(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
+        all_of(*(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
         readings=(Reading("the interval of the mean of the errors, whose u it is", of_mean),),
         corrected=Correction(
             r"\text{the confidence interval of the mean of the measurement errors at a "
@@ -163,11 +163,11 @@ def if_u_is_s(
     printed = tuple(zip(readings.values(), halves, distances, strict=True))
     intervals = ",\\ ".join(rf"{float(line.mean):g}\pm{half}^\circ" for line, half, _ in printed)
     away = ",\\ ".join(distances)
-    return Claim(
+    return ours(
         f"{table}, if u is s",
         rf"\bar q\pm\tfrac{{2u}}{{\sqrt n}}:\ {intervals},\quad|\bar q|\tfrac{{\sqrt n}}u={away}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 statement
                 for line, half, distance in printed
                 for statement in (
@@ -181,7 +181,7 @@ def if_u_is_s(
         "95 % of the errors, and these are the intervals of the means: all four differ from zero, "
         f"by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
         "uncertainties.",
-        marks=("ours", "consequence", "inferred"),
+        marks=("consequence", "inferred"),
     )
 
 
@@ -217,8 +217,8 @@ def adequacy_row(cites: tuple[str, ...]) -> Claim:
 
 def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]) -> Conjunction:
     """State that errors within the limits cannot scatter as the readings of these variants do."""
-    return Conjunction(
-        tuple(
+    return all_of(
+        *(
             less(readings[v].scatter_within(limit), readings[v].least_scatter)
             for v, limit in limits.items()
         )

@@ -2,10 +2,9 @@
 
 from sympy import Abs, Expr, Integral, atan, cos, pi, sin
 
-from mechproof.record import Claim, PrintedNumber
+from mechproof.record import PrintedNumber, all_of, less, ours, rounded
 
 from .._readings import beyond_encoders, if_u_is_s
-from .._relations import all_of, less
 from .position_rows import ROOT, of_variant
 from .readings import LIMITS, READINGS
 from .symbols import e, x
@@ -23,7 +22,7 @@ def mean_lack(number: int) -> Expr:
 
 
 CONSEQUENCES = (
-    Claim(
+    ours(
         "(12) and the mean errors of table 3",
         r"\text{mean of }(12)-\varphi_3\text{ over }0\le x\le\pi:\ -35.3^\circ\ (e=0.28),\ "
         r"-60.8^\circ\ (e=0.475)",
@@ -37,26 +36,19 @@ CONSEQUENCES = (
         "average. Mean errors of at most 0.98° cannot have been found by comparison with it: "
         "the calculation behind table 3 used another formula, and the slip in (12) is one of the "
         "article only.",
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
-    Claim(
+    ours(
         "table 3, scatter and two encoders",
         r"u\sqrt n=11.5^\circ,\ 18.9^\circ,\ 3.9^\circ,\ 13.2^\circ;\ "
         r"u\sqrt n>M\sqrt{\tfrac n{n-1}}\text{ in variants 1, 2, 4},\ "
         r"M=1.08^\circ\,(1+\max\varphi_3')=10.1^\circ,\ 14.7^\circ,\ 7.3^\circ,\ 10.3^\circ",
         all_of(
-            *(
-                PrintedNumber(printed, line.implied_scatter)
-                for printed, line in zip(
-                    ("11.5", "18.9", "3.9", "13.2"), READINGS.values(), strict=True
-                )
+            *rounded(
+                ("11.5", "18.9", "3.9", "13.2"),
+                (line.implied_scatter for line in READINGS.values()),
             ),
-            *(
-                PrintedNumber(printed, limit)
-                for printed, limit in zip(
-                    ("10.1", "14.7", "7.3", "10.3"), LIMITS.values(), strict=True
-                )
-            ),
+            *rounded(("10.1", "14.7", "7.3", "10.3"), LIMITS.values()),
             beyond_encoders(READINGS, {number: LIMITS[number] for number in (1, 2, 4)}),
             less(READINGS[3].implied_scatter, LIMITS[3]),
         ),
@@ -65,7 +57,7 @@ CONSEQUENCES = (
         "most M about any offset of the mechanism, and such errors cannot scatter so much in "
         "variants 1, 2 and 4: either the mechanism or its model is off, or u is not an "
         "uncertainty of the mean.",
-        marks=("ours", "inferred", "consequence"),
+        marks=("inferred", "consequence"),
     ),
     if_u_is_s(
         "table 3",

@@ -23,7 +23,6 @@ from sympy import (
 from mechproof.record import (
     Accuracy,
     Argument,
-    Conjunction,
     EmittedForm,
     Equality,
     Form,
@@ -33,6 +32,7 @@ from mechproof.record import (
     Scale,
     Singular,
     Statement,
+    all_of,
 )
 
 from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
@@ -129,12 +129,10 @@ def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
 
     def states(code: EmittedForm) -> Statement:
         form = code.output(x)
-        return Conjunction(
-            (
-                Equality(form.subs(x, 0), (1 + k) * phi1),
-                Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
-                *STEP_OF_SERIES,
-            )
+        return all_of(
+            Equality(form.subs(x, 0), (1 + k) * phi1),
+            Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
+            *STEP_OF_SERIES,
         )
 
     return states

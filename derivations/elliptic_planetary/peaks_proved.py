@@ -2,9 +2,8 @@
 
 from sympy import Expr, Interval, cos, diff, sqrt
 
-from mechproof.record import Claim, Equality, Part
+from mechproof.record import Equality, Part, all_of, less, ours
 
-from .._relations import all_of, less
 from .kernels import ACCELERATION
 from .peaks import (
     BOTH,
@@ -43,7 +42,7 @@ def cosine_of(t_squared: Expr) -> Expr:
 
 
 PEAK_ROWS = (
-    Claim(
+    ours(
         "acceleration, where it turns",
         r"\frac{d\varphi_3''}{dx}=-2e\left(\tfrac{R_1}{R_2}\right)^2(1-e^2)"
         r"\frac{2e\cos^2x+(1+e^2)\cos x-4e}{(1+e^2-2e\cos x)^3},\ "
@@ -61,18 +60,16 @@ PEAK_ROWS = (
         "root between. The acceleration is odd in x, so it is smallest there and largest as far "
         "before x = 0.",
         on=PROPER,
-        marks=("ours",),
         quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
     ),
-    Claim(
+    ours(
         "acceleration, where it is extreme, without cancellation",
         r"\mathrm{tg}^2\frac x2=\frac{1-\cos x}{1+\cos x}",
         Equality(cosine_of(T2_ACCELERATION), C_ACCELERATION),
         on=PROPER,
-        marks=("ours",),
         quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
     ),
-    Claim(
+    ours(
         "acceleration, how large it is",
         r"(\varphi_3'')^2\text{ at this }\cos x",
         Equality(
@@ -80,10 +77,9 @@ PEAK_ROWS = (
             FACTOR**2 * (1 - C_ACCELERATION**2) / (square - 2 * e * C_ACCELERATION) ** 4,
         ),
         on=PROPER,
-        marks=("ours",),
         quantities=("largest_acceleration",),
     ),
-    Claim(
+    ours(
         "jerk, where it turns",
         r"\varphi_3'''=-2e\left(\tfrac{R_1}{R_2}\right)^3(1-e^2)\frac{2ec^2+(1+e^2)c-4e}"
         r"{(1+e^2-2ec)^3},\ c=\cos x;\ \frac{d}{dc}\text{ of the quotient}=\frac{4e^2c^2"
@@ -99,10 +95,9 @@ PEAK_ROWS = (
         note="The numerator rises from c = -1 to c = 1, where it is above zero: the jerk is "
         "smallest there, at whole turns of x.",
         on=PROPER,
-        marks=("ours",),
         quantities=("jerk", "smallest_jerk", "largest_jerk", "angle_of_largest_jerk"),
     ),
-    Claim(
+    ours(
         "jerk, largest at half a turn",
         r"e\le5-2\sqrt6:\ \max\varphi_3'''=2e\left(\tfrac{R_1}{R_2}\right)^3"
         r"\frac{1-e}{(1+e)^3},\ x=\pi",
@@ -112,10 +107,9 @@ PEAK_ROWS = (
         ),
         note="There the numerator is nowhere below zero; it is zero at 1 + e^2 = 10 e, c = -1.",
         on=UP_TO_THRESHOLD,
-        marks=("ours",),
         quantities=("largest_jerk", "angle_of_largest_jerk"),
     ),
-    Claim(
+    ours(
         "jerk, largest before half a turn",
         r"\cos x=\frac{-2(1+e^2)+\sqrt{3(1+e^2)^2+24e^2}}{2e},\ "
         r"\mathrm{tg}^2\frac x2=\frac{1-\cos x}{1+\cos x},\text{ and the jerk there}",
@@ -125,7 +119,6 @@ PEAK_ROWS = (
             Equality(JERK_WITHIN, -k * FACTOR * jerk_by_c.subs(c, C_JERK)),
         ),
         on=BEYOND,
-        marks=("ours",),
         quantities=("largest_jerk", "angle_of_largest_jerk"),
     ),
 )

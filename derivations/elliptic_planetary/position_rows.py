@@ -10,9 +10,10 @@ from mechproof.record import (
     Equality,
     Holds,
     PrintedNumber,
+    all_of,
+    ours,
 )
 
-from .._relations import all_of
 from .mechanics import position, position_closed, position_principal
 from .ratio_rows import print_8
 from .symbols import (
@@ -56,14 +57,13 @@ EQUATION_12 = PRINT.equation(
     derived={phi3: position},
     cites=("S32",),
 )
-DX_SUPPLIED = Claim(
+DX_SUPPLIED = ours(
     "(10), third equals sign, dx supplied",
     r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
     r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
     note="With the missing differential supplied, the numerator is still wrong.",
     corrected=Correction(CORRECT_FOURTH),
     on=BRANCH,
-    marks=("ours",),
 )
 _, print_12 = READER.members(EQUATION_12)
 
@@ -103,7 +103,7 @@ POSITION_ROWS = (
         "ellipse, it would divide by zero.",
         cites=("S31",),
     ),
-    Claim(
+    ours(
         "(11) over all turns",
         r"\int_0^x\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\sqrt{\frac{a_1+b_1}{a_1-b_1}}\,"
         r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}",
@@ -113,10 +113,9 @@ POSITION_ROWS = (
         corrected=Correction(
             r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)"
         ),
-        marks=("ours",),
     ),
     EQUATION_12,
-    Claim(
+    ours(
         "(12) without its roots",
         r"\varphi_3=\varphi_1+2\;\mathrm{arctg}\left(\mathrm{tg}\left(\frac{R_1}{2R_2}"
         r"\varphi_1\right)\cdot\frac{1+e}{1-e}\right)",
@@ -124,7 +123,6 @@ POSITION_ROWS = (
         note="The root before the arctangent is dropped, and so is the one inside. This is right "
         "up to half a turn of x; the general form holds beyond.",
         on=BRANCH,
-        marks=("ours",),
     ),
     PRINT.claim(
         "(12), initial conditions",
@@ -132,13 +130,12 @@ POSITION_ROWS = (
         note="(12), as printed, starts at 0.",
         cites=("S32",),
     ),
-    Claim(
+    ours(
         "half-angle arctangent without branches",
         r"2\,\mathrm{arctg}\left(\tfrac{1+e}{1-e}\mathrm{tg}\tfrac x2\right)="
         r"x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}",
         on=BRANCH,
         note="The right-hand side also holds beyond the branch.",
-        marks=("ours",),
         quantities=("position",),
     ),
 )
@@ -161,7 +158,7 @@ def lack_at_branch_end(number: int) -> Expr:
 
 
 POSITION_CLAIMS = (
-    Claim(
+    ours(
         "(12), size of its error",
         r"0\le\varphi_3-(12)<\pi\left(1-\sqrt{\tfrac{1-e}{1+e}}\right),\ 0\le x<\pi:\ "
         r"45.0^\circ,\ 72.6^\circ\text{ at }\varphi_1=\pi\tfrac{R_2}{R_1}=43.6^\circ,\ 67.5^\circ",
@@ -178,7 +175,7 @@ POSITION_CLAIMS = (
         " of the carrier in variants 1 and 2, at 67.5° in variants 3 and 4; beyond it the "
         "arctangent jumps back.",
         on=BRANCH,
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
     Claim(
         "(12) gives the position function",
@@ -197,13 +194,12 @@ POSITION_CLAIMS = (
         marks=("inferred",),
         cites=("S5", "S35"),
     ),
-    Claim(
+    ours(
         "extremes of the ratio",
         r"1+\frac{R_1}{R_2}\cdot\frac{1-e}{1+e}\le\varphi_3'\le"
         r"1+\frac{R_1}{R_2}\cdot\frac{1+e}{1-e}",
         derived={ratio_symbol: print_8},
         note="Reached at x = pi and x = 0 modulo 2 pi.",
-        marks=("ours",),
         quantities=("largest_ratio", "smallest_ratio"),
     ),
 )

@@ -2,9 +2,8 @@
 
 from sympy import Matrix, S
 
-from mechproof.record import ChainLink, Claim, Equality
+from mechproof.record import ChainLink, Equality, all_of, ours
 
-from .._relations import all_of
 from .mechanics import (
     PLACES,
     axis_c,
@@ -133,11 +132,10 @@ RATIO_ROWS = (
     PRINT.equation(
         "(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}, cites=("S26",)
     ),
-    Claim(
+    ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
-        marks=("ours",),
         quantities=("ratio",),
     ),
     PRINT.equation(

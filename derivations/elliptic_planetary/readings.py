@@ -6,13 +6,13 @@ from sympy import Expr, Ge, Gt, Integral, Ne, Rational, diff, pi
 
 from mechproof.record import (
     Claim,
-    Conjunction,
     Correction,
     Datum,
     Definition,
     Equality,
     Holds,
     PrintedNumber,
+    all_of,
 )
 
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
@@ -26,7 +26,6 @@ from .._readings import (
     table_row,
     two_encoders,
 )
-from .._relations import all_of
 from .mechanics import largest, lead, non_uniformity
 from .position_rows import of_variant
 from .ratio_rows import print_8
@@ -86,11 +85,9 @@ def interval_row(number: int, note: str) -> Claim:
         cites=("S56",),
         corrected=Correction(
             rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in table 3}}",
-            Conjunction(
-                (
-                    PrintedNumber(right, 2 * line.uncertainty),
-                    PrintedNumber(half, Rational(printed) / 2),
-                )
+            all_of(
+                PrintedNumber(right, 2 * line.uncertainty),
+                PrintedNumber(half, Rational(printed) / 2),
             ),
         ),
     )
@@ -106,12 +103,10 @@ TABLE_CLAIMS = (
         Datum(
             f"table 1, variant {number}",
             rf"R_1={large}~\mathrm{{mm}},\ R_2={small}~\mathrm{{mm}},\ e={float(eccentricity)}",
-            Conjunction(
-                (
-                    Definition(R1, large * millimetre),
-                    Definition(R2, small * millimetre),
-                    Definition(e, eccentricity),
-                )
+            all_of(
+                Definition(R1, large * millimetre),
+                Definition(R2, small * millimetre),
+                Definition(e, eccentricity),
             ),
             cites=("S34",),
         )
@@ -128,23 +123,21 @@ TABLE_CLAIMS = (
         "different non-uniformity",
         r"\text{varying the parameters of the cylindrical and of the elliptical wheels allows to "
         r"obtain various position functions, differing in the non-uniformity of rotation}",
-        Conjunction(
-            (
-                Holds(Gt(diff(non_uniformity, e), 0)),
-                Holds(Ge(diff(non_uniformity, k), 0)),
-                *(
-                    Holds(
-                        Ne(
-                            of_variant(non_uniformity, one),
-                            of_variant(non_uniformity, two),
-                            evaluate=False,
-                        )
+        all_of(
+            Holds(Gt(diff(non_uniformity, e), 0)),
+            Holds(Ge(diff(non_uniformity, k), 0)),
+            *(
+                Holds(
+                    Ne(
+                        of_variant(non_uniformity, one),
+                        of_variant(non_uniformity, two),
+                        evaluate=False,
                     )
-                    for one in VARIANTS
-                    for two in VARIANTS
-                    if one < two
-                ),
-            )
+                )
+                for one in VARIANTS
+                for two in VARIANTS
+                if one < two
+            ),
         ),
         note=(
             "The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "

@@ -5,11 +5,11 @@ from sympy import Sum, sqrt
 from mechproof.record import (
     Accuracy,
     Argument,
-    Claim,
     Equality,
     Equation,
     Paper,
     Quantity,
+    ours,
 )
 
 from .._metrology import (
@@ -50,20 +50,18 @@ ROWS = (
         note="The type A standard uncertainty of the mean.",
         defines=(u_mean,),
     ),
-    Claim(
+    ours(
         "4.2.2, one pass",
         r"\sum(q_k-\bar q)^2=\sum q_k^2-\frac1n\left(\sum q_k\right)^2",
         Equality(ONE_PASS, VARIANCE),
         note="Rounded, two nearly equal sums are subtracted.",
-        marks=("ours",),
         quantities=("standard_deviation",),
     ),
-    Claim(
+    ours(
         "4.2.2, centred twice",
         r"\sum(q_k-\bar q)^2=\sum(q_k-\bar q-c)^2,\ c=\frac1n\sum(q_k-\bar q)",
         Equality(CENTRED_TWICE, VARIANCE),
         note="Exactly, c is 0; rounded, it takes the error of the mean out.",
-        marks=("ours",),
         quantities=("standard_deviation",),
     ),
 )

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Equality, NotCheckable, Row
+from mechproof.record import Claim, Equality, NotCheckable, Row, all_of, ours
 
-from .._relations import all_of
 from .mechanics import (
     COS_4,
     R4,
@@ -44,7 +43,7 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
         NotCheckable("the text at hand has no size, mass or force of either mechanism"),
         cites=("S53",),
     ),
-    Claim(
+    ours(
         "acceleration by the model",
         r"\varphi_3''=\frac{4E(1-E^2)\sin2\varphi_1}{(1+E^2-2E\cos2\varphi_1)^2},\quad "
         r"E=\frac{e_1+e_2}{1+e_1e_2},\quad\varphi_3''=\frac{R_4^2}{R_5^2}\cdot"
@@ -66,6 +65,6 @@ CONCLUSION_ROWS: tuple[Row, ...] = (
         ),
         note="First for two oval pairs, then for a cylindrical pair 4-5. The output is counted "
         "with the carrier.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
     ),
 )

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Equality, Part, Row
+from mechproof.record import Equality, Part, Row, all_of, less, ours
 
-from .._relations import all_of, less
 from .mechanics import (
     OVAL,
     R4,
@@ -53,26 +52,24 @@ spread = OF_E + 1 / OF_E
 against = k * (1 - e2**2) - theta * (1 + e2**2 - 2 * e2 * sp.cos(x))
 
 DWELL_ROWS: tuple[Row, ...] = (
-    Claim(
+    ours(
         "dwells, position from the slowest place",
         r"\varphi_3\left(\tfrac{\pi R_5}{2R_4}+\varphi_1\right)-\varphi_3\left(\tfrac{\pi R_5}"
         r"{2R_4}\right)=\varphi_1-\mathrm{arctg}\left(\tfrac{1-e_2}{1+e_2}"
         r"\mathrm{tg}\tfrac{R_4\varphi_1}{R_5}\right)",
         Equality(from_place(QUARTER), phi1 - sp.atan(OF_E * HALF)),
         on=BRANCH,
-        marks=("ours",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, position from the fastest place",
         r"\varphi_3(\varphi_1)=\varphi_1-\mathrm{arctg}\left(\tfrac{1+e_2}{1-e_2}"
         r"\mathrm{tg}\tfrac{R_4\varphi_1}{R_5}\right)",
         Equality(from_place(sp.S.Zero), phi1 - sp.atan(HALF / OF_E)),
         on=BRANCH,
-        marks=("ours",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, where the output turns back",
         r"t^2=\mathrm{tg}^2\tfrac{R_4\varphi_1}{R_5}=\frac{1-kq}{q(k-q)}",
         all_of(
@@ -82,10 +79,9 @@ DWELL_ROWS: tuple[Row, ...] = (
         ),
         note="From there on it is nearer to the place the smaller q is: arctg(q t) rises with q.",
         on=RETURNS,
-        marks=("ours",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, how far the output turns back",
         r"M=\tfrac1k\mathrm{arctg}\,t-\mathrm{arctg}(qt),\ "
         r"\frac{dM}{dq}=-\frac t{1+q^2t^2}<0",
@@ -95,10 +91,9 @@ DWELL_ROWS: tuple[Row, ...] = (
         ),
         note="Where the output turns back M does not change with t, so only q counts.",
         on=RETURNS,
-        marks=("ours",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, time spent at a speed",
         r"\kappa=\frac k{1-\varphi_3'}:\ \left(\frac{d\kappa}{dx}\right)^2"
         r"=\kappa\left(q+\tfrac1q\right)-1-\kappa^2,\ \frac d{de_2}\left(q+\tfrac1q\right)>0",
@@ -111,10 +106,9 @@ DWELL_ROWS: tuple[Row, ...] = (
         "So it passes from any speed to any other in less, and the output leaves a band about a "
         "place where it turns back after less.",
         on=PROPER,
-        marks=("ours",),
         quantities=("ratio_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, ratio within eta at an angle",
         r"1-\varphi_3'\gtrless u\iff-(u+k)e_2^2+2u\cos x\,e_2+k-u\gtrless0",
         all_of(
@@ -125,10 +119,9 @@ DWELL_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="u written theta. At an angle x from a place this is of the second degree in e2.",
-        marks=("ours",),
         quantities=("ratio_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, exact",
         r"e_2=\frac{k-1}{k+1}\Rightarrow\varphi_3'(x=\pi)=0,\ e_2=\frac{1-k}{1+k}\Rightarrow"
         r"\varphi_3'(x=0)=0",
@@ -141,10 +134,9 @@ DWELL_ROWS: tuple[Row, ...] = (
                 for sign in (1, -1)
             ),
         ),
-        marks=("ours",),
         quantities=("ratio_cylindrical",),
     ),
-    Claim(
+    ours(
         "dwells, equal circles",
         r"R_4=R_5:\ \sin\varphi_3=-e_2\sin(2\varphi_1-\varphi_3)",
         Equality(
@@ -154,7 +146,6 @@ DWELL_ROWS: tuple[Row, ...] = (
         note="By 2 phi1 - phi3 the output swings like a sine: it stays in the band of width 2 b "
         "below its largest value M, sin(M) = e2, while the carrier turns by L, "
         "cos(L) sin(M) = sin(M - 2 b).",
-        marks=("ours",),
         quantities=("position_cylindrical",),
     ),
 )

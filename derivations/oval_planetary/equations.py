@@ -6,9 +6,19 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.record import ChainLink, Claim, Correction, Equality, Holds, Part, Reading, Row
+from mechproof.record import (
+    ChainLink,
+    Claim,
+    Correction,
+    Equality,
+    Holds,
+    Part,
+    Reading,
+    Row,
+    all_of,
+    ours,
+)
 
-from .._relations import all_of
 from .mechanics import (
     BD,
     E_SERIES,
@@ -133,14 +143,13 @@ EQUATION_ROWS: tuple[Row, ...] = (
         marks=("rebuilt",),
         cites=("S21",),
     ),
-    Claim(
+    ours(
         "(2), convex",
         r"\rho^2+2\rho'^2-\rho\rho''\ge0",
         Holds(bend >= 0),
         note="The sign is that of 1 + 3 e cos(2 phi): beyond e = 1/3 the pitch curve has hollow "
         "flanks. The paper's e = 0.2 is convex.",
         holds_on=Part("e <= 1/3", {e: sp.Interval(0, sp.Rational(1, 3))}),
-        marks=("ours",),
     ),
     PRINT.equation(
         "(3)",
@@ -164,7 +173,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         marks=("rebuilt", "uncertain", "inferred"),
         cites=("S23", "S24"),
     ),
-    Claim(
+    ours(
         "(5), constant",
         r"\rho_4(0)+\rho_5\left(\tfrac\pi2-c\right)-2a"
         r"=\frac{2ae_1(1-e_1)\sin^2c}{1+e_1\cos2c}",
@@ -174,17 +183,15 @@ EQUATION_ROWS: tuple[Row, ...] = (
         ),
         note="By (3), (6) and axes that are 2a apart, the lost constant of (5) is 0 (or a number "
         "of half turns, which change no radius).",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "(5), closed form",
         r"\varphi_6=\varphi_1+\mathrm{arctg}\frac{e_1\sin2\varphi_1}{1-e_1\cos2\varphi_1}",
         derived={phi6: print_5},
         note="Over any number of turns; tan(phi6) = (1 + e1)/(1 - e1) tan(phi1).",
-        marks=("ours",),
         quantities=("position",),
     ),
-    Claim(
+    ours(
         "(5), double angle",
         r"\cos2\varphi_6=\frac{(1+e^2)\cos2\varphi_1-2e}{1+e^2-2e\cos2\varphi_1},\ "
         r"\sin2\varphi_6=\frac{(1-e^2)\sin2\varphi_1}{1+e^2-2e\cos2\varphi_1}",
@@ -194,7 +201,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
                 for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
             )
         ),
-        marks=("ours",),
         quantities=("position", "ratio"),
     ),
     PRINT.equation(
@@ -204,7 +210,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         marks=("rebuilt", "uncertain"),
         cites=("S23",),
     ),
-    Claim(
+    ours(
         "(6), mesh with the sun",
         r"2a-\rho_4(\varphi_1)=\rho_5\left(\tfrac\pi2-\varphi_6\right)"
         r"=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
@@ -217,7 +223,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         ),
         note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6). "
         "Nothing depends on the sign, which may be the bar of a fraction.",
-        marks=("ours", "rebuilt", "uncertain", "inferred"),
+        marks=("rebuilt", "uncertain", "inferred"),
     ),
     PRINT.equation(
         "(7)",
@@ -244,20 +250,19 @@ EQUATION_ROWS: tuple[Row, ...] = (
         marks=("rebuilt", "inferred"),
         cites=("S25",),
     ),
-    Claim(
+    ours(
         "(8), rolling",
         r"\rho\,d\varphi=\rho_{mate}\,d\chi",
         Equality(print_radius(e, phi), mate * sp.diff(driven_angle(e, phi), phi)),
         note="The arcs are equal: congruent ovals roll without slip.",
-        marks=("ours",),
         quantities=("ratio",),
     ),
     PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred"), cites=("S25",)),
-    Claim(
+    ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("ratio",),
     ),
     PRINT.equation(

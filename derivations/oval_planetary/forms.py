@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement
+from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
-from .._relations import all_of
 from .equations import print_radius
 from .mechanics import (
     ACCELERATION,

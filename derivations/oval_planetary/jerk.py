@@ -13,9 +13,9 @@ from mechproof.record import (
     Quantity,
     Scale,
     Statement,
+    all_of,
 )
 
-from .._relations import all_of
 from .forms import (
     ANY_MAP,
     CHANGE,

@@ -15,9 +15,9 @@ from mechproof.record import (
     Quantity,
     Singular,
     Statement,
+    all_of,
 )
 
-from .._relations import all_of
 from .charts import (
     NEGATED,
     PLAIN,

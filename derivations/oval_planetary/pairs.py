@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Equality, Holds, Part, Row
+from mechproof.record import Equality, Holds, Part, Row, all_of, ours
 
-from .._relations import all_of
 from .mechanics import (
     COEFFICIENTS,
     E_SERIES,
@@ -49,7 +48,7 @@ def advances(position: sp.Expr, carrier: sp.Expr, output_angle: sp.Expr) -> Equa
 
 
 OVAL_PAIR_ROWS: tuple[Row, ...] = (
-    Claim(
+    ours(
         "two eccentricities as one",
         r"\frac{1+E}{1-E}=\frac{1+e_1}{1-e_1}\cdot\frac{1+e_2}{1-e_2},\ "
         r"E=\frac{e_1+e_2}{1+e_1e_2}",
@@ -62,9 +61,9 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         ),
         note="Two oval pairs in series act as one; their eccentricities add as velocities do in "
         "relativity.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
     ),
-    Claim(
+    ours(
         "mounted at any angle",
         r"\frac1{1-\varphi_3'}=\frac{\mu^2(1+\cos2\varphi_1)+2\mu\nu\sin2\varphi_1"
         r"+(\lambda^2+\nu^2)(1-\cos2\varphi_1)}{2\lambda\mu}",
@@ -72,10 +71,10 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         note="lambda = (1 + e1)(1 - e2^2), mu = (1 - e1)(1 + e2^2 - 2 e2 cos 2m), nu = 2 (1 + e1) "
         "e2 sin 2m: the pairs compose as tan(chi) = lambda t/(mu + nu t), t = tan(phi1); the ratio "
         "is not 1.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("ratio",),
     ),
-    Claim(
+    ours(
         "coefficients without cancellation",
         r"\alpha,\beta,\gamma=\lambda,\mu,\nu;\ \delta=\alpha-\beta",
         all_of(
@@ -88,34 +87,31 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
                 )
             )
         ),
-        marks=("ours",),
         quantities=("ratio", "position", "acceleration"),
     ),
-    Claim(
+    ours(
         "position, any mount",
         r"\int_0^{\varphi_1}\varphi_3'\,d\varphi_1\text{ as two arguments}",
         Equality(position_by_one_pair, integrate(ratio_of_map(lam, mu, nu))),
-        marks=("ours",),
         quantities=("position",),
     ),
-    Claim(
+    ours(
         "position, any mount, one argument",
         r"\varphi_3=\mathrm{atan2}(\nu(1-\cos2\varphi_1)-(\lambda-\mu)\sin2\varphi_1,\ "
         r"\lambda+\mu+(\mu-\lambda)\cos2\varphi_1+\nu\sin2\varphi_1)",
         Equality(position_of_map(lam, mu, nu, lam - mu), position_by_one_pair),
         note="The output never leaves (-pi, pi): two oval pairs only make it swing.",
-        marks=("ours",),
         quantities=("position",),
     ),
-    Claim(
+    ours(
         "drift, oval pairs",
         r"\varphi_3(\varphi_1+\pi)=\varphi_3(\varphi_1)",
         advances(position_of_map(lam, mu, nu, lam - mu), sp.pi, sp.S.Zero),
         note="There is no mean drift, whatever the eccentricities and the mounting.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("position",),
     ),
-    Claim(
+    ours(
         "amplitude",
         r"|\sin\varphi_3|\le E,\ \varphi_3=-\arcsin E\text{ at }\cos2\varphi_1=E",
         all_of(
@@ -123,7 +119,6 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
             Equality(sp.atan2(e * sp.sqrt(1 - e**2), 1 - e**2), sp.asin(e)),
         ),
         note="sin(phi3)^2 = E^2 sin(x)^2/(1 + E^2 - 2 E cos(x)); E written e.",
-        marks=("ours",),
         quantities=("position",),
     ),
 )
@@ -145,34 +140,34 @@ REACHED = Part(
 )
 
 CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
-    Claim(
+    ours(
         "special case, radii",
         r"\varphi_3'=1-\frac{R_4}{R_5}\cdot\frac{1-e_2^2}{1+e_2^2-2e_2\cos x},\ "
         r"x=2\tfrac{R_4}{R_5}\varphi_1",
         Equality(ratio_45, ratio_with_cylinders_45),
         note="(10) with the radii of pair 4-5 replaced by numbers, its sign as in the mechanics, "
         "and wheel 6 turned by (R4/R5) phi1.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("ratio_cylindrical",),
     ),
-    Claim(
+    ours(
         "position, cylindrical pair 4-5",
         r"\varphi_3=\left(1-\tfrac{R_4}{R_5}\right)\varphi_1"
         r"-\mathrm{arctg}\frac{e_2\sin x}{1-e_2\cos x}",
         Equality(position_45, integrate(ratio_with_cylinders_45)),
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "drift, cylindrical pair 4-5",
         r"\varphi_3(\varphi_1+\pi\tfrac{R_5}{R_4})-\varphi_3(\varphi_1)"
         r"=\pi\left(\tfrac{R_5}{R_4}-1\right)",
         advances(position_45, sp.pi * R5 / R4, sp.pi * (R5 / R4 - 1)),
         note="The mean ratio is 1 - R4/R5; only for R4 = R5 is there no drift.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("position_cylindrical",),
     ),
-    Claim(
+    ours(
         "extremes, cylindrical pair 4-5",
         r"1-\tfrac{R_4}{R_5}\tfrac{1+e_2}{1-e_2}\le\varphi_3'"
         r"\le1-\tfrac{R_4}{R_5}\tfrac{1-e_2}{1+e_2}",
@@ -180,9 +175,9 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="Reached at x = 0 and x = pi. So the output turns one way against the carrier for "
         "R4/R5 > (1 + e2)/(1 - e2), one way with it for R4/R5 < (1 - e2)/(1 + e2), and reverses "
         "between.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
     ),
-    Claim(
+    ours(
         "intermittent, against the carrier",
         r"\tfrac{R_4}{R_5}=\tfrac{1+e_2}{1-e_2}\Rightarrow"
         r"\varphi_3'=-\frac{2e_2(1+\cos x)}{1+e_2^2-2e_2\cos x}\le0",
@@ -197,10 +192,10 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="A double zero at x = pi. The ratio is analytic and cannot vanish on an interval: a "
         "dwell is a double zero.",
         on=PROPER_45,
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("ratio_cylindrical",),
     ),
-    Claim(
+    ours(
         "width of a dwell",
         r"|\varphi_3'|\le\eta\iff|x-\pi|\le2\,\mathrm{arctg}\,T,\ "
         r"T^2=\frac{\eta(1+e_2)^2}{4e_2-\eta(1-e_2)^2}",
@@ -211,7 +206,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="For R4/R5 = (1 + e2)/(1 - e2), where the ratio falls on both sides of x = pi; in the "
         "carrier's angle the dwell is 2 (R5/R4) arctan(T) wide.",
         on=REACHED,
-        marks=("ours", "inferred"),
+        marks=("inferred",),
         quantities=("ratio_cylindrical",),
     ),
 )

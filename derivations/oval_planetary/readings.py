@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, PrintedNumber, Row
+from mechproof.record import Claim, PrintedNumber, Row, all_of, less
 
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
 from .._readings import (
@@ -15,7 +15,6 @@ from .._readings import (
     table_row,
     two_encoders,
 )
-from .._relations import all_of, less
 from .mechanics import COEFFICIENTS, PRINT, e1, e2, mount, phi1, ratio_45
 from .pairs import fastest
 from .variants import VARIANTS, ratio_1, with_cylinders

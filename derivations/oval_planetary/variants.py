@@ -15,10 +15,12 @@ from mechproof.record import (
     Part,
     Reading,
     Row,
+    all_of,
+    less,
+    ours,
 )
 
 from .._readings import millimetre
-from .._relations import all_of, less
 from .equations import print_5
 from .mechanics import (
     AXES_45,
@@ -175,7 +177,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
         marks=("rebuilt", "inferred"),
         cites=("S29",),
     ),
-    Claim(
+    ours(
         "special case, kinds of motion",
         r"\text{the kinds of variants 3 and 4 do not depend on how fast wheel 6 turns}",
         all_of(
@@ -186,7 +188,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
         note="The sign is that of rho5 - rho6, whatever the angle of wheel 6. But variant 3 rests "
         "where phi6 is an odd multiple of pi/2: three times in a turn of the carrier if wheel 6 "
         "turns by 1.5 phi1, twice if it turns by phi1.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
     ),
     Claim(
         "fixed axes",

@@ -14,9 +14,12 @@ from mechproof.record import (
     Equality,
     PrintedNumber,
     Reading,
+    all_of,
+    less,
+    not_above,
+    ours,
 )
 
-from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -118,7 +121,7 @@ ALGORITHM_ROWS = (
         "average out. Shares over the teeth of many wheels are the same either way.",
         cites=("S26", "S32"),
     ),
-    Claim(
+    ours(
         "step 3, IT grades",
         r"120<d_a=156\le180~\mathrm{mm},\quad\mathrm{IT}6=25,\ \mathrm{IT}7=40,\ "
         r"\mathrm{IT}8=63~\mu\mathrm{m}",
@@ -132,7 +135,7 @@ ALGORITHM_ROWS = (
         ),
         note="ISO 286-1: 10, 16 and 25 i, i = 0.45 ∛D + 0.001 D, D = √(120·180) mm; "
         "d_a = m (z + 2), addendum of one module, as the height to the constant chord shows.",
-        marks=("ours", "calibrated"),
+        marks=("calibrated",),
     ),
     Claim(
         "steps 4 and 7, spread of the gauge",
@@ -176,15 +179,14 @@ ALGORITHM_ROWS = (
         ),
         marks=("rebuilt",),
     ),
-    Claim(
+    ours(
         "step 5, half the deviation",
         r"\Delta h=-\tfrac12e_{dau}+\Delta h_c",
         HALF_OF_THE_DEVIATION.parts[1],
         note="With heights counted towards the centre, as (1) and steps 6 and 8 have them, which "
         "are proved with K_m > 0; counted towards the tip, the sign is plus.",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "steps 5 and 6, variance",
         r"D_{\text{printed}}-D_{\text{geometry}}=3\,\mathrm{tg}^2\alpha\,\sigma_d^2",
         Equality(
@@ -196,9 +198,9 @@ ALGORITHM_ROWS = (
             "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
             "bias."
         ),
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
-    Claim(
+    ours(
         "letters of two meanings",
         r"\Delta h_c,\ \Delta S_c\text{: from the tip circle and the height (text), errors of the "
         r"gauge (chart)}",
@@ -208,7 +210,6 @@ ALGORITHM_ROWS = (
         ),
         note="With the meanings of the text, step 5 would count the tip diameter twice, and step "
         "8 the height.",
-        marks=("ours",),
     ),
     PRINT.equation(
         "step 8",

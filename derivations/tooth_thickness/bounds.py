@@ -23,9 +23,18 @@ from sympy import (
     tan,
 )
 
-from mechproof.record import Accuracy, EmittedForm, Equality, Holds, Part, Scale, Statement
+from mechproof.record import (
+    Accuracy,
+    EmittedForm,
+    Equality,
+    Holds,
+    Part,
+    Scale,
+    Statement,
+    all_of,
+    not_above,
+)
 
-from .._relations import all_of
 from .mechanics import (
     alpha,
     dh,
@@ -140,6 +149,6 @@ def within_a_hundredth(code: EmittedForm) -> Statement:
     off = (code.output() - 2 * dh * tan(alpha)).subs(alpha, atan(incline))
     return all_of(
         Equality(off, off.subs(dh, 1) * dh),
-        Holds(Le(off.subs(dh, 1), Rational(1, 100), evaluate=False)),
+        not_above(off.subs(dh, 1), Rational(1, 100)),
         Holds(Ge(off.subs(dh, 1), -Rational(1, 100), evaluate=False)),
     )

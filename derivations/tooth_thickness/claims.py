@@ -12,9 +12,11 @@ from mechproof.record import (
     Part,
     PrintedNumber,
     Statement,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -101,7 +103,7 @@ CLAIM_ROWS = (
         ),
         cites=("S41", "S42"),
     ),
-    Claim(
+    ours(
         "(a), rise with the limit error",
         r"\frac{\partial}{\partial w}\tfrac12\left[\mathrm{erf}\frac{q_1}w"
         r"+\mathrm{erf}\frac{q_2}w\right]<0",
@@ -117,9 +119,8 @@ CLAIM_ROWS = (
             "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
             "teeth more often the more it scatters."
         ),
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "(a), order of the curves",
         r"\text{curve 2 (IT7) lies above curve 1 (IT6) in Fig. 4, below it in Fig. 5}",
         less(
@@ -127,7 +128,6 @@ CLAIM_ROWS = (
             VARIANCE_BY_SLOPE.subs(sigma_tip, GRADES[7][1] * sigma / GRADES[6][1]),
         ),
         note="The total error of IT7 has the larger variance at every limit error of the gauge.",
-        marks=("ours",),
     ),
     Claim(
         "(d)",
@@ -155,13 +155,13 @@ CLAIM_ROWS = (
         ),
         cites=("S45",),
     ),
-    Claim(
+    ours(
         "(d), good teeth rejected, perfect gauge",
         write(PERFECT),
         table(PERFECT, 0),
         note="By the steps as printed, and by the geometry with half the deviation of the "
         f"diameter. {LAWS}",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
     Claim(
         "(b)",
@@ -181,7 +181,7 @@ CLAIM_ROWS = (
         marks=("calibrated",),
         cites=("S47",),
     ),
-    Claim(
+    ours(
         "(b), crossovers",
         r"\text{the instrument has the stronger influence only from a limit error of }"
         + r"\text{, of }".join(
@@ -197,7 +197,7 @@ CLAIM_ROWS = (
         ),
         note="The limit error, 2 or 3 sigma, of a gauge that disturbs the measurement as much as "
         "the tip does, by the geometry; the printed steps give about twice as much.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
     Claim(
         "(c)",
@@ -218,12 +218,12 @@ CLAIM_ROWS = (
         NotCheckable("the text at hand has a single U, for no named degree"),
         cites=("S48",),
     ),
-    Claim(
+    ours(
         "(c), good teeth rejected with the recommended gauge",
         write(RECOMMENDED),
         table(RECOMMENDED, RECOMMENDED_UM),
         note="By the steps as printed, and by the geometry with half the deviation of the "
         f"diameter. U = 2 sigma = 2 µm. {LAWS}",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
 )

@@ -13,10 +13,13 @@ from mechproof.record import (
     NotCheckable,
     PrintedNumber,
     Reading,
+    all_of,
+    less,
+    not_above,
+    ours,
 )
 
 from .._metrology import normal_between
-from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
     HEIGHTS_TO_0_1_MM,
@@ -79,7 +82,7 @@ DESIGN_ROWS = (
         marks=("calibrated",),
         cites=("S23",),
     ),
-    Claim(
+    ours(
         "data, profile angle",
         r"4.161\text{ and }2.243\text{, rounded, leave }19.99^\circ<\alpha<20.01^\circ",
         all_of(
@@ -97,9 +100,8 @@ DESIGN_ROWS = (
             "Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
             "is already too long, at 20.01° the height is too small."
         ),
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "constant chord",
         r"\bar S_c=\frac{\pi m}2\cos^2\alpha",
         Equality(rack_chord, involute_chord),
@@ -108,10 +110,9 @@ DESIGN_ROWS = (
             "perpendicular from the pitch point) and by the involute; the number of teeth "
             "cancels."
         ),
-        marks=("ours",),
         quantities=("constant_chord",),
     ),
-    Claim(
+    ours(
         "height to the constant chord",
         r"\bar h_c=m\left(1-\frac\pi8\sin2\alpha\right)",
         all_of(
@@ -119,7 +120,6 @@ DESIGN_ROWS = (
             Equality(rack_height, nominal_height),
         ),
         note="By the rack and by the involute, with an addendum of one module.",
-        marks=("ours",),
         quantities=("chord_height",),
     ),
     PRINT.datum(
@@ -232,7 +232,7 @@ PARAMETER_ROWS = (
         "laws, tip of IT6.",
         marks=("calibrated",),
     ),
-    Claim(
+    ours(
         "controlled parameters, mean error",
         r"\mathrm E\,(E_{cs0}-E_{csu})=\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
         Equality(
@@ -242,6 +242,6 @@ PARAMETER_ROWS = (
         note="How the expectations of tip diameter, height and thickness shift the mean "
         "indication: where they are not zero the sign in step 5 matters, and the printed steps "
         "give K_m (mu_h + mu_d) + mu_S.",
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
 )

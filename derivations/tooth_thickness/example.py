@@ -4,9 +4,18 @@ from __future__ import annotations
 
 from sympy import Rational, S
 
-from mechproof.record import Claim, Correction, Datum, Definition, Equality, PrintedNumber
+from mechproof.record import (
+    Claim,
+    Correction,
+    Datum,
+    Definition,
+    Equality,
+    PrintedNumber,
+    all_of,
+    less,
+    ours,
+)
 
-from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -84,7 +93,7 @@ EXAMPLE_ROWS = (
         marks=("calibrated",),
         cites=("S31",),
     ),
-    Claim(
+    ours(
         "Table 1, 50 of 50, what it shows",
         r"50\text{ of }50\text{ are to be expected in 87 \% of wheels at }K=6\text{, and not rare "
         r"(5 \%) with }94.2~\%\text{ of good teeth}",
@@ -95,7 +104,7 @@ EXAMPLE_ROWS = (
         ),
         note="The one-sided 95 % bound of Clopper and Pearson lies between 94.1 and 94.2 % of "
         "good teeth. Normal law, centred.",
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
     Claim(
         "Table 1, columns 4 to 6",

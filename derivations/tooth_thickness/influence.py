@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from sympy import Expr, Rational, S, cos, diff, sin, tan
 
-from mechproof.record import Claim, Conjunction, Equality, PrintedNumber
+from mechproof.record import (
+    Conjunction,
+    Equality,
+    PrintedNumber,
+    all_of,
+    less,
+    not_above,
+    ours,
+)
 
-from .._relations import all_of, less, not_above
 from .mechanics import (
     HEIGHTS_TO_0_1_MM,
     LAST_SHARE,
@@ -75,7 +82,7 @@ INFLUENCE_ROWS = (
         marks=("calibrated", "inferred"),
         cites=("S37",),
     ),
-    Claim(
+    ours(
         "(1), exact derivative",
         r"\frac{dS}{dh}=2\,\mathrm{tg}\,\delta,\quad\delta=\alpha\text{ at the constant chord}",
         all_of(
@@ -86,10 +93,9 @@ INFLUENCE_ROWS = (
             "On the involute itself; delta is the angle between the tangent of the flank and the "
             "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height."
         ),
-        marks=("ours",),
         quantities=("thickness_change_linear",),
     ),
-    Claim(
+    ours(
         "(1), where 0.7284 is the slope",
         r"2\,\mathrm{tg}\,20^\circ=0.7279,\quad\Delta S=0.7284\,\Delta h\text{ at }\Delta h=-11~"
         r"\mu\mathrm{m}",
@@ -105,7 +111,7 @@ INFLUENCE_ROWS = (
         note="0.7279 is the slope at the constant chord; the secant from there to a chord 11 µm "
         "nearer the tip, within half of IT6, has the printed slope. For heights that are off by "
         "up to 0.1 mm the two differ by less than 0.05 µm.",
-        marks=("ours", "calibrated"),
+        marks=("calibrated",),
     ),
     PRINT.equation(
         "step 6, influence of the involute",
@@ -117,7 +123,7 @@ INFLUENCE_ROWS = (
         marks=("rebuilt", "calibrated"),
         cites=("S36",),
     ),
-    Claim(
+    ours(
         "step 6, tilt as parameter",
         r"\Delta h(\varepsilon)=y(\alpha)-y(\alpha+\varepsilon),\ "
         r"\Delta S(\varepsilon)=S(\alpha+\varepsilon)-S(\alpha)",
@@ -132,10 +138,9 @@ INFLUENCE_ROWS = (
             ),
         ),
         note="The closed forms of the kernels, compared with the involute.",
-        marks=("ours",),
         quantities=("height_change", "thickness_change"),
     ),
-    Claim(
+    ours(
         "step 6, curvature",
         r"\frac{d^2S}{dh^2}=-\frac{2}{r_b t\cos^3\delta},\quad y\cos\delta-\tfrac S2\sin\delta="
         r"r_b,\quad (r_bt)^2=y^2+\tfrac{S^2}4-r_b^2",
@@ -147,10 +152,9 @@ INFLUENCE_ROWS = (
         note="r_b t is the radius of curvature of the flank; the linear model is never too small. "
         "By the second, cos(delta) >= r_b/y wherever S >= 0 and 0 <= delta < pi/2; by the third, "
         "deeper chords being thicker, r_b t falls by no more than y^2 does.",
-        marks=("ours",),
         quantities=("linearisation_bound",),
     ),
-    Claim(
+    ours(
         "step 6, excess of the linear model",
         r"K_m\Delta h-\Delta S=mz\,N,\ N(0)=0,\ \frac{dN}{d\varepsilon}="
         r"(t_c+\varepsilon)\sin\varepsilon",
@@ -168,7 +172,6 @@ INFLUENCE_ROWS = (
             "dh^2 (y_c + |dh|)^3/(r_b^3 R), R^2 the last part with |dh| for dh, for "
             "|dh| <= y_c - r_b, up to the tip."
         ),
-        marks=("ours",),
         quantities=("thickness_change_linear", "linearisation_bound"),
     ),
 )

@@ -7,14 +7,14 @@ import sympy as sp
 from mechproof.record import (
     ChainLink,
     Claim,
-    Conjunction,
     Definition,
     Equality,
     Part,
     Row,
+    all_of,
+    not_above,
 )
 
-from .._relations import not_above
 from .mechanics import on_track, radius_by_sine_rule
 from .symbols import (
     PRINT,
@@ -62,18 +62,16 @@ CURVE_ROWS: tuple[Row, ...] = (
     Claim(
         "(16), amplitude",
         r"A\text{: value of the shift of the circle, amplitude of the multi-period curve}",
-        Conjunction(
-            (
-                Equality((printed_radius(sp.Integer(0)) - printed_radius(sp.pi)) / 2, amplitude),
-                not_above(
-                    (radius - amplitude) ** 2,
-                    (amplitude + radius * sp.cos(phi)) ** 2 + (radius * sp.sin(phi)) ** 2,
-                ),
-                not_above(
-                    (amplitude + radius * sp.cos(phi)) ** 2 + (radius * sp.sin(phi)) ** 2,
-                    (radius + amplitude) ** 2,
-                ),
-            )
+        all_of(
+            Equality((printed_radius(sp.Integer(0)) - printed_radius(sp.pi)) / 2, amplitude),
+            not_above(
+                (radius - amplitude) ** 2,
+                (amplitude + radius * sp.cos(phi)) ** 2 + (radius * sp.sin(phi)) ** 2,
+            ),
+            not_above(
+                (amplitude + radius * sp.cos(phi)) ** 2 + (radius * sp.sin(phi)) ** 2,
+                (radius + amplitude) ** 2,
+            ),
         ),
         note="Seen from the pole, the points of the shifted circle lie between R - A and R + A "
         "away, and both are reached; A is half the difference.",

@@ -6,14 +6,15 @@ import sympy as sp
 
 from mechproof.record import (
     Claim,
-    Conjunction,
     Correction,
     Definition,
     Equality,
-    Holds,
     NotCheckable,
     Reading,
     Row,
+    all_of,
+    less,
+    ours,
     sum_distinct,
 )
 
@@ -86,21 +87,18 @@ ERROR_ROWS: tuple[Row, ...] = (
         marks=("inferred",),
         cites=("S20", "S21"),
     ),
-    Claim(
+    ours(
         "after (3), K of a uniform law",
         r"K_i=\sqrt3",
-        Conjunction(
-            (
-                Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
-                Equality(
-                    6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
-                    sp.sqrt(3) * (2 * half_width),
-                ),
-            )
+        all_of(
+            Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
+            Equality(
+                6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
+                sp.sqrt(3) * (2 * half_width),
+            ),
         ),
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
-        marks=("ours",),
     ),
     Claim(
         "after (3), K for a reliability",
@@ -118,19 +116,12 @@ ERROR_ROWS: tuple[Row, ...] = (
         "as the pair and (4) sums over j, so that j is meant.",
         cites=("S19",),
     ),
-    Claim(
+    ours(
         "(3), coefficients that fit together",
         r"R_{ij}=-1\ (i\ne j,\ n=3)",
-        Holds(
-            sp.Lt(
-                sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)),
-                0,
-                evaluate=False,
-            )
-        ),
+        less(sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)), 0),
         note="That each R_ij lies between -1 and 1 is not enough: three unit errors with all R_ij "
         "= -1 make the radicand negative. The matrix of the R_ij must be positive semidefinite.",
-        marks=("ours",),
     ),
     PRINT.equation(
         "(4)",
@@ -183,13 +174,12 @@ ERROR_ROWS: tuple[Row, ...] = (
         "the two it is.",
         cites=("S26", "S27"),
     ),
-    Claim(
+    ours(
         "(6), systematic temperature error",
         LATEX_GROUPS_AND_THERMAL,
         derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
         note="For a systematic Delta_T: the root of (6) ends before it, and the error is added as "
         "it is. The same goes for (7).",
-        marks=("ours",),
     ),
     Claim(
         "after (6), shift along the axes",

@@ -6,16 +6,17 @@ import sympy as sp
 
 from mechproof.record import (
     Claim,
-    Conjunction,
     Correction,
     Distinct,
     Equality,
     NotCheckable,
     Reading,
     Row,
+    all_of,
+    less,
+    not_above,
 )
 
-from .._relations import less, not_above
 from .symbols import (
     PART_POINT,
     PRINTED_15,
@@ -109,12 +110,10 @@ FIGURE_ROWS: tuple[Row, ...] = (
     Claim(
         "Fig. 4, both together",
         r"\text{graph 3 shows the total (radial and tangential) errors}",
-        Conjunction(
-            (
-                Equality(RADIAL_ERROR**2 + TANGENTIAL_ERROR**2, PRINTED_17**2),
-                not_above(RADIAL_ERROR**2, PRINTED_17**2),
-                not_above(TANGENTIAL_ERROR**2, PRINTED_17**2),
-            )
+        all_of(
+            Equality(RADIAL_ERROR**2 + TANGENTIAL_ERROR**2, PRINTED_17**2),
+            not_above(RADIAL_ERROR**2, PRINTED_17**2),
+            not_above(TANGENTIAL_ERROR**2, PRINTED_17**2),
         ),
         note="By (17) the total is the hypotenuse over the radial and the tangential error of a "
         "point, and no smaller than either.",
@@ -140,12 +139,10 @@ FIGURE_ROWS: tuple[Row, ...] = (
         "before Fig. 5, feed and depth",
         r"\text{The cutting force can be stabilised by optimisation of the modes of machining. It"
         r" was proposed to reduce the feed per tooth of the cutter as the depth of cut increases}",
-        Conjunction(
-            (
-                Equality(cutting_force(LESS_FEED), sp.Integer(1)),
-                less(LESS_FEED.diff(depth), sp.Integer(0)),
-                less(sp.Integer(0), cutting_force(sp.Integer(1)).diff(depth)),
-            )
+        all_of(
+            Equality(cutting_force(LESS_FEED), sp.Integer(1)),
+            less(LESS_FEED.diff(depth), sp.Integer(0)),
+            less(sp.Integer(0), cutting_force(sp.Integer(1)).diff(depth)),
         ),
         note='It "can", so that one example proves it: if the force follows powers of depth and '
         "feed, a feed that falls as the depth grows keeps it as low as it is at the least depth, "
@@ -158,11 +155,9 @@ FIGURE_ROWS: tuple[Row, ...] = (
         "Fig. 5, elastic deformations",
         r"\text{the elastic deformations change little, consequently the error from elastic"
         r" deformations fell ...}",
-        Conjunction(
-            (
-                Equality(deformation_range(kept * spread), kept * deformation_range(spread)),
-                less(deformation_range(kept * spread), deformation_range(spread)),
-            )
+        all_of(
+            Equality(deformation_range(kept * spread), kept * deformation_range(spread)),
+            less(deformation_range(kept * spread), deformation_range(spread)),
         ),
         note="Compared along the profile, where the allowance is uneven: the error is the range "
         "of the deformation there, and falls in proportion as the deformation changes less. That "

@@ -7,13 +7,13 @@ import sympy as sp
 from mechproof.record import (
     ChainLink,
     Claim,
-    Conjunction,
     Correction,
     Distinct,
     Equality,
     Equation,
     Reading,
     Row,
+    all_of,
 )
 
 from .mechanics import (
@@ -84,11 +84,9 @@ FRAME_ROWS: tuple[Row, ...] = (
         "before (8), direction",
         r"\text{At a turn by the angle }\alpha\text{ about the axis }x_{10}\text{ in the positive"
         r" direction (counter-clockwise)}",
-        Conjunction(
-            (
-                Equality(PRINTED_A, project(turn_about_fixed_axes([(0, alpha)]))),
-                Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
-            )
+        all_of(
+            Equality(PRINTED_A, project(turn_about_fixed_axes([(0, alpha)]))),
+            Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
         ),
         note="A clockwise turn gives another matrix, so that the printed direction is the right "
         "one.",
@@ -128,12 +126,10 @@ FRAME_ROWS: tuple[Row, ...] = (
         r"\text{B and C can be obtained if the system is turned by }\beta\text{ about the axis }"
         r"y_{10}\text{ and by }\gamma\text{ about the axis }z_{10}\text{ in the positive "
         r"direction}",
-        Conjunction(
-            (
-                Equality(PRINTED_K.subs({beta: 0, gamma: 0}), see_from_turned_frame(0, alpha)),
-                Equality(PRINTED_K.subs({alpha: 0, gamma: 0}), MATRIX_B),
-                Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
-            )
+        all_of(
+            Equality(PRINTED_K.subs({beta: 0, gamma: 0}), see_from_turned_frame(0, alpha)),
+            Equality(PRINTED_K.subs({alpha: 0, gamma: 0}), MATRIX_B),
+            Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
         ),
         note="The transcription does not have B and C; K with the other two angles set to zero "
         "shows that they are the matrices of these turns.",
@@ -147,11 +143,9 @@ FRAME_ROWS: tuple[Row, ...] = (
         readings=(
             Reading(
                 "the first turn stands on the right: K = CBA",
-                Conjunction(
-                    (
-                        Equality(product_of("CBA"), PRINTED_K),
-                        Equality(product_of("ABC"), project(turn_about_fixed_axes(IN_ORDER))),
-                    )
+                all_of(
+                    Equality(product_of("CBA"), PRINTED_K),
+                    Equality(product_of("ABC"), project(turn_about_fixed_axes(IN_ORDER))),
                 ),
             ),
         ),
@@ -175,11 +169,9 @@ FRAME_ROWS: tuple[Row, ...] = (
         r"\text{one can determine the coordinates of any point of the part in the system }"
         r"x_{1i}y_{1i}z_{1i}\text{ by its coordinates in the system }X_0Y_0Z_0\text{ and vice "
         r"versa}",
-        Conjunction(
-            (
-                Equality(PRINTED_K.T * (PRINTED_K * FROM_ORIGIN) + SHIFT, MACHINE_POINT),
-                Equality(PRINTED_K * PRINTED_K.T, IDENTITY),
-            )
+        all_of(
+            Equality(PRINTED_K.T * (PRINTED_K * FROM_ORIGIN) + SHIFT, MACHINE_POINT),
+            Equality(PRINTED_K * PRINTED_K.T, IDENTITY),
         ),
         note="The matrix (14) gives the coordinates of every point in the part, its transpose "
         "gives them back.",

@@ -10,7 +10,6 @@ from mechproof.record import (
     Accuracy,
     Argument,
     Chart,
-    Conjunction,
     EmittedForm,
     Equality,
     Form,
@@ -18,6 +17,7 @@ from mechproof.record import (
     Scale,
     Singular,
     Statement,
+    all_of,
 )
 
 from .mechanics import (
@@ -92,17 +92,15 @@ def by_taylor(code: EmittedForm) -> Statement:
     whole = slow_down(DISPLACEMENT)
     slope = whole.diff(parameter).subs(parameter, 0)
     factors = tuple(zip(FACTORS.values(), ANGLES, GENERATORS, strict=True))
-    return Conjunction(
-        (
-            Equality(code.output(), whole.subs(parameter, 0) + slope),
-            *(Equality(factor.diff(angle), g * factor) for factor, angle, g in factors),
-            *(Equality(factor.T * factor, IDENTITY) for factor, _, _ in factors),
-            *(
-                Equality(g.T * g, IDENTITY - axis * axis.T)
-                for g, axis in zip(GENERATORS, UNIT_VECTORS, strict=True)
-            ),
-            Equality(slow_down(ROTATION).diff(parameter, 2), second_derivative()),
-        )
+    return all_of(
+        Equality(code.output(), whole.subs(parameter, 0) + slope),
+        *(Equality(factor.diff(angle), g * factor) for factor, angle, g in factors),
+        *(Equality(factor.T * factor, IDENTITY) for factor, _, _ in factors),
+        *(
+            Equality(g.T * g, IDENTITY - axis * axis.T)
+            for g, axis in zip(GENERATORS, UNIT_VECTORS, strict=True)
+        ),
+        Equality(slow_down(ROTATION).diff(parameter, 2), second_derivative()),
     )
 
 

@@ -15,9 +15,11 @@ from mechproof.record import (
     NotCheckable,
     PrintedNumber,
     Row,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import less
 from .mechanics import (
     FIVE_ERRORS,
     SUM_OF_SQUARES,
@@ -74,7 +76,7 @@ def exceeds_others(tolerance: sp.Expr) -> Conjunction:
     """State that a tolerance exceeds each other error of Table 1 and all of them together."""
     together = SOLVED_TOTAL.subs(form, 0).subs(PRINTED_VALUES)
     others = (*(PRINTED_VALUES[other] for other in FIVE_ERRORS[1:]), together)
-    return Conjunction(tuple(less(other, tolerance) for other in others))
+    return all_of(*(less(other, tolerance) for other in others))
 
 
 TABLE_ROWS: tuple[Row, ...] = (
@@ -96,26 +98,23 @@ TABLE_ROWS: tuple[Row, ...] = (
         "becomes an equation for the total.",
         cites=("S46",),
     ),
-    Claim(
+    ours(
         "Table 1, total",
         r"\Delta_\Sigma^2=q+(\tau\Delta_\Sigma)^2\text{ has exactly one positive solution, }"
         r"q=\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2+\Delta_u^2",
-        Conjunction(
-            (
-                Equality(
-                    total**2 - (SUM_OF_SQUARES + (share * total) ** 2),
-                    (1 - share**2) * (total - SOLVED_TOTAL) * (total + SOLVED_TOTAL),
-                ),
-                less(share**2, sp.Integer(1)),
-                less(sp.Integer(0), SOLVED_TOTAL**2),
-            )
+        all_of(
+            Equality(
+                total**2 - (SUM_OF_SQUARES + (share * total) ** 2),
+                (1 - share**2) * (total - SOLVED_TOTAL) * (total + SOLVED_TOTAL),
+            ),
+            less(share**2, sp.Integer(1)),
+            less(sp.Integer(0), SOLVED_TOTAL**2),
         ),
         note="The corrected (6), with one error in each group and all coefficients 1. The other "
         "root is the negative of this one; in Table 1 the share is 0.15.",
-        marks=("ours",),
         quantities=("error_sum_thermal",),
     ),
-    Claim(
+    ours(
         "Table 1, missing data",
         r"\Delta_\Sigma=0.072\text{ mm, without }K,K_i",
         Completions(
@@ -125,7 +124,6 @@ TABLE_ROWS: tuple[Row, ...] = (
         ),
         note="Table 1 has no K and no K_i. Nor does the transcription have z, H_s, a, b, c, S_i "
         "and n, which Figs. 3 to 5 need as well.",
-        marks=("ours",),
     ),
     Claim(
         "before Fig. 4, form and size",

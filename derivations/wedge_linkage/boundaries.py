@@ -10,12 +10,13 @@ from sympy import Rational, pi, sqrt
 from mechproof.record import (
     Conjunction,
     Holds,
-    PrintedNumber,
     PublishedSizes,
     Statement,
+    all_of,
+    less,
+    rounded,
 )
 
-from .._relations import less
 from .mechanics import driven
 from .sizes import SETS, Signs, limits
 from .symbols import (
@@ -106,7 +107,7 @@ def deviations_round(
     # The position is negative, so the upper boundary is the smaller one in amount.
     with sp.evaluate(False):
         deviations = (100 * (1 - high / nominal), 100 * (low / nominal - 1))
-    return Conjunction(tuple(map(PrintedNumber, printed, deviations)))
+    return all_of(*rounded(printed, deviations))
 
 
 def angles_in_range(table: PublishedSizes) -> Conjunction:
@@ -132,7 +133,7 @@ def angles_in_range(table: PublishedSizes) -> Conjunction:
             less(direction, pi),
             less(sizes[alpha_LM] + direction - sizes[alpha_KL], 3 * pi / 2),
         ]
-    return Conjunction((*lever, *roller))
+    return all_of(*lever, *roller)
 
 
 def extreme(
@@ -155,12 +156,12 @@ def extreme(
         for place in neighbours_at
     )
     flipped = {**boundary, alpha_KL: -boundary[alpha_KL]}
-    return Conjunction((angles_in_range(table), beyond(flipped, displacement), *neighbours))
+    return all_of(angles_in_range(table), beyond(flipped, displacement), *neighbours)
 
 
 def in_all(statement: Callable[[PublishedSizes], Statement]) -> Conjunction:
     """State the same of all reconstructions."""
-    return Conjunction(tuple(map(statement, SETS)))
+    return all_of(*map(statement, SETS))
 
 
 def influence(size: sp.Symbol) -> Conjunction:

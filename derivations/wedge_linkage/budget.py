@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Conjunction, PrintedNumber, PublishedSizes, Statement
+from mechproof.record import PublishedSizes, Statement, all_of, ours, rounded
 
 from .boundaries import BOUNDARY_II, START, angles_of, position_of
 from .sizes import SETS, limits
@@ -53,7 +53,7 @@ def totals(table: PublishedSizes, printed: tuple[str, str]) -> Statement:
     with sp.evaluate(False):
         sums = (sp.Add(*parts), sp.sqrt(sp.Add(*(p**2 for p in parts))))
         shares = tuple(100 * s / sp.Abs(nominal) for s in sums)
-    return Conjunction(tuple(map(PrintedNumber, printed, shares)))
+    return all_of(*rounded(printed, shares))
 
 
 def stage_ratios(table: PublishedSizes) -> tuple[sp.Expr, sp.Expr]:
@@ -75,46 +75,46 @@ def write(size: sp.Symbol, numbers: tuple[str, ...]) -> str:
 
 
 BUDGET_ROWS = (
-    Claim(
+    ours(
         "budget at -40",
         r",\quad ".join(write(size, numbers) for size, numbers in PARTS.items()),
-        Conjunction(
-            tuple(
-                PrintedNumber(number, part(table, size))
+        all_of(
+            *(
+                statement
                 for size, numbers in PARTS.items()
-                for number, table in zip(numbers, SETS, strict=True)
+                for statement in rounded(numbers, (part(table, size) for table in SETS))
             )
         ),
         note="Half the change of y9 between the limits of each size alone, with the first set of "
         "reconstructed sizes (second; third). Five of them, those of the accelerating lever and "
         "the clearance, make 94 to 95 % of the sum; tolerances of the roller lever three times as "
         "wide would add a tenth to it.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "budget at -40, worst case and root sum of squares",
         r"\pm10.2\ (9.8;\ 9.3)~\%\text{ at worst},\quad\pm4.5\ (4.2;\ 4.1)~\%\text{ by the root of "
         r"the sum of squares}",
-        Conjunction(tuple(map(totals, SETS, TOTALS))),
+        all_of(*map(totals, SETS, TOTALS)),
         note="Per cent of the nominal position, with the first set of reconstructed sizes "
         "(second; third). The printed 10 % takes all eight sizes at their worst limits at once; "
         "if the deviations are independent, each tolerance being the same number of standard "
         "deviations, less than half of it is left.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "ratios of the stages at -40",
         r"\left|\tfrac{dx_5}{dx_1}\right|=0.64\ (0.24;\ 0.57),\quad"
         r"\left|\tfrac{dy_9}{dx_{5'}}\right|=2.86\ (2.68;\ 2.82)",
-        Conjunction(
-            tuple(
-                PrintedNumber(number, ratio)
+        all_of(
+            *(
+                statement
                 for table, numbers in zip(SETS, STAGES, strict=True)
-                for number, ratio in zip(numbers, stage_ratios(table), strict=True)
+                for statement in rounded(numbers, stage_ratios(table))
             )
         ),
         note="With the first set of reconstructed sizes (second; third). Lever and rod reduce an "
         "error of the pusher's position there, roller lever and wedge enlarge it.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
 )

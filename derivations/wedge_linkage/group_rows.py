@@ -9,11 +9,12 @@ from sympy import sqrt
 
 from mechproof.record import (
     Claim,
-    Conjunction,
     Datum,
     Definition,
     Equality,
     Part,
+    all_of,
+    ours,
 )
 
 from .mechanics import (
@@ -102,14 +103,12 @@ GROUP_ROWS = (
     Claim(
         "Assur groups, zero mobility",
         r"\text{kinematic chains of zero degree of mobility, structural Assur groups}",
-        Conjunction(
-            (
-                Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
-                Equality(
-                    sp.S.One,
-                    mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
-                ),
-            )
+        all_of(
+            Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
+            Equality(
+                sp.S.One,
+                mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
+            ),
         ),
         note="Two links with three lower pairs: W = 3*2 - 2*3 = 0; with the pusher in its guide, "
         "four such groups have one input.",
@@ -162,7 +161,7 @@ GROUP_ROWS = (
         "within their limits, see 'boundaries, directions of the arms'.",
         marks=("rebuilt", "ours"),
     ),
-    Claim(
+    ours(
         "(1), half-angle form",
         r"\varphi_3=-2\arctan\frac{x_1}{l_{BC}+\sqrt{l_{BC}^2+x_1(2l_{AB}+2l_{CD}+x_1)}}",
         Equality(
@@ -171,7 +170,6 @@ GROUP_ROWS = (
         ),
         note="Sine and cosine of the form are those of the solution; twice an arctangent stays "
         "within (-pi, pi), so that no turn is lost, wherever the radicand is not negative.",
-        marks=("ours",),
         quantities=("lever_angle",),
     ),
     PRINT.equation(
@@ -250,7 +248,7 @@ GROUP_ROWS = (
         f"{PRIME}",
         marks=("rebuilt", "uncertain"),
     ),
-    Claim(
+    ours(
         "(7) and (8), one form",
         ONE_FORM,
         Equality(upright(2 * sp.atan(half_7)), direction_tau - 2 * sp.atan(kappa)),
@@ -260,7 +258,6 @@ GROUP_ROWS = (
             "alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards",
             {kappa: sp.Interval(0, sp.oo), tau: POSITIVE},
         ),
-        marks=("ours",),
         quantities=("roller_lever_angle",),
     ),
     PRINT.equation(

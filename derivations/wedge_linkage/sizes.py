@@ -8,14 +8,15 @@ from sympy import Rational, pi
 from mechproof.record import (
     ANGLE,
     LENGTH,
-    Claim,
-    Conjunction,
     Datum,
     Definition,
     Holds,
     PublishedSizes,
     Toleranced,
     Variable,
+    all_of,
+    less,
+    ours,
 )
 
 from .symbols import (
@@ -184,7 +185,7 @@ def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: b
     return Datum(
         f"sizes, {symbol}",
         latex,
-        Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
+        all_of(Definition(symbol, measured(symbol, value)), *define_deviations(symbol)),
         note=note or "A datum.",
         marks=("uncertain",) if uncertain else (),
         cites=("S33",),
@@ -198,24 +199,22 @@ SIZE_ROWS = (
         Datum(
             f"sizes, {symbol}",
             latex,
-            Conjunction(define_deviations(symbol)),
+            all_of(*define_deviations(symbol)),
             note=note,
             marks=("uncertain",),
             cites=("S33",),
         )
         for symbol, latex, note in LOST
     ),
-    Claim(
+    ours(
         "sizes, end of the legible ones",
         r"Q\text{ of the legible sizes ends between }x_1=-4.66\text{ and }-4.65",
-        Conjunction(
-            (
-                Holds(sp.Lt(radicand_of("-4.66", "19.75"), 0, evaluate=False)),
-                Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
-            )
+        all_of(
+            less(radicand_of("-4.66", "19.75"), sp.S.Zero),
+            Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
         ),
         note="A remark on the transcription, not on the print: as the curve of Fig. 4 goes on to "
         "-40 mm, some digit of the table must be another one.",
-        marks=("ours", "uncertain"),
+        marks=("uncertain",),
     ),
 )

@@ -5,9 +5,18 @@ from __future__ import annotations
 import sympy as sp
 from sympy import pi
 
-from mechproof.record import Claim, Conjunction, Correction, Equality, Part, PrintedNumber
+from mechproof.record import (
+    Claim,
+    Correction,
+    Equality,
+    Part,
+    PrintedNumber,
+    all_of,
+    less,
+    ours,
+    rounded,
+)
 
-from .._relations import less
 from .boundaries import upright_at, upright_wedge
 from .chain import PUSHED_IN_PRINT
 from .group_rows import ONE_FORM
@@ -43,43 +52,35 @@ from .symbols import (
 
 SUBSTITUTED = "(1), (3), (4), (7), (8), (10), substituted"
 SUBSTITUTION_ROWS = (
-    Claim(
+    ours(
         "(7) and (8), at R = 0",
         r"\varphi_7=\tfrac\pi2-\alpha_{KL}\text{ for }R=0",
         Equality(pi / 2 - alpha_KL, direction_tau.subs(tau, 1) - alpha_KL),
         note="KL is upright: tau = 1. Both (7) and (8) tend to this value.",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "(7) and (8), where R = 0",
         r"R=0\text{ at }x_1=-15.7\ (-14.8;\ -14.9)~\mathrm{mm},\quad y_9=-45.1~\mathrm{mm}",
-        Conjunction(
-            (
-                *(
-                    PrintedNumber(number, upright_at(table))
-                    for number, table in zip(("-15.7", "-14.8", "-14.9"), SETS, strict=True)
-                ),
-                *(PrintedNumber("-45.1", upright_wedge(table)) for table in SETS),
-            )
+        all_of(
+            *rounded(("-15.7", "-14.8", "-14.9"), map(upright_at, SETS)),
+            *(PrintedNumber("-45.1", upright_wedge(table)) for table in SETS),
         ),
         note="First set of reconstructed sizes (second; third): where KL is upright, in the "
         "middle of Fig. 4. The position of the wedge there depends only on l_KL, l_LM and their "
         "angles.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
     Claim(
         SUBSTITUTED,
         r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
-        Conjunction(
-            (
-                Equality(print_1, lever_angle),
-                Equality(print_3, rod),
-                *push_by(PUSHED_IN_PRINT),
-                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
-                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
-                Equality(print_10, wedge),
-                less(sp.S.Zero, cosine_of_tau),
-            )
+        all_of(
+            Equality(print_1, lever_angle),
+            Equality(print_3, rod),
+            *push_by(PUSHED_IN_PRINT),
+            Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+            Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+            Equality(print_10, wedge),
+            less(sp.S.Zero, cosine_of_tau),
         ),
         corrected=Correction(
             ONE_FORM,

@@ -13,9 +13,11 @@ from mechproof.record import (
     Equality,
     NotCheckable,
     Part,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import less
 from .boundaries import (
     BOUNDARY_II,
     BOUNDARY_III,
@@ -52,7 +54,7 @@ from .symbols import (
 def no_influence(size: sp.Symbol) -> Conjunction:
     """State that no solution of a group, all lengths kept in, changes with the size."""
     outputs = (rod, displacement[tau], wedge, lever_cosine, lever_sine)
-    return Conjunction(tuple(Equality(sp.diff(output, size), sp.S.Zero) for output in outputs))
+    return all_of(*(Equality(sp.diff(output, size), sp.S.Zero) for output in outputs))
 
 
 LOST = "digits of l_BC, l_CD and l_DE, and the upper deviations of the first two, are lost"
@@ -77,20 +79,18 @@ RANGE_ROWS = (
         marks=("rebuilt", "uncertain"),
         cites=("S34", "S35"),
     ),
-    Claim(
+    ours(
         "sizes that matter",
         r"\text{eight of the eleven sizes with tolerances influence }y_9",
-        Conjunction(
-            (
-                *(no_influence(size) for size in (l_EF, l_IK, l_MN)),
-                *(influence(size) for size in BOUNDARY_II),
-            )
+        all_of(
+            *(no_influence(size) for size in (l_EF, l_IK, l_MN)),
+            *(influence(size) for size in BOUNDARY_II),
         ),
         note="Three have no influence; each of the other eight has, at x1 = -40 mm. So at most "
         "2^8 of the 2^11 curves differ.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "boundaries, directions of the arms",
         r"\varphi_3<90^\circ,\quad270^\circ<\alpha_{DE}<\alpha_{DE}+\varphi_3<360^\circ,\quad "
         r"\alpha_{KL}+\varphi_7<180^\circ,\quad90^\circ<\alpha_{LM}<\alpha_{LM}+\varphi_7<270^\circ",
@@ -100,7 +100,7 @@ RANGE_ROWS = (
         "curve has the seven other sizes at the signs of II, or of III. Which alpha_KL gives the "
         "outermost curve depends on varphi7 by 'two directions of KL', so that it changes at one "
         "x1.",
-        marks=("ours", "calibrated"),
+        marks=("calibrated",),
     ),
     Claim(
         "boundary II",
@@ -153,7 +153,7 @@ RANGE_ROWS = (
     Claim(
         "sizes without influence",
         r"\text{a change of }l_{EF},\ l_{IK},\ [l_{MN}]\text{ does not influence }y_9(x_1)",
-        Conjunction(tuple(map(no_influence, (l_EF, l_IK, l_MN)))),
+        all_of(*map(no_influence, (l_EF, l_IK, l_MN))),
         note="They are kept in the vector equations and cancel there. The glyph of the third "
         "would fit l_LM, too.",
         marks=("uncertain",),
@@ -162,8 +162,8 @@ RANGE_ROWS = (
     Claim(
         "reason for no influence",
         r"\text{confirmed by the absence of these quantities in the corresponding equations}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 Equality(printed, printed.subs(size, 2 * size))
                 for printed in (print_1, print_3, print_4, print_7, print_8, print_10)
                 for size in (l_EF, l_IK, l_MN)
@@ -189,12 +189,12 @@ RANGE_ROWS = (
         note="For what the reconstructed sizes give see 'deviation at -40, reconstructed sizes'.",
         cites=("S6", "S7", "S46", "S48"),
     ),
-    Claim(
+    ours(
         "deviation at -40, reconstructed sizes",
         r"\text{II and IV deviate by }10.6\text{ and }9.5\ (9.9\text{ and }9.7;\ 9.8\text{ and }"
         r"8.8)~\%",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 deviations_round(table, -40, BOUNDARY_IV, numbers)
                 for table, numbers in zip(
                     SETS, (("10.6", "9.5"), ("9.9", "9.7"), ("9.8", "8.8")), strict=True
@@ -202,36 +202,34 @@ RANGE_ROWS = (
             )
         ),
         note="With the first set of reconstructed sizes (second; third).",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "deviation nearer the start",
         r"\text{upper and lower boundary deviate from the nominal position by 10.9 and 9.7 \% "
         r"(10.6 and 10.7 \%) at }-37~\mathrm{mm}\text{, by 11.3 and 10.0 \% (12.7 and 13.3 \%) "
         r"at }-25~\mathrm{mm}\text{, by 14 and 12 \% (15 and 14 \%) at }-10~\mathrm{mm}\text{, "
         r"by 23 and 19 \% (both sets) at }-5~\mathrm{mm}",
-        Conjunction(
-            (
-                deviations_round(FIRST_SET, -37, BOUNDARY_IV, ("10.9", "9.7")),
-                deviations_round(SECOND_SET, -37, BOUNDARY_IV, ("10.6", "10.7")),
-                deviations_round(FIRST_SET, -25, BOUNDARY_III, ("11.3", "10.0")),
-                deviations_round(SECOND_SET, -25, BOUNDARY_III, ("12.7", "13.3")),
-                deviations_round(FIRST_SET, -10, BOUNDARY_III, ("14", "12")),
-                deviations_round(SECOND_SET, -10, BOUNDARY_III, ("15", "14")),
-                deviations_round(FIRST_SET, -5, BOUNDARY_III, ("23", "19")),
-                deviations_round(SECOND_SET, -5, BOUNDARY_III, ("23", "19")),
-            )
+        all_of(
+            deviations_round(FIRST_SET, -37, BOUNDARY_IV, ("10.9", "9.7")),
+            deviations_round(SECOND_SET, -37, BOUNDARY_IV, ("10.6", "10.7")),
+            deviations_round(FIRST_SET, -25, BOUNDARY_III, ("11.3", "10.0")),
+            deviations_round(SECOND_SET, -25, BOUNDARY_III, ("12.7", "13.3")),
+            deviations_round(FIRST_SET, -10, BOUNDARY_III, ("14", "12")),
+            deviations_round(SECOND_SET, -10, BOUNDARY_III, ("15", "14")),
+            deviations_round(FIRST_SET, -5, BOUNDARY_III, ("23", "19")),
+            deviations_round(SECOND_SET, -5, BOUNDARY_III, ("23", "19")),
         ),
         note="With the first set of reconstructed sizes (second). Relative to the nominal "
         "position the deviation is not largest at -40 mm: it grows towards the start of contact, "
         'where the nominal position vanishes. So "reaches 10 %" is to be read of -40 mm alone.',
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
     Claim(
         "all links contribute",
         r"\text{deviations of the sizes of all intermediate links contribute to the error of the "
         r"position of the output link}",
-        Conjunction(tuple(map(influence, BOUNDARY_II))),
+        all_of(*map(influence, BOUNDARY_II)),
         note="The accelerating lever contributes by BC, CD, DE and alpha_DE, the rod and the link "
         "5' by the clearance between them, the lever with rollers by KL, LM and alpha_KL: these "
         "are all sizes with a tolerance but those that the paper itself excepts, see 'sizes "

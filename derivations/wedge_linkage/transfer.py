@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 import sympy as sp
 from sympy import cos, sin, sqrt
 
-from mechproof.record import Claim, Conjunction, Equality, Part
+from mechproof.record import Claim, Equality, Part, all_of, ours
 
 from .._linear import solve_linear
 from .mechanics import (
@@ -65,17 +65,16 @@ def slopes_row(
     on: Part | None,
 ) -> Claim:
     """State the derivatives of an angle by its group's displacement and sizes."""
-    return Claim(
+    return ours(
         number,
         r",\quad ".join(
             rf"\frac{{\partial{output}}}{{\partial {NAMES[size]}}}={write(slope)}"
             for size, slope in slopes.items()
         ),
-        Conjunction(tuple(Equality(slope, differentiate(size)) for size, slope in slopes.items())),
+        all_of(*(Equality(slope, differentiate(size)) for size, slope in slopes.items())),
         note="By the differentiated projections; the kernels of velocity and sensitivities are "
         "built from them.",
         on=on,
-        marks=("ours",),
         quantities=("velocity", "sensitivities"),
     )
 
@@ -89,7 +88,7 @@ TRANSFER_ROWS = (
         Part("the guide has a length", {reach: POSITIVE}),
     ),
     slopes_row("slopes of varphi7", r"\varphi_7", roller_slopes, roller_slope, None),
-    Claim(
+    ours(
         "two directions of KL",
         r"[\cos\alpha_1-\cos(\alpha_1+\varphi_7)]-[\cos\alpha_2-\cos(\alpha_2+\varphi_7)]="
         r"4\sin\tfrac{\varphi_7}2\sin\tfrac{\alpha_1-\alpha_2}2\cos\tfrac{\alpha_1+\alpha_2+"
@@ -102,20 +101,17 @@ TRANSFER_ROWS = (
         "smaller alpha_KL the lever turns farther for the same displacement as long as varphi7 < "
         "pi - alpha_1 - alpha_2, from there on with the larger one. The two meet at x5' = l_KL "
         "(cos alpha_1 + cos alpha_2).",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "chain, velocity",
         r"\frac{dx_5}{dx_1}=\frac{l_{DE}\sin(\alpha_{DE}+\varphi_3)\cos\varphi_3}"
         r"{l_{BC}+\delta_{BC}},\quad\frac{dy_9}{dx_{5'}}=\frac{l_{LM}\cos(\alpha_{LM}+\varphi_7)}"
         r"{(l_{KL}^2-R^2)^{1/2}}",
-        Conjunction(
-            (
-                Equality(-l_DE * sin(alpha_DE + phi3), sp.diff(rod, phi3)),
-                Equality(-lever_cosine / sqrt(radicand), sp.diff(2 * sp.atan(half_3), x1)),
-                Equality(l_LM * cos(alpha_LM + phi7), sp.diff(wedge, phi7)),
-                Equality(1 / root_7, sp.diff(2 * sp.atan(half_7.subs(height, root_7)), x5)),
-            )
+        all_of(
+            Equality(-l_DE * sin(alpha_DE + phi3), sp.diff(rod, phi3)),
+            Equality(-lever_cosine / sqrt(radicand), sp.diff(2 * sp.atan(half_3), x1)),
+            Equality(l_LM * cos(alpha_LM + phi7), sp.diff(wedge, phi7)),
+            Equality(1 / root_7, sp.diff(2 * sp.atan(half_7.subs(height, root_7)), x5)),
         ),
         note="Each is the product of two stages; in contact dy9/dx1 is the product of both, and "
         "an error that enters on the way is multiplied by the stages that follow.",
@@ -123,7 +119,6 @@ TRANSFER_ROWS = (
             "the radicand of Q is positive and |R| < l_KL",
             where=(*MOVABLE.where, l_KL**2 - PRINTED_R**2 > 0),
         ),
-        marks=("ours",),
         quantities=("velocity",),
     ),
 )
