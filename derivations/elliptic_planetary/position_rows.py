@@ -4,7 +4,6 @@ from sympy import Expr, Ge, Integral, S, atan, diff, oo, pi, sqrt, tan
 
 from mechproof.record import (
     ChainLink,
-    Claim,
     Correction,
     Definition,
     Equality,
@@ -55,7 +54,6 @@ EQUATION_12 = PRINT.equation(
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: position},
-    cites=("S32",),
 )
 DX_SUPPLIED = ours(
     "(10), third equals sign, dx supplied",
@@ -73,14 +71,12 @@ POSITION_ROWS = (
         derived={phi3: position},
         note="Compared with the integral of the ratio that (8) is; read from the initial "
         "conditions phi10 = phi30 = 0; holds over all turns.",
-        cites=("S29",),
     ),
-    PRINT.equation("before (10), a_1", cites=("S30",)),
-    PRINT.equation("before (10), b_1", cites=("S30",)),
-    PRINT.equation("before (10), x", says=Definition(x, R1 / R2 * phi1), cites=("S30",)),
+    PRINT.equation("before (10), a_1"),
+    PRINT.equation("before (10), b_1"),
+    PRINT.equation("before (10), x", Definition(x, R1 / R2 * phi1)),
     PRINT.equation(
         "(10)",
-        cites=("S30",),
         links={
             3: ChainLink(
                 note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
@@ -95,13 +91,12 @@ POSITION_ROWS = (
         },
     ),
     DX_SUPPLIED,
-    PRINT.claim("since e <= 1", on=UP_TO_ONE, cites=("S31",)),
+    PRINT.claim("since e <= 1", on=UP_TO_ONE),
     PRINT.equation(
         "(11)",
         substituted={tan(x / 2): U},
         note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0. At e = 1, which is no "
         "ellipse, it would divide by zero.",
-        cites=("S31",),
     ),
     ours(
         "(11) over all turns",
@@ -126,9 +121,8 @@ POSITION_ROWS = (
     ),
     PRINT.claim(
         "(12), initial conditions",
-        says=Equality(print_12.subs(phi1, 0), S.Zero),
+        Equality(print_12.subs(phi1, 0), S.Zero),
         note="(12), as printed, starts at 0.",
-        cites=("S32",),
     ),
     ours(
         "half-angle arctangent without branches",
@@ -177,22 +171,18 @@ POSITION_CLAIMS = (
         on=BRANCH,
         marks=("consequence",),
     ),
-    Claim(
+    PRINT.claim(
         "(12) gives the position function",
-        r"\text{equation (12) allows to obtain the calculated position function}",
         Equality(print_12, position),
         note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
-        cites=("S5", "S33"),
     ),
-    Claim(
+    PRINT.claim(
         "Fig. 3, formula used",
-        r"\text{using formula (8), we build the position functions of the output shaft}",
         Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
         note="By (8), which is a ratio, integrated from phi1 = 0, as in (9). The curves of Fig. 3 "
         "are not at hand.",
         marks=("inferred",),
-        cites=("S5", "S35"),
     ),
     ours(
         "extremes of the ratio",

@@ -39,35 +39,27 @@ from .symbols import (
     theta,
 )
 
-EQUATION_8 = PRINT.equation(
-    "(8)",
-    derived={slope: ratio_by_plan},
-    marks=("inferred",),
-    cites=("S28",),
-)
+EQUATION_8 = PRINT.equation("(8)", derived={slope: ratio_by_plan}, marks=("inferred",))
 _, print_8 = READER.members(EQUATION_8)
 
 RATIO_ROWS = (
     PRINT.claim(
         "velocity plan, V_C",
-        says=Equality(S.Zero, velocity_c.dot(axis_c)),
+        Equality(S.Zero, velocity_c.dot(axis_c)),
         note="The scalar product of V_C and AC is 0.",
-        cites=("S17",),
     ),
     PRINT.claim(
         "velocity plan, B",
-        says=all_of(
+        all_of(
             Equality(Matrix([0, 0]), velocity_b),
             Equality(Matrix([0, 0]), velocity_at(S.Zero)),
         ),
         note="A and E lie on the fixed axis.",
         marks=("inferred",),
-        cites=("S18", "S20"),
     ),
     PRINT.equation(
         "(1)",
         defines=(ratio_symbol, slope),
-        cites=("S19", "S21", "S22"),
         links={
             1: ChainLink(note="Introduces the analogue of the velocity."),
             2: ChainLink(note="Introduces the derivative of the position, by the chain rule."),
@@ -88,7 +80,6 @@ RATIO_ROWS = (
     ),
     PRINT.equation(
         "(2)",
-        cites=("S23",),
         links={
             1: ChainLink(
                 derived={AC: centre_c},
@@ -104,11 +95,10 @@ RATIO_ROWS = (
             ),
         },
     ),
-    PRINT.equation("(3)", derived=PLACES, marks=("inferred",), cites=("S23",)),
+    PRINT.equation("(3)", derived=PLACES, marks=("inferred",)),
     PRINT.equation(
         "(4)",
         defines=(rho,),
-        cites=("S24",),
         links={
             1: ChainLink(note="Introduces the radius of wheel 6 in the direction of D."),
             2: ChainLink(
@@ -120,29 +110,19 @@ RATIO_ROWS = (
     ),
     PRINT.claim(
         "(4), phi5",
-        says=Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
+        Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
         note="Relative to the carrier, as (4) needs it, since its radius lies on the line A-C; "
         "relative to the frame the satellite turns by (1 - R1/R2) phi1.",
         marks=("inferred",),
-        cites=("S25",),
     ),
-    PRINT.equation(
-        "(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}, cites=("S26",)
-    ),
-    PRINT.equation(
-        "(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}, cites=("S26",)
-    ),
+    PRINT.equation("(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
+    PRINT.equation("(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
     ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         quantities=("ratio",),
     ),
-    PRINT.equation(
-        "(7)",
-        derived={ratio_symbol: ratio_by_plan},
-        marks=("inferred",),
-        cites=("S27",),
-    ),
+    PRINT.equation("(7)", derived={ratio_symbol: ratio_by_plan}, marks=("inferred",)),
     EQUATION_8,
 )

@@ -32,24 +32,16 @@ from .ratio_rows import print_8
 from .symbols import PRINT, R1, R2, VARIANTS, e, k, misfit, phi1, phi5, tau, x
 
 TYPE_A_ROWS = (
-    PRINT.equation(
-        "(13)",
-        defines=(qbar,),
-        note="The mean of the readings.",
-        cites=("S47", "S48"),
-    ),
-    PRINT.equation("(14)", defines=(s2,), note="Needs n >= 2.", cites=("S49",)),
-    PRINT.equation("(15)", defines=(s2_mean,), cites=("S50",)),
+    PRINT.equation("(13)", defines=(qbar,), note="The mean of the readings."),
+    PRINT.equation("(14)", defines=(s2,), note="Needs n >= 2."),
+    PRINT.equation("(15)", defines=(s2_mean,)),
     estimate_row(
         "(15)",
         cites=("S50",),
         latex=r"\text{we get the estimate of the variance of the mean value}",
     ),
     PRINT.equation(
-        "(16)",
-        defines=(u_mean,),
-        note="The GUM's type A standard uncertainty of the mean.",
-        cites=("S51",),
+        "(16)", defines=(u_mean,), note="The GUM's type A standard uncertainty of the mean."
     ),
 )
 
@@ -112,17 +104,10 @@ TABLE_CLAIMS = (
         )
         for number, (large, small, eccentricity) in VARIANTS.items()
     ),
-    Datum(
-        "table 2, resolution",
-        r"360^\circ/4096\approx0.088^\circ",
-        PrintedNumber("0.088", RESOLUTION),
-        cites=("S40",),
-    ),
+    PRINT.datum("table 2, resolution", PrintedNumber("0.088", RESOLUTION)),
     encoder_row("table 2", ("S40",)),
-    Claim(
+    PRINT.claim(
         "different non-uniformity",
-        r"\text{varying the parameters of the cylindrical and of the elliptical wheels allows to "
-        r"obtain various position functions, differing in the non-uniformity of rotation}",
         all_of(
             Holds(Gt(diff(non_uniformity, e), 0)),
             Holds(Ge(diff(non_uniformity, k), 0)),
@@ -143,15 +128,13 @@ TABLE_CLAIMS = (
             "The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
             "four variants have the same."
         ),
-        cites=("S37", "S58"),
     ),
     table_row("table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     interval_of_errors(READINGS, ("S7", "S52", "S56")),
     *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
     adequacy_row(("S6", "S45", "S55", "S59", "S60")),
-    Claim(
+    PRINT.claim(
         "inaccurate manufacture",
-        r"\text{a large value of the mean error may point to inaccurate manufacture}",
         all_of(
             Equality(
                 phi1 + x + 2 * (lead.subs(x, x + misfit) - lead.subs(x, misfit)),
@@ -162,6 +145,5 @@ TABLE_CLAIMS = (
         ),
         note="It may indeed: if wheel 6 is mounted 0.541° off on its shaft, which shifts the "
         "odd and periodic part of the position function, the mean error of variant 2 results.",
-        cites=("S54",),
     ),
 )

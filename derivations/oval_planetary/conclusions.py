@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Equality, NotCheckable, Row, all_of, ours
+from mechproof.record import Equality, NotCheckable, Row, all_of, ours
 
 from .mechanics import (
     COS_4,
+    PRINT,
     R4,
     R5,
     e,
@@ -20,28 +21,20 @@ from .mechanics import (
 DOUBLE = 2 * R4 / R5 * phi1
 
 CONCLUSION_ROWS: tuple[Row, ...] = (
-    Claim(
+    PRINT.claim(
         "conclusion 2, acceleration",
-        r"\text{the kinematic model allowed to obtain the law of motion of the output shaft: the "
-        r"position function, the analogues of the angular velocity and acceleration}",
         NotCheckable(
             "the text at hand has no formula, graph or value of an acceleration; its abstract "
             "names only the analogue of the speed and the position function"
         ),
-        cites=("S54",),
     ),
-    Claim(
+    PRINT.claim(
         "conclusion 2, required transfer functions",
-        r"\text{the analysis showed the realisability of the required transfer functions}",
         NotCheckable("the text at hand does not say which transfer functions are required"),
-        cites=("S55",),
     ),
-    Claim(
+    PRINT.claim(
         "conclusion 1, compactness",
-        r"\text{as compared with linkages the planetary transmissions are characterised by "
-        r"compactness and ease of balancing}",
         NotCheckable("the text at hand has no size, mass or force of either mechanism"),
-        cites=("S53",),
     ),
     ours(
         "acceleration by the model",

@@ -8,7 +8,6 @@ import sympy as sp
 
 from mechproof.record import (
     ChainLink,
-    Claim,
     Correction,
     Equality,
     Holds,
@@ -105,7 +104,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(1)",
         defines=(ratio_symbol,),
         marks=("rebuilt",),
-        cites=("S18", "S19"),
         links={
             2: ChainLink(
                 note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
@@ -128,12 +126,9 @@ EQUATION_ROWS: tuple[Row, ...] = (
         derived={rho: focal_radius.subs(theta, 2 * phi)},
         note="At half the polar angle the radius of the oval is the focal radius of its ellipse.",
         marks=("rebuilt", "uncertain", "inferred"),
-        cites=("S20",),
     ),
-    Claim(
+    PRINT.claim(
         "(2), angle from the major semi-axis",
-        r"\varphi\text{ is the angle of rotation from the major semi-axis; }a\text{ is the major "
-        r"semi-axis and }e\text{ the eccentricity of the initial ellipse}",
         all_of(
             Equality(print_radius(e, sp.S.Zero), a + a * e),
             Holds(print_radius(e, phi) <= a + a * e),
@@ -141,7 +136,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The radius is largest at angle 0, a (1 + e), the largest focal distance of the "
         "ellipse; the major semi-axis of the oval itself is longer than a.",
         marks=("rebuilt",),
-        cites=("S21",),
     ),
     ours(
         "(2), convex",
@@ -156,14 +150,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
         defines=(rho5,),
         links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
-        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(4)",
         defines=(rho6,),
         links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
-        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(5)",
@@ -171,7 +163,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="Seen from the carrier, wheel 5 turns at the ratio rho4/rho5; at the lower limit 0 "
         "the sun's major axis lies on the line of centres.",
         marks=("rebuilt", "uncertain", "inferred"),
-        cites=("S23", "S24"),
     ),
     ours(
         "(5), constant",
@@ -208,7 +199,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         defines=(phi5,),
         note="How wheels 5 and 6 are mounted on their shaft.",
         marks=("rebuilt", "uncertain"),
-        cites=("S23",),
     ),
     ours(
         "(6), mesh with the sun",
@@ -232,7 +222,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="In the order that is legible, here and in (10). The distance is signed, as either "
         "of the two radii may be the larger one.",
         marks=("rebuilt", "inferred"),
-        cites=("S25",),
     ),
     PRINT.equation(
         "(8)",
@@ -248,7 +237,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
             ),
         },
         marks=("rebuilt", "inferred"),
-        cites=("S25",),
     ),
     ours(
         "(8), rolling",
@@ -257,7 +245,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The arcs are equal: congruent ovals roll without slip.",
         quantities=("ratio",),
     ),
-    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred"), cites=("S25",)),
+    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred")),
     ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
@@ -284,7 +272,6 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The text at hand does not say in which direction the output is counted. The "
         "integral of (10) has the sign of (10).",
         marks=("rebuilt", "inferred"),
-        cites=("S26",),
     ),
     PRINT.equation(
         "(11)",
@@ -296,6 +283,5 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) counted with the "
         "carrier, E = (e1 + e2)/(1 + e1 e2). Fig. 2, which was built by it, is not at hand.",
         marks=("rebuilt", "inferred"),
-        cites=("S4", "S27", "S28", "S31"),
     ),
 )

@@ -58,26 +58,23 @@ def turned_wheel_6(variant: int, degrees: str) -> sp.Expr:
 
 
 MEASUREMENT_ROWS: tuple[Row, ...] = (
-    PRINT.equation("(12)", defines=(qbar,), marks=("rebuilt",), cites=("S43",)),
-    PRINT.equation("(13)", note="Needs n >= 2.", defines=(s2,), marks=("rebuilt",), cites=("S44",)),
-    PRINT.equation("(14)", defines=(s2_mean,), marks=("rebuilt",), cites=("S45",)),
+    PRINT.equation("(12)", defines=(qbar,), marks=("rebuilt",)),
+    PRINT.equation("(13)", note="Needs n >= 2.", defines=(s2,), marks=("rebuilt",)),
+    PRINT.equation("(14)", defines=(s2_mean,), marks=("rebuilt",)),
     estimate_row("(14)", ("rebuilt",), ("S45",), r"\text{variance of the mean value}"),
     PRINT.equation(
         "(15)",
         note="The right-hand side is lost; by its name it is the type A standard uncertainty.",
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),
-        cites=("S46",),
     ),
     encoder_row("table 1", ("S37",)),
     table_row("table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
     interval_of_errors(READINGS, ("S47", "S51", "S57"), ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
     adequacy_row(("S7", "S41", "S50", "S56")),
-    Claim(
+    PRINT.claim(
         "inaccurate manufacture",
-        r"\text{the large mean error for the first and the third variants may point to inaccurate "
-        r"manufacture}",
         all_of(
             *(
                 less(abs(READINGS[small].mean), abs(READINGS[large].mean))
@@ -90,6 +87,5 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         note="These two mean errors are the large ones, and it may indeed: they result if wheel 6 "
         "is mounted 1.348° off on its shaft in variant 1, and 2.566° off in variant 3.",
         marks=("inferred",),
-        cites=("S49",),
     ),
 )

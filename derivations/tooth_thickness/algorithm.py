@@ -5,7 +5,6 @@ from __future__ import annotations
 from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
 from mechproof.record import (
-    Claim,
     Completion,
     Completions,
     Correction,
@@ -98,19 +97,15 @@ ALGORITHM_ROWS = (
         "step 1",
         defines=(K,),
         note="Printed in words: the ratio of the tolerance field to the standard deviation.",
-        cites=("S28",),
     ),
     PRINT.equation(
         "step 2",
         defines=(f_true,),
         note="For the sign of E_cs see 'smallest deviation, smallest prescribed decrease'.",
         marks=("rebuilt",),
-        cites=("S29", "S30"),
     ),
-    Claim(
+    PRINT.claim(
         "step 3, a new tip deviation for each tooth",
-        r"\text{rows tied to the numbers of the teeth of the wheel; column 4: random deviations of "
-        r"the diameter of the tooth tips}",
         Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
         corrected=Correction(
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
@@ -119,7 +114,6 @@ ALGORITHM_ROWS = (
         note="Compared is the variance of the mean tip deviation over the z teeth of a wheel. A "
         "wheel has one tip circle, so that its deviation is common to all teeth and does not "
         "average out. Shares over the teeth of many wheels are the same either way.",
-        cites=("S26", "S32"),
     ),
     ours(
         "step 3, IT grades",
@@ -137,9 +131,8 @@ ALGORITHM_ROWS = (
         "d_a = m (z + 2), addendum of one module, as the height to the constant chord shows.",
         marks=("calibrated",),
     ),
-    Claim(
+    PRINT.claim(
         "steps 4 and 7, spread of the gauge",
-        r"\text{the errors of the gauge, interval measure of uncertainty }50~\mu\mathrm{m}",
         Completions(
             "which interval it is and how many standard deviations it spans",
             Completion(
@@ -155,7 +148,6 @@ ALGORITHM_ROWS = (
         "this one without. Tip of IT6, steps as printed, normal laws, centred. Nor does the text "
         "at hand say how a standard deviation follows from an IT grade.",
         marks=("calibrated",),
-        cites=("S33", "S38"),
     ),
     PRINT.equation(
         "step 5",
@@ -226,18 +218,14 @@ ALGORITHM_ROWS = (
         note="Acceptance limits equal to the tolerance limits: no guard band.",
         marks=("rebuilt",),
     ),
-    Claim(
+    PRINT.claim(
         "step 10",
-        r"\text{rightly accepted }(f_u=1,f_0=1)\text{, wrongly accepted }(f_u=0,f_0=1)"
-        r"\text{, rightly rejected }(f_u=0,f_0=0)\text{, wrongly rejected }(f_u=1,f_0=0)",
         all_of(*(Definition(share, of_tooth) for share, of_tooth in SHARES_OF_TOOTH.items())),
         note="Wrongly accepted is the consumer's risk of JCGM 106, wrongly rejected the "
         "producer's.",
     ),
-    Claim(
+    PRINT.claim(
         "step 10, per cent of parts",
-        r"\text{the per cent of parts: rightly accepted, wrongly accepted, rightly rejected, "
-        r"wrongly rejected}",
         Equality(rejected_by(6, 0), wheels_rejected(6)),
         readings=(Reading("every tooth is a part, and the four shares are all teeth", ALL_TEETH),),
         corrected=Correction(
@@ -250,6 +238,5 @@ ALGORITHM_ROWS = (
         "gauge, tip of IT6, steps as printed, K = 6, normal laws, centred; each tooth by itself, "
         "as in step 3.",
         marks=("calibrated",),
-        cites=("S20",),
     ),
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from sympy import Interval, Rational, S, diff, pi, sqrt
 
 from mechproof.record import (
-    Claim,
     Correction,
     Equality,
     NotCheckable,
@@ -21,6 +20,7 @@ from .mechanics import (
     GAUGE_UM,
     GRADES,
     POSITIVE,
+    PRINT,
     PRINTED_INFLUENCE,
     RECOMMENDED_UM,
     VARIANCE_BY_SLOPE,
@@ -73,10 +73,8 @@ def write(shares: dict[int, tuple[str, str]]) -> str:
 
 
 CLAIM_ROWS = (
-    Claim(
+    PRINT.claim(
         "(e)",
-        r"\text{with zero limit error of the instrument the indices are estimated only from the IT "
-        r"grade of the tip circle}",
         all_of(
             Equality(
                 error_variance(PRINTED_INFLUENCE, PRINTED_INFLUENCE).subs(
@@ -91,17 +89,13 @@ CLAIM_ROWS = (
         "printed, and the share of wrongly rejected teeth rises with the grade. The law of the "
         f"teeth themselves stays the same. {LAWS}",
         marks=("calibrated",),
-        cites=("S34",),
     ),
-    Claim(
+    PRINT.claim(
         "(a), curves of Figs. 4 and 5",
-        r"\text{wrongly rejected, rightly accepted against the limit error of the gauge: 1 IT6, "
-        r"2 IT7}",
         NotCheckable(
             "the curves are lost in the scan, and the text at hand has neither the laws nor the "
             "multiple of the limit error"
         ),
-        cites=("S41", "S42"),
     ),
     ours(
         "(a), rise with the limit error",
@@ -129,10 +123,8 @@ CLAIM_ROWS = (
         ),
         note="The total error of IT7 has the larger variance at every limit error of the gauge.",
     ),
-    Claim(
+    PRINT.claim(
         "(d)",
-        r"\text{for gear wheels of degrees 6 and 7 the IT grades 6 and 7 of the tip diameter can "
-        r"be recommended, and not 8}",
         less(tip_spread(7), tip_spread(8, BY_GEOMETRY)),
         corrected=Correction(
             r"\text{for gear wheels of degrees 6 and 7 the IT grades 7 and 8 of the tip diameter "
@@ -143,17 +135,13 @@ CLAIM_ROWS = (
         "does by the printed steps. The text at hand has no limit; any that admits IT7 by the "
         "printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
-        cites=("S46",),
     ),
-    Claim(
+    PRINT.claim(
         "(d), literature",
-        r"\text{recommendations in the technical literature on the IT grade of the diameter of the "
-        r"tooth tips need correction}",
         NotCheckable(
             "the text at hand says neither which share of good teeth may be rejected nor what the "
             "literature recommends for degrees other than 6 and 7"
         ),
-        cites=("S45",),
     ),
     ours(
         "(d), good teeth rejected, perfect gauge",
@@ -163,10 +151,8 @@ CLAIM_ROWS = (
         f"diameter. {LAWS}",
         marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "(b)",
-        r"\text{the limit error of the instrument has a stronger influence on the defectiveness "
-        r"than the accuracy of the tip diameter}",
         less(crossover(6, BY_GEOMETRY), gauge_um),
         on=Part(
             "the gauge is no coarser than that of Table 1", {gauge_um: Interval.Lopen(0, GAUGE_UM)}
@@ -179,7 +165,6 @@ CLAIM_ROWS = (
         "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 µm"
         ", is above the crossover, the gauge recommended in (c), 2 µm, below it.",
         marks=("calibrated",),
-        cites=("S47",),
     ),
     ours(
         "(b), crossovers",
@@ -199,24 +184,18 @@ CLAIM_ROWS = (
         "the tip does, by the geometry; the printed steps give about twice as much.",
         marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "(c)",
-        r"\text{instruments with an interval measure of uncertainty of at most }"
-        r"U=\pm2~\mu\mathrm{m}\text{ can be recommended}",
         NotCheckable(
             "the text at hand has neither the share that is still allowed nor the tolerances of "
             "degrees 7 and 8"
         ),
         note="For what that gauge does to the wheel of degree 6 see '(c), good teeth rejected "
         "with the recommended gauge'.",
-        cites=("S49",),
     ),
-    Claim(
+    PRINT.claim(
         "(c), degrees 6, 7 and 8",
-        r"\text{the requirements on the accuracy of gear-tooth measuring instruments at the 6th, "
-        r"7th and 8th degrees of accuracy are made concrete}",
         NotCheckable("the text at hand has a single U, for no named degree"),
-        cites=("S48",),
     ),
     ours(
         "(c), good teeth rejected with the recommended gauge",

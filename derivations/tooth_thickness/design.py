@@ -5,7 +5,6 @@ from __future__ import annotations
 from sympy import Rational, S, atan, cos, diff, pi, tan
 
 from mechproof.record import (
-    Claim,
     Correction,
     Definition,
     Distinct,
@@ -64,23 +63,19 @@ from .mechanics import (
 )
 
 DESIGN_ROWS = (
-    PRINT.claim(
-        "data, pitch diameter", says=PrintedNumber("150", MODULE * S(TEETH)), cites=("S23",)
-    ),
+    PRINT.claim("data, pitch diameter", PrintedNumber("150", MODULE * S(TEETH))),
     PRINT.datum(
         "data, constant chord",
-        says=Definition(s_c, Rational("4.161") * millimetre),
+        Definition(s_c, Rational("4.161") * millimetre),
         note="A datum. The profile angle, which is not in the text at hand, was fitted to it: 20°"
         ", see 'data, profile angle'.",
         marks=("fitted",),
-        cites=("S23",),
     ),
     PRINT.claim(
         "data, height to the constant chord",
-        says=PrintedNumber("2.243", at_angle(rack_height, 20)),
+        PrintedNumber("2.243", at_angle(rack_height, 20)),
         note="By the 20° from the constant chord, with an addendum of one module.",
         marks=("calibrated",),
-        cites=("S23",),
     ),
     ours(
         "data, profile angle",
@@ -126,13 +121,10 @@ DESIGN_ROWS = (
         "data, smallest deviation",
         defines=(E_cs,),
         note="A datum; for its sign see 'smallest deviation, smallest prescribed decrease'.",
-        cites=("S23",),
     ),
-    PRINT.datum("data, tolerance", defines=(T_c,), note="A datum.", cites=("S23",)),
-    Claim(
+    PRINT.datum("data, tolerance", defines=(T_c,), note="A datum."),
+    PRINT.claim(
         "smallest deviation, smallest prescribed decrease",
-        r"E_{cs}\text{ is the smallest prescribed decrease of the constant chord; good: }"
-        r"E_{cs}-T_c<E_{csu}<E_{cs}",
         not_above(E_cs, -(E_cs - T_c * place)),
         readings=(
             Reading(
@@ -152,47 +144,35 @@ DESIGN_ROWS = (
             "only decreases below E_cs."
         ),
         marks=("rebuilt",),
-        cites=("S25",),
     ),
-    Claim(
+    PRINT.claim(
         "smallest deviation, guaranteed side clearance",
-        r"E_{cs}\text{ determines the guaranteed side clearance}",
         Equality(diff(side_clearance, E_cs), cos(alpha)),
         note="As a decrease it gives E_cs cos(alpha) along the normal; the mating wheel and the "
         "centre distance contribute to the clearance, too.",
-        cites=("S24",),
     ),
-    Claim(
+    PRINT.claim(
         "smallest deviation, kind of mating",
-        r"\text{which in turn determines the kind of mating}",
         NotCheckable(
             "which clearance belongs to which kind of mating: that stands in the tables of the "
             "standard cited as [2], of which the text at hand has no number"
         ),
-        cites=("S24",),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, nominal tip diameter",
-        r"\text{the measuring base for determining the height is the nominal diameter of the tip "
-        r"circle}",
         Equality(tip_radius - rack_height, involute_distance),
         note="Measured from the nominal tip circle, with the outer cylinder as base, the height "
         "leads to the constant chord of the involute.",
-        cites=("S8", "S9"),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, tip diameter not nominal",
-        r"\text{if the diameter of the tip circle differs from the nominal value, the height is "
-        r"determined with an error}",
         Equality(tip_radius + e_tip / 2 - rack_height - involute_distance, e_tip / 2),
         note="The line of a gauge that stands on the actual tip circle and is set to the nominal "
         "height, compared with the constant chord of the involute: it is off by half the "
         "deviation of the diameter, towards the tip if the circle is larger.",
-        cites=("S9",),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, thickness",
-        r"\text{this leads to an error of measurement of the tooth thickness}",
         all_of(
             *(
                 not_above(*(side.subs(tilt, tilt * way) for side in sides))
@@ -206,7 +186,6 @@ DESIGN_ROWS = (
         note="On the involute of this wheel the thickness is off by at least half as much; deeper "
         "is thicker, so that a larger tip diameter makes the tooth measure thinner.",
         marks=("calibrated",),
-        cites=("S9",),
     ),
 )
 
@@ -214,10 +193,8 @@ GAUGE_LIMIT = Rational(GAUGE_UM, 2)
 SHARE = good_but_rejected(tip_spread(6))
 
 PARAMETER_ROWS = (
-    Claim(
+    PRINT.claim(
         "controlled parameters",
-        r"\text{IT grade of the tip diameter, accuracy degree, expectation of the deviations of "
-        r"the thickness, expectation of the error of the instrument}",
         all_of(
             less(measurement_spread(6, S.Zero), measurement_spread(7, S.Zero)),
             Distinct(good_but_rejected(tip_spread(6), tolerance=TOLERANCE_UM + 1), SHARE),

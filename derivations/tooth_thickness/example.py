@@ -5,9 +5,7 @@ from __future__ import annotations
 from sympy import Rational, S
 
 from mechproof.record import (
-    Claim,
     Correction,
-    Datum,
     Definition,
     Equality,
     PrintedNumber,
@@ -40,49 +38,38 @@ from .mechanics import (
 CAPTION = ("S27",)
 
 EXAMPLE_ROWS = (
-    Datum(
+    PRINT.datum(
         "Table 1, accuracy degree",
-        r"\text{accuracy degree }6",
         Definition(degree, S(6)),
         note="A datum; no formula of the paper uses it. Its digit is damaged; Figs. 4 and 5 have "
         "6H.",
         marks=("uncertain",),
-        cites=CAPTION,
     ),
-    Datum(
+    PRINT.datum(
         "Table 1, kind of mating",
-        r"\text{kind of mating }\mathrm H",
         Definition(clearance, S.Zero),
         note="A datum; no formula of the paper uses it. That H requires no guaranteed clearance "
         "is taken from GOST 1643-81, by which the paper sets the requirements.",
         marks=("inferred",),
-        cites=CAPTION,
     ),
     PRINT.datum(
         "Table 1, ratio of tolerance and standard deviation",
         defines=(K,),
         note="A datum, the normal level of accuracy of the technology.",
-        cites=(*CAPTION, "S28"),
     ),
-    Datum(
+    PRINT.datum(
         "Table 1, grade of the tip diameter",
-        r"\text{IT grade of the diameter of the tooth tips }6",
         Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
         note="A datum; the 25 µm are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
         marks=("calibrated",),
-        cites=CAPTION,
     ),
-    Datum(
+    PRINT.datum(
         "Table 1, interval of the gauge",
-        r"\text{interval measure of uncertainty of the measuring instrument }50~\mu\mathrm{m}",
         Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
         note="A datum; for which interval may be meant see 'steps 4 and 7, spread of the gauge'.",
-        cites=CAPTION,
     ),
-    Claim(
+    PRINT.claim(
         "Table 1, 50 of 50",
-        r"50\text{ of }50\text{ teeth: the share of good teeth at the accuracy of the technology "
-        r"chosen, }100~\%",
         all_of(
             PrintedNumber("100", 100 * Rational(50, 50)),
             PrintedNumber("100", 100 * NORMAL_SHARE),
@@ -91,7 +78,6 @@ EXAMPLE_ROWS = (
         "99.73 % for a normal law in the middle of the field. For what 50 teeth can show of it "
         "see 'Table 1, 50 of 50, what it shows'.",
         marks=("calibrated",),
-        cites=("S31",),
     ),
     ours(
         "Table 1, 50 of 50, what it shows",
@@ -106,22 +92,17 @@ EXAMPLE_ROWS = (
         "good teeth. Normal law, centred.",
         marks=("consequence",),
     ),
-    Claim(
+    PRINT.claim(
         "Table 1, columns 4 to 6",
-        r"\text{(6): the total shift of the base of the height from (4), the deviation of the tip "
-        r"diameter, and (5), the error of the instrument}",
         Equality(e_tip + dh_gauge, height_towards_tip),
         corrected=Correction(
             r"(6)=\tfrac12\,(4)+(5)", Equality(e_tip / 2 + dh_gauge, height_towards_tip)
         ),
         note="The sum (6) = (4) + (5) of step 5, column 4 being that of the diameter.",
-        cites=("S32", "S35"),
     ),
-    Claim(
+    PRINT.claim(
         "Table 1, column 9",
-        r"(9)=(2)+(7)+(8)",
         Equality(E_true + K_m * dh + ds_gauge, reading),
         note="True deviation, error of thickness from the shift, error of the gauge; as in step 8.",
-        cites=("S39",),
     ),
 )

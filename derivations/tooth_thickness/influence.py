@@ -74,13 +74,12 @@ def good_to_the_last_place(excess: Expr) -> Conjunction:
 INFLUENCE_ROWS = (
     PRINT.equation(
         "(1), influence 0.7284",
-        says=good_to_the_last_place(excess_of_0_7284),
+        good_to_the_last_place(excess_of_0_7284),
         on=HEIGHTS_TO_0_1_MM,
         note="In its own words an approximation, for this wheel: judged to one micrometre, the "
         "last place to which the paper gives deviations, for a height that is off by 0.1 mm, and "
         "in proportion for less. See '(1), where 0.7284 is the slope'.",
         marks=("calibrated", "inferred"),
-        cites=("S37",),
     ),
     ours(
         "(1), exact derivative",
@@ -115,13 +114,12 @@ INFLUENCE_ROWS = (
     ),
     PRINT.equation(
         "step 6, influence of the involute",
-        says=good_to_the_last_place(excess_in_print),
+        good_to_the_last_place(excess_in_print),
         on=HEIGHTS_TO_0_1_MM,
         note="In its own words an approximation, judged as (1) was; the product is never too "
         "small: see 'step 6, excess of the linear model', on the page of the linearisation "
         "bound.",
         marks=("rebuilt", "calibrated"),
-        cites=("S36",),
     ),
     ours(
         "step 6, tilt as parameter",

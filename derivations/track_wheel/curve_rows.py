@@ -6,7 +6,6 @@ import sympy as sp
 
 from mechproof.record import (
     ChainLink,
-    Claim,
     Definition,
     Equality,
     Part,
@@ -39,29 +38,23 @@ CURVE_ROWS: tuple[Row, ...] = (
         on=Part("|A| <= R", where=(sp.Le(sp.Abs(amplitude), radius),)),
         singular=("A = R: the circle passes through the pole and the track has corners there",),
         links={3: ChainLink(note="Gives the height of the points a name.")},
-        cites=("S41", "S42"),
     ),
-    Claim(
+    PRINT.claim(
         "(16), radius vector",
-        r"\rho\text{: radius vector of a point of the curve}",
         Definition(radius_vector, printed_radius(THETA)),
         note="Explained below (16), in which the letter does not occur: it is the bracket.",
-        cites=("S43",),
     ),
-    Claim(
+    PRINT.claim(
         "(16), shifted circle",
-        r"\text{the coordinates of points are determined by the formulas of the shifted circle}",
         Equality(
             (printed_radius(THETA) * sp.cos(THETA) - amplitude) ** 2
             + (printed_radius(THETA) * sp.sin(THETA)) ** 2,
             radius**2,
         ),
         note="The formula is that of the shifted circle, at the angle z varphi.",
-        cites=("S42",),
     ),
-    Claim(
+    PRINT.claim(
         "(16), amplitude",
-        r"A\text{: value of the shift of the circle, amplitude of the multi-period curve}",
         all_of(
             Equality((printed_radius(sp.Integer(0)) - printed_radius(sp.pi)) / 2, amplitude),
             not_above(
@@ -75,28 +68,22 @@ CURVE_ROWS: tuple[Row, ...] = (
         ),
         note="Seen from the pole, the points of the shifted circle lie between R - A and R + A "
         "away, and both are reached; A is half the difference.",
-        cites=("S43",),
     ),
-    Claim(
+    PRINT.claim(
         "(16), number of periods",
-        r"z\text{: number of periods of the curve}",
         Equality(printed_radius(periods * (phi + 2 * sp.pi / periods)), radius_by_sine_rule(THETA)),
         note="The radius vector repeats after 1/z of a turn.",
-        cites=("S43",),
     ),
-    Claim(
+    PRINT.claim(
         "(16) and Table 1, R",
-        r"R\text{: radius of the circle (16), mean radius of the track (Table 1)}",
         Equality((printed_radius(sp.Integer(0)) + printed_radius(sp.pi)) / 2, radius),
         note="The mean radius is taken as the middle between the largest and the smallest one.",
-        cites=("S43", "S46"),
     ),
     PRINT.equation(
         "(17)",
         defines=(planar_error,),
         note="The position error of one point, not the scatter field that (3) to (7) call "
         "Delta_Sigma.",
-        cites=("S44",),
     ),
-    PRINT.equation("(18)", defines=(spatial_error,), note="Like (17), in space.", cites=("S45",)),
+    PRINT.equation("(18)", defines=(spatial_error,), note="Like (17), in space."),
 )

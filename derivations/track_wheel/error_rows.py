@@ -5,7 +5,6 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
-    Claim,
     Correction,
     Definition,
     Equality,
@@ -69,23 +68,14 @@ ERROR_ROWS: tuple[Row, ...] = (
         "(1)",
         defines=(output,),
         note="Names the output and its parameters; everything that follows uses f to first order.",
-        cites=("S16",),
     ),
-    PRINT.equation(
-        "(2)",
-        defines=(error,),
-        note="X_0 is the nominal value of the same parameter.",
-        cites=("S17", "S18"),
-    ),
-    Claim(
+    PRINT.equation("(2)", defines=(error,), note="X_0 is the nominal value of the same parameter."),
+    PRINT.claim(
         "after (3), K",
-        r"K\text{: coefficient of relative scatter of the output parameter; }K_i\text{: ratio of "
-        r"the scatter field of the error under the normal law to the actual scatter field}",
         Definition(scatter, 6 * sigma / total),
         note="The ratio is printed for the inputs and read in the same way for the output; the "
         "field under the normal law is taken to be six standard deviations.",
         marks=("inferred",),
-        cites=("S20", "S21"),
     ),
     ours(
         "after (3), K of a uniform law",
@@ -100,21 +90,18 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
     ),
-    Claim(
+    PRINT.claim(
         "after (3), K for a reliability",
-        r"K\text{ corrects the total error for a given guaranteed reliability}",
         Definition(scatter, 6 * sigma / (2 * half_width)),
         note="Chosen by whoever uses (3); h is half the field that the reliability requires. By "
         "the normal law K = 1 for 99.73 % and K = 3/1.96 for 95 %.",
-        cites=("S20",),
     ),
     PRINT.equation(
         "(3)",
         derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
-        corrected=Correction(PRINT.prints["(3)"].replace("k", "j")),
+        corrected=Correction(PRINT.find("(3)").replace("k", "j")),
         note="The inner sum runs over k, while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so that j is meant.",
-        cites=("S19",),
     ),
     ours(
         "(3), coefficients that fit together",
@@ -127,13 +114,9 @@ ERROR_ROWS: tuple[Row, ...] = (
         "(4)",
         derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
         note="Holds at each instant t; the left side is then a function of t, too.",
-        cites=("S22",),
     ),
-    Claim(
+    PRINT.claim(
         "after (4), S_i = 1",
-        r"\text{If the independence of the elementary errors is accepted and their change in time"
-        r" is not considered (the end value of the errors is estimated), then }S_i=1\text{ may be"
-        r" taken in calculations}",
         Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         readings=(
             Reading(
@@ -146,22 +129,17 @@ ERROR_ROWS: tuple[Row, ...] = (
             Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         ),
         note="Independence removes the terms with R_ij from (3), but leaves every S_i as it is.",
-        cites=("S23",),
     ),
     PRINT.equation(
         "(5)",
         derived={total: propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)},
         note="True under both stated premises together: independent errors and S_i = 1.",
-        cites=("S23",),
     ),
-    Claim(
+    PRINT.claim(
         "after (5), usual conditions",
-        r"\text{By the recommendation of [5], formula (5) may be used for machining blanks on"
-        r" metal-cutting machine tools in usual production conditions}",
         NotCheckable("the recommendation of [5], its correlations and sensitivities"),
         note="(5) needs independent errors, each with S_i = 1. Whether those of usual production "
         "are of this kind would have to be looked up in [5].",
-        cites=("S3", "S25"),
     ),
     PRINT.equation(
         "(6)",
@@ -172,7 +150,6 @@ ERROR_ROWS: tuple[Row, ...] = (
         "square; as in (5), every sensitivity is one. This is for a random Delta_T; a systematic "
         "one stands outside the root, as in the next row. The transcription does not say which of "
         "the two it is.",
-        cites=("S26", "S27"),
     ),
     ours(
         "(6), systematic temperature error",
@@ -181,19 +158,15 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="For a systematic Delta_T: the root of (6) ends before it, and the error is added as "
         "it is. The same goes for (7).",
     ),
-    Claim(
+    PRINT.claim(
         "after (6), shift along the axes",
-        r"\text{formulas of the total error of machining, which characterise the shift of the blank"
-        r" along the coordinate axes of the machine}",
         NotCheckable("how the single total of (6) becomes a shift a, b, c along three axes"),
         note="(6) and (7) give one length, without a direction; (15) takes a, b, c as given.",
-        cites=("S5", "S26", "S62"),
     ),
     PRINT.equation(
         "(7)",
         derived={AT_TIME[total]: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
         note="Like (6), at each instant t; the K_i are printed without t and left so.",
-        cites=("S28",),
     ),
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
-    Claim,
     Completion,
     Completions,
     Conjunction,
@@ -93,10 +92,9 @@ TABLE_ROWS: tuple[Row, ...] = (
     ),
     PRINT.datum(
         "Table 1, temperature error",
-        says=Definition(thermal, THERMAL_SHARE * total),
+        Definition(thermal, THERMAL_SHARE * total),
         note="The error is given as a share of the total of which it is a part, so that (6) "
         "becomes an equation for the total.",
-        cites=("S46",),
     ),
     ours(
         "Table 1, total",
@@ -125,23 +123,18 @@ TABLE_ROWS: tuple[Row, ...] = (
         note="Table 1 has no K and no K_i. Nor does the transcription have z, H_s, a, b, c, S_i "
         "and n, which Figs. 3 to 5 need as well.",
     ),
-    Claim(
+    PRINT.claim(
         "before Fig. 4, form and size",
-        r"\text{The error of form of the base cylindrical surface has a ratio to the tolerance on"
-        r" size in accordance with the established levels of geometric accuracy}",
         NotCheckable("the levels of [7, 8] and the tolerance on the size of the base surface"),
         note="Of the two sizes only the form error, 0.016 mm, is in Table 1.",
-        cites=("S51",),
     ),
-    Claim(
+    PRINT.claim(
         "after roughing",
-        r"\text{After roughing this tolerance can exceed all the other technological errors}",
         exceeds_others(IT12),
         note='It "can", so that one example proves it: the tolerance on size of grade 12, 0.35 '
         "mm (ISO 286, 80 to 120 mm), which a form error may use up, compared with the other "
         "errors of Table 1, each and all together. Those are of finish milling; the errors after "
         "roughing are not in the transcription.",
         marks=("inferred",),
-        cites=("S52",),
     ),
 )

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 from sympy import sqrt
 
 from mechproof.record import (
     Claim,
-    Datum,
     Definition,
     Equality,
     Part,
@@ -83,26 +80,17 @@ PRIME = "The prime of x5' is lost in the text layer and set by the sense, as in 
 ONE_FORM = r"\varphi_7=2\arctan\frac{x_{5'}}{l_{KL}\sin\alpha_{KL}+\sqrt{l_{KL}^2-R^2}}"
 
 GROUP_ROWS = (
-    Datum(
-        "five elements",
-        r"\text{pusher, accelerating lever, rod, lever with rollers, wedge: 5 elements}",
-        Definition(elements, sp.Integer(5)),
-        note="As in Fig. 1.",
-        cites=("S18", "S22"),
-    ),
-    Claim(
+    PRINT.datum("five elements", Definition(elements, sp.Integer(5)), note="As in Fig. 1."),
+    PRINT.claim(
         "links 1 to 9",
-        r"\text{links }1\text{ to }9\text{: the pusher and four Assur groups}",
         Equality(sp.Integer(9), sp.Integer(1 + GROUPS * LINKS_OF_GROUP)),
         note="As in Fig. 2, each group having two links and three lower pairs. The link 5', "
         "behind the clearance, is counted with the rod 5; before contact it is a tenth link, in a "
         "guide of its own.",
         marks=("inferred",),
-        cites=("S20", "S23"),
     ),
-    Claim(
+    PRINT.claim(
         "Assur groups, zero mobility",
-        r"\text{kinematic chains of zero degree of mobility, structural Assur groups}",
         all_of(
             Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
             Equality(
@@ -113,7 +101,6 @@ GROUP_ROWS = (
         note="Two links with three lower pairs: W = 3*2 - 2*3 = 0; with the pusher in its guide, "
         "four such groups have one input.",
         marks=("inferred",),
-        cites=("S21",),
     ),
     PRINT.equation(
         "group 1",
@@ -146,7 +133,6 @@ GROUP_ROWS = (
         "their limits; see the next row.",
         on=BEFORE_PIVOT,
         marks=("rebuilt",),
-        cites=("S25",),
     ),
     Claim(
         "(1), where the arctangent is right",
@@ -179,35 +165,22 @@ GROUP_ROWS = (
     ),
     PRINT.equation("(2), Ox", residual=group_2[0]),
     PRINT.equation("(2), Oy", residual=group_2[1]),
+    PRINT.equation("(3)", derived={x5: rod}, marks=("rebuilt",)),
     PRINT.equation(
-        "(3)",
-        derived={x5: rod},
-        marks=("rebuilt",),
-        cites=("S27",),
+        "(4), before contact",
+        derived=DRIVEN,
+        substituted={x5: l_GH - apart},
+        note="The link is only pushed; here x5 falls short of the clearance by apart > 0. The "
+        "argument of x5 is varphi2 in the text layer, where everything else has varphi3.",
+        marks=("rebuilt", "uncertain"),
     ),
-    replace(
-        PRINT.equation(
-            "(4)",
-            derived=DRIVEN,
-            substituted={x5: l_GH - apart},
-            note="The link is only pushed; here x5 falls short of the clearance by apart > 0. The "
-            "argument of x5 is varphi2 in the text layer, where everything else has varphi3.",
-            marks=("rebuilt", "uncertain"),
-            cites=("S28",),
-        ),
-        number="(4), before contact",
-    ),
-    replace(
-        PRINT.equation(
-            "(4)",
-            derived=DRIVEN,
-            substituted={x5: l_GH + apart},
-            note="Here x5 exceeds the clearance. At the start of contact, which belongs to "
-            "neither case, both give 0, so that < and <= would say the same.",
-            marks=("rebuilt", "uncertain"),
-            cites=("S28",),
-        ),
-        number="(4), in contact",
+    PRINT.equation(
+        "(4), in contact",
+        derived=DRIVEN,
+        substituted={x5: l_GH + apart},
+        note="Here x5 exceeds the clearance. At the start of contact, which belongs to "
+        "neither case, both give 0, so that < and <= would say the same.",
+        marks=("rebuilt", "uncertain"),
     ),
     PRINT.equation(
         "(5)",
@@ -219,7 +192,6 @@ GROUP_ROWS = (
         residual=group_3[0],
         note=f"{PRIME} In contact the link 5' lags behind the rod by the clearance.",
         marks=("rebuilt", "uncertain"),
-        cites=("S29",),
     ),
     PRINT.equation("(6), Oy", residual=group_3[1]),
     PRINT.equation(
@@ -229,7 +201,6 @@ GROUP_ROWS = (
         on=FIRST_QUADRANT,
         note=f"R, the projection of KL, by the direction 2 arctan(tau) of KL. {PRIME}",
         marks=("rebuilt", "uncertain"),
-        cites=("S30",),
     ),
     PRINT.equation(
         "(8)",
@@ -238,7 +209,6 @@ GROUP_ROWS = (
         on=SECOND_QUADRANT,
         note=f"R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL. {PRIME}",
         marks=("rebuilt", "uncertain"),
-        cites=("S30",),
     ),
     PRINT.equation(
         "(7) and (8), R",
@@ -267,10 +237,5 @@ GROUP_ROWS = (
     ),
     PRINT.equation("(9), Ox", residual=group_4[0]),
     PRINT.equation("(9), Oy", residual=group_4[1]),
-    PRINT.equation(
-        "(10)",
-        derived={y9: wedge},
-        marks=("rebuilt",),
-        cites=("S31",),
-    ),
+    PRINT.equation("(10)", derived={y9: wedge}, marks=("rebuilt",)),
 )

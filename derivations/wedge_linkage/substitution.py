@@ -6,7 +6,6 @@ import sympy as sp
 from sympy import pi
 
 from mechproof.record import (
-    Claim,
     Correction,
     Equality,
     Part,
@@ -38,6 +37,7 @@ from .proofs import push_by
 from .sizes import SETS
 from .symbols import (
     POSITIVE,
+    PRINT,
     R,
     alpha_KL,
     kappa,
@@ -70,9 +70,8 @@ SUBSTITUTION_ROWS = (
         "angles.",
         marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         SUBSTITUTED,
-        r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
         all_of(
             Equality(print_1, lever_angle),
             Equality(print_3, rod),
@@ -95,6 +94,5 @@ SUBSTITUTION_ROWS = (
         ),
         holds_on=Part("R > 0 for (7), R < 0 for (8)", FIRST_QUADRANT.within),
         marks=("rebuilt", "uncertain"),
-        cites=("S32",),
     ),
 )

@@ -8,7 +8,6 @@ from sympy import Rational
 from mechproof.record import (
     Claim,
     Conjunction,
-    Datum,
     Definition,
     Equality,
     NotCheckable,
@@ -31,6 +30,7 @@ from .boundaries import (
 from .mechanics import displacement, lever_cosine, lever_sine, rod, wedge
 from .sizes import FIRST_SET, SECOND_SET, SETS
 from .symbols import (
+    PRINT,
     combinations,
     crossing_place,
     error,
@@ -64,20 +64,16 @@ HOW = (
 )
 
 RANGE_ROWS = (
-    Datum(
+    PRINT.datum(
         "11 sizes with tolerances",
-        r"11\text{ sizes with tolerances}",
         Definition(tolerances, sp.Integer(11)),
         note="The table of sizes has as many with a tolerance.",
-        cites=("S35",),
     ),
-    Datum(
+    PRINT.datum(
         "combinations",
-        r"2^{11}\text{ combinations}",
         Definition(combinations, 2**tolerances),
         note='Two limits for each size; the text layer has lost the exponent, "211".',
         marks=("rebuilt", "uncertain"),
-        cites=("S34", "S35"),
     ),
     ours(
         "sizes that matter",
@@ -102,14 +98,11 @@ RANGE_ROWS = (
         "x1.",
         marks=("calibrated",),
     ),
-    Claim(
+    PRINT.claim(
         "boundary II",
-        r"\text{upper boundary: }+l_{BC},-l_{CD},-l_{DE},+l_{GH'},+l_{KL},-l_{LM},"
-        r"+\alpha_{DE},+\alpha_{KL}",
         NotCheckable(f"{LOST}; on [-40, -37] they decide the sign of alpha_KL"),
         note="For the other seven signs, and for all eight from -37 mm on, see the next row.",
         marks=("uncertain",),
-        cites=("S36", "S39", "S40"),
     ),
     Claim(
         "boundary II, from -37 mm on",
@@ -120,48 +113,37 @@ RANGE_ROWS = (
         "0.03 mm.",
         marks=("calibrated", "uncertain", "ours"),
     ),
-    Claim(
+    PRINT.claim(
         "boundary III",
-        r"\text{lower boundary on }[-29.4,0]\text{: }-l_{BC},+l_{CD},+l_{DE},-l_{GH'},-l_{KL},"
-        r"+l_{LM},-\alpha_{DE},-\alpha_{KL}",
         in_all(lambda table: extreme(table, BOUNDARY_III, "-29.35", (-29, -5))),
         note=f"{HOW} at x1 = -29.35 mm, up to where -29.4 may be rounded, which holds from there "
         "to 0.",
         marks=("calibrated",),
-        cites=("S41",),
     ),
-    Claim(
+    PRINT.claim(
         "boundary IV",
-        r"\text{lower boundary on }[-40,-29.4]\text{: }-l_{BC},+l_{CD},+l_{DE},-[l_{GH'}],-l_{KL},"
-        r"+l_{LM}\text{ for one choice of what is lost}",
         in_all(lambda table: extreme(table, BOUNDARY_IV, "-29.45", (-40, -35))),
         note=f"{HOW} at x1 = -29.45 mm, from where -29.4 may be rounded, which holds from there to "
         "-40. For the sign and the term that are lost -alpha_DE and +alpha_KL are taken: by the "
         "sensitivities no other choice gives the lowest curve. IV then differs from III in "
         "alpha_KL alone.",
         marks=("rebuilt", "calibrated", "uncertain"),
-        cites=("S42",),
     ),
-    Datum(
+    PRINT.datum(
         "crossing",
-        r"x_1=-29.4\text{ is the crossing of curves III and IV}",
         Definition(crossing_place, Rational("-29.4") * millimetre),
         note="A datum: the sets of sizes were fitted to it and cannot confirm it.",
         marks=("fitted",),
-        cites=("S43",),
     ),
-    Claim(
+    PRINT.claim(
         "sizes without influence",
-        r"\text{a change of }l_{EF},\ l_{IK},\ [l_{MN}]\text{ does not influence }y_9(x_1)",
         all_of(*map(no_influence, (l_EF, l_IK, l_MN))),
         note="They are kept in the vector equations and cancel there. The glyph of the third "
         "would fit l_LM, too.",
         marks=("uncertain",),
-        cites=("S44",),
     ),
-    Claim(
+    PRINT.claim(
         "reason for no influence",
-        r"\text{confirmed by the absence of these quantities in the corresponding equations}",
         all_of(
             *(
                 Equality(printed, printed.subs(size, 2 * size))
@@ -172,22 +154,17 @@ RANGE_ROWS = (
         note="The transfer functions (1), (3), (4), (7), (8), (10). In (2) l_EF stands on both "
         "sides and cancels.",
         marks=("uncertain",),
-        cites=("S44",),
     ),
-    Claim(
+    PRINT.claim(
         "largest spread",
-        r"\text{at }x_1=-40~\mathrm{mm}\text{ the largest spread is observed}",
         NotCheckable(f"the curves of Fig. 4, and {LOST}"),
         note="Between the boundaries as printed, the spread is largest there with the first and "
         "the third set of reconstructed sizes, and at -32 mm with the second.",
-        cites=("S45",),
     ),
-    Claim(
+    PRINT.claim(
         "deviation at -40",
-        r"\text{the range of spread reaches }\pm10\,\%\text{ of the position at the nominal sizes}",
         NotCheckable(LOST),
         note="For what the reconstructed sizes give see 'deviation at -40, reconstructed sizes'.",
-        cites=("S6", "S7", "S46", "S48"),
     ),
     ours(
         "deviation at -40, reconstructed sizes",
@@ -225,22 +202,17 @@ RANGE_ROWS = (
         'where the nominal position vanishes. So "reaches 10 %" is to be read of -40 mm alone.',
         marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "all links contribute",
-        r"\text{deviations of the sizes of all intermediate links contribute to the error of the "
-        r"position of the output link}",
         all_of(*map(influence, BOUNDARY_II)),
         note="The accelerating lever contributes by BC, CD, DE and alpha_DE, the rod and the link "
         "5' by the clearance between them, the lever with rollers by KL, LM and alpha_KL: these "
         "are all sizes with a tolerance but those that the paper itself excepts, see 'sizes "
         "without influence'.",
         marks=("calibrated",),
-        cites=("S52",),
     ),
-    Claim(
+    PRINT.claim(
         "more links, larger effect",
-        r"\text{the accumulating, multiplicative effect is the larger, "
-        r"the more links the chain has}",
         less(error, stage_ratio * error + own_error),
         holds_on=Part(
             "a further stage with a ratio above 1", {stage_ratio: sp.Interval.open(1, sp.oo)}
@@ -248,6 +220,5 @@ RANGE_ROWS = (
         note="A further stage of ratio k turns an error Delta into k Delta + delta, in amounts, "
         "delta >= 0 being its own. A stage that reduces may pass on less than it takes in, as "
         "lever and rod of this mechanism do at -40 mm, see 'ratios of the stages at -40'.",
-        cites=("S52",),
     ),
 )

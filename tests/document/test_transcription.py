@@ -25,7 +25,7 @@ PAPER = r"""
 %% where e<R_1
 %% end
 \begin{equation}x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1\tag{1}\label{place}\end{equation}
-\[e\ge0\tag*{the domain}\]
+\[e\ge0\tag*{the domain}\label{domain}\cite{S6,S48}\cite{S9}\]
 """
 MODULE = """
 from pathlib import Path
@@ -99,7 +99,10 @@ def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
     assert isinstance(row, Equation)
     assert row == Equation("(1)", r"x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1", note="both")
     assert paper.equation("place").printed_latex == row.printed_latex
-    assert paper.claim("the domain") == Claim("the domain", r"e\ge0")
+    cites = ("S6", "S48", "S9")
+    assert paper.claim("the domain") == Claim("the domain", r"e\ge0", cites=cites)
+    assert paper.claim("domain", cites=()) == Claim("domain", r"e\ge0")
+    assert paper.find("(1)") == row.printed_latex
 
 
 def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
