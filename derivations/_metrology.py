@@ -17,12 +17,7 @@ from sympy import (
     symbols,
 )
 
-from mechproof.record import (
-    Claim,
-    Equality,
-    Variable,
-    ours,
-)
+from mechproof.record import Claim, Equality, Variable, ours
 
 POSITIVE = Interval.open(0, oo)
 

@@ -1,7 +1,5 @@
 """What two papers print of one test rig: its encoders, tables of mean errors and intervals."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -5,21 +5,7 @@ probability to be accepted or rejected, or the density of what is measured times
 not to conform given that; the fourth share is what remains of the parts that do not conform.
 """
 
-from sympy import (
-    Expr,
-    Integral,
-    Interval,
-    Le,
-    Max,
-    Min,
-    Or,
-    S,
-    exp,
-    oo,
-    pi,
-    sqrt,
-    symbols,
-)
+from sympy import Expr, Integral, Interval, Le, Max, Min, Or, S, exp, oo, pi, sqrt, symbols
 
 from mechproof.record import (
     LENGTH,

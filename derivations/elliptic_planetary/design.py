@@ -23,16 +23,7 @@ from mechproof.record import (
 
 from .kernels import ARGUMENTS, SOURCE
 from .mechanics import largest, non_uniformity, smallest
-from .symbols import (
-    R1,
-    R2,
-    e,
-    k,
-    largest_wanted,
-    non_uniformity_wanted,
-    quotient_wanted,
-    smallest_wanted,
-)
+from .symbols import *
 
 ONE = Integer(1)
 # With r = (1 + e)/(1 - e) the largest ratio is 1 + k*r and the smallest 1 + k/r.

@@ -6,15 +6,7 @@ peak is the value there. Everything is written without differences of like numbe
 
 from sympy import Abs, Eq, Expr, Ge, Max, Or, Piecewise, Rational, atan2, cos, diff, pi, sin, sqrt
 
-from mechproof.record import (
-    SLOPES,
-    Accuracy,
-    Form,
-    Periodicity,
-    Quantity,
-    Scale,
-    Singular,
-)
+from mechproof.record import SLOPES, Accuracy, Form, Periodicity, Quantity, Scale, Singular
 
 from .kernels import (
     ACCELERATION,

@@ -5,14 +5,7 @@ from sympy import Expr, Interval, cos, diff, sqrt
 from mechproof.record import Equality, Part, all_of, less, ours
 
 from .kernels import ACCELERATION
-from .peaks import (
-    BOTH,
-    JERK,
-    JERK_AT_HALF_TURN,
-    JERK_WITHIN,
-    LARGEST_ACCELERATION,
-    SMALLEST_JERK,
-)
+from .peaks import BOTH, JERK, JERK_AT_HALF_TURN, JERK_WITHIN, LARGEST_ACCELERATION, SMALLEST_JERK
 from .symbols import c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
 
 FACTOR = 2 * e * k**2 * (1 - e**2)

@@ -15,24 +15,7 @@ from mechproof.record import (
 
 from .mechanics import position, position_closed, position_principal
 from .ratio_rows import print_8
-from .symbols import (
-    BRANCH,
-    PRINT,
-    R1,
-    R2,
-    READER,
-    UP_TO_ONE,
-    VARIANTS,
-    U,
-    e,
-    k,
-    phi1,
-    phi3,
-    phi5,
-    ratio_symbol,
-    tau,
-    x,
-)
+from .symbols import *
 
 CORRECT_FOURTH = r"\int\frac{\frac{dx}{\cos^2\frac x2}}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
 LAST_OF_10 = (

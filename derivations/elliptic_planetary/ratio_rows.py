@@ -17,27 +17,7 @@ from .mechanics import (
     velocity_b,
     velocity_c,
 )
-from .symbols import (
-    AC,
-    PRINT,
-    R1,
-    R2,
-    READER,
-    VC,
-    VD,
-    at_b,
-    at_c,
-    at_d,
-    focal_radius,
-    omega1,
-    omega3,
-    phi1,
-    phi5,
-    ratio_symbol,
-    rho,
-    slope,
-    theta,
-)
+from .symbols import *
 
 EQUATION_8 = PRINT.equation("(8)", derived={slope: ratio_by_plan}, marks=("inferred",))
 _, print_8 = READER.members(EQUATION_8)

@@ -1,7 +1,5 @@
 """Tables 1 to 3 of paper 1: its variants, its encoders, and what its readings say."""
 
-from __future__ import annotations
-
 from sympy import Expr, Ge, Gt, Integral, Ne, Rational, diff, pi
 
 from mechproof.record import (

@@ -2,15 +2,7 @@
 
 from sympy import Sum, sqrt
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    Equality,
-    Equation,
-    Paper,
-    Quantity,
-    ours,
-)
+from mechproof.record import Accuracy, Argument, Equality, Equation, Paper, Quantity, ours
 
 from .._metrology import (
     TYPE_A_VARIABLES,

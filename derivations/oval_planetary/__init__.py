@@ -10,9 +10,10 @@ from .equations import EQUATION_ROWS
 from .findings import FINDINGS
 from .jerk import JERK_QUANTITIES
 from .kernels import QUANTITIES
-from .mechanics import PRINT, VARIABLES
+from .mechanics import VARIABLES
 from .pairs import CYLINDRICAL_PAIR_ROWS, OVAL_PAIR_ROWS
 from .readings import MEASUREMENT_ROWS
+from .symbols import PRINT
 from .variants import VARIANT_ROWS, VARIANTS
 
 PAPER = Paper(

@@ -1,7 +1,5 @@
 """Coordinates over which the rounding errors of paper 2 are bounded."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -9,7 +7,7 @@ from sympy import Expr, Interval, Rational, Symbol, oo, pi
 
 from mechproof.record import Chart
 
-from .mechanics import R4, R5, e2, phi1
+from .symbols import R4, R5, e2, phi1
 
 # The radius that scales both, the smaller one as a share of it, or what it lacks, and x.
 RADIUS, SHARE, LACK = (Symbol(name, positive=True) for name in ("R", "share", "lack"))

@@ -1,22 +1,11 @@
 """What the conclusions of paper 2 say beyond its formulas, and its acceleration by the model."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Equality, NotCheckable, Row, all_of, ours
 
-from .mechanics import (
-    COS_4,
-    PRINT,
-    R4,
-    R5,
-    e,
-    e2,
-    phi1,
-    ratio_of_one,
-    ratio_with_cylinders_45,
-)
+from .mechanics import COS_4, ratio_of_one, ratio_with_cylinders_45
+from .symbols import PRINT, R4, R5, e, e2, phi1
 
 DOUBLE = 2 * R4 / R5 * phi1
 

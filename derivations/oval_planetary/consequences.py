@@ -1,15 +1,14 @@
 """What follows from the rows of paper 2 for its own numbers and conclusions."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import PrintedNumber, Row, all_of, less, not_above, ours, rounded
 
 from .._readings import if_u_is_s
-from .mechanics import R4, R5, eta, phi1, position_45
+from .mechanics import position_45
 from .pairs import edge
 from .readings import GAINS, LIMITS, RATIOS, READINGS
+from .symbols import R4, R5, eta, phi1
 from .variants import DWELL_3, with_cylinders
 
 NEAR_REST = sp.Rational("0.01")

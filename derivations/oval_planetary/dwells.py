@@ -4,26 +4,12 @@ About x = pi, where the satellite's wheel 6 drives wheel 3 most slowly, and abou
 drives it fastest, the position is one arctangent with the factor q = (1 - e2)/(1 + e2) or 1/q.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Equality, Part, Row, all_of, less, ours
 
-from .mechanics import (
-    OVAL,
-    R4,
-    R5,
-    RATIO_CYLINDRICAL,
-    e2,
-    k,
-    phi1,
-    position_45,
-    quotient as q,
-    t_place as t,
-    theta,
-    x,
-)
+from .mechanics import RATIO_CYLINDRICAL, position_45
+from .symbols import OVAL, R4, R5, e2, k, phi1, quotient as q, t_place as t, theta, x
 
 BRANCH = Part("|x| < pi", {x: sp.Interval.open(-sp.pi, sp.pi)})
 PROPER = Part("0 < e2 < 1", {e2: OVAL})

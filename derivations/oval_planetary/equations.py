@@ -1,7 +1,5 @@
 """The equations (1)-(11) of paper 2, read, and what is found beside each."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy as sp
@@ -19,52 +17,27 @@ from mechproof.record import (
 )
 
 from .mechanics import (
-    BD,
     E_SERIES,
-    EC,
     PLACES,
-    PRINT,
     READER,
-    VC,
-    VD,
-    a,
     cos_6,
     driven_angle,
-    e,
-    e1,
-    e2,
     focal_radius,
     integrate,
-    mount,
-    omega_satellite,
     oval_radius,
-    phi,
-    phi1,
-    phi3,
-    phi5,
-    phi6,
     point_b,
     point_d,
     position_of_one,
     ratio_by_inversion,
     ratio_by_plan,
-    ratio_symbol,
-    rho,
-    rho5,
-    rho6,
     roll,
     roll_reduced,
     rolling,
-    s,
     satellite_velocity,
-    sB,
-    sC,
-    sD,
-    start,
     sun_radius,
-    theta,
     wheel_3_rate,
 )
+from .symbols import *
 
 
 # What is printed, for claims and kernels.

@@ -1,7 +1,5 @@
 """What is wrong in paper 2: the causes, and what they cost at its own sizes."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, Weight
@@ -11,20 +9,14 @@ from .equations import print_10
 from .mechanics import (
     AXES_45,
     E_SERIES,
-    R4,
-    R5,
-    a,
-    e2,
     integrate,
     oval_radius,
-    phi1,
     position_45,
     position_of_one,
     ratio_of_one,
-    rho5,
-    rho6,
 )
 from .readings import READINGS
+from .symbols import R4, R5, a, e2, phi1, rho5, rho6
 from .variants import VARIANTS
 
 DEGREE = sp.pi / 180

@@ -1,7 +1,5 @@
 """The jerk of paper 2: forms, their proofs and accuracy."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -41,34 +39,17 @@ from .forms import (
     of_parts,
 )
 from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
-from .mechanics import (
-    ACCELERATION,
-    ACCELERATION_CYLINDRICAL,
-    GIVEN,
-    R4,
-    R5,
-    both,
-    e2,
-    k,
-    less,
-    phi1,
-    ratio_of_map,
-    rise,
-    shift,
-    swing,
-    t,
-    x,
-    y,
-)
+from .mechanics import ACCELERATION, ACCELERATION_CYLINDRICAL, GIVEN, ratio_of_map, t
+from .symbols import R4, R5, both, e2, k, lesser, phi1, rise, shift, swing, x, y
 
 JERK = sp.diff(ACCELERATION, phi1)
 JERK_CYLINDRICAL = sp.diff(ACCELERATION_CYLINDRICAL, x) * 2 * k
 
 # Z, the sum of TILT, is z0*(1 - t**2) + z1*t; dZ/dphi1 - 2*t*Z = z1*(1 - t**2) - 4*z0*t.
 BEND = (
-    (swing * (less + both) + rise**2) * (1 - t**2),
-    -shift * (shift + 2 * less) * (1 - t**2),
-    -4 * rise * (less + shift) * t,
+    (swing * (lesser + both) + rise**2) * (1 - t**2),
+    -shift * (shift + 2 * lesser) * (1 - t**2),
+    -4 * rise * (lesser + shift) * t,
 )
 FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
 
@@ -94,11 +75,11 @@ TERMS = Scale(
     * (
         2
         * (
-            (swing * (less + both) + rise**2 + shift * (shift + 2 * less)) * (1 + T**2)
-            + 4 * sp.Abs(rise * T) * (less + shift)
+            (swing * (lesser + both) + rise**2 + shift * (shift + 2 * lesser)) * (1 + T**2)
+            + 4 * sp.Abs(rise * T) * (lesser + shift)
         )
         + 8 * Z**2 / S
-        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(less + y)) / S
+        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(lesser + y)) / S
     ),
     (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
 )

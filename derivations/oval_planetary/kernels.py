@@ -1,7 +1,5 @@
 """What can be computed of paper 2: ratio, position and acceleration, and every form of them."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -18,12 +16,7 @@ from mechproof.record import (
     all_of,
 )
 
-from .charts import (
-    NEGATED,
-    PLAIN,
-    SMOOTH,
-    STEEP,
-)
+from .charts import NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
 from .forms import (
     ACCELERATION_FORM,
@@ -50,34 +43,15 @@ from .mechanics import (
     ACCELERATION_CYLINDRICAL,
     POSITION,
     POSITION_CYLINDRICAL,
-    R4,
-    R5,
     RATIO,
     RATIO_CYLINDRICAL,
-    a,
-    alpha_double,
-    beta_double,
     count_branches,
     driven_angle,
-    e1,
-    e2,
-    gamma_double,
-    k,
     lead,
-    m,
-    mount,
-    mount_counted,
-    nearest,
-    phi1,
-    phi6_closed,
-    phi6_counted,
     ratio_of_map,
-    rho5,
-    rho6,
     t,
-    turns,
-    x,
 )
+from .symbols import *
 
 BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
 

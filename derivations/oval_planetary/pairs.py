@@ -1,7 +1,5 @@
 """Two oval pairs act as one and only swing the output; a cylindrical pair beside an oval one."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Equality, Holds, Part, Row, all_of, ours
@@ -9,25 +7,8 @@ from mechproof.record import Equality, Holds, Part, Row, all_of, ours
 from .mechanics import (
     COEFFICIENTS,
     E_SERIES,
-    OVAL,
-    R4,
-    R5,
     RATIO_CYLINDRICAL,
-    alpha,
-    beta,
-    delta,
-    e,
-    e1,
-    e2,
-    eta,
-    gamma,
     integrate,
-    k,
-    lam,
-    mount,
-    mu,
-    nu,
-    phi1,
     position_45,
     position_by_one_pair,
     position_of_map,
@@ -35,11 +16,9 @@ from .mechanics import (
     ratio_of_map,
     ratio_of_one,
     ratio_with_cylinders_45,
-    theta,
     wheel_3_rate,
-    width,
-    x,
 )
+from .symbols import *
 
 
 def advances(position: sp.Expr, carrier: sp.Expr, output_angle: sp.Expr) -> Equality:

@@ -1,7 +1,5 @@
 """The measurement of paper 2: (12)-(15), tables 1 and 2, what the readings say."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Claim, PrintedNumber, Row, all_of, less
@@ -15,8 +13,9 @@ from .._readings import (
     table_row,
     two_encoders,
 )
-from .mechanics import COEFFICIENTS, PRINT, e1, e2, mount, phi1, ratio_45
+from .mechanics import COEFFICIENTS, ratio_45
 from .pairs import fastest
+from .symbols import PRINT, e1, e2, mount, phi1
 from .variants import VARIANTS, ratio_1, with_cylinders
 
 # Table 2: n, mean error and u in degrees; and the half-widths of the printed intervals.

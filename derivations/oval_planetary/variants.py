@@ -1,7 +1,5 @@
 """The variants of paper 2, the motions they make, and what is said of motions."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -24,29 +22,19 @@ from .equations import print_5
 from .mechanics import (
     AXES_45,
     E_SERIES,
-    PRINT,
-    R4,
-    R5,
-    e1,
-    e2,
     integrate,
-    mount,
     oval_radius,
     pair_ratio,
-    phi1,
-    phi6,
     position_45,
     position_of_one,
     ratio_45,
     ratio_by_plan,
     ratio_of_one,
-    rho3,
-    rho6,
     satellite_against_carrier,
-    span,
     wheel_3_rate,
 )
 from .pairs import advances
+from .symbols import PRINT, R4, R5, e1, e2, mount, phi1, phi6, rho3, rho6, span
 
 VARIANTS = {
     1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},

@@ -17,7 +17,6 @@ from .mechanics import (
     K_PRINTED,
     NORMAL_SHARE,
     NOTATION,
-    PRINT,
     PRINTED_SIZES,
     RECOMMENDED_UM,
     TEETH,
@@ -25,16 +24,11 @@ from .mechanics import (
     TOLERANCE_UM,
     VARIABLES,
     WHEEL,
-    E_true,
-    K_m,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    e_tip,
     gauge_spread,
     rejected_by,
     tip_spread,
 )
+from .symbols import PRINT, E_true, K_m, dh, dh_gauge, ds_gauge, e_tip
 
 MICROMETRE = Rational(1, 1000)
 LAWS = f"normal laws, centred, K = {K_PRINTED}"

@@ -1,7 +1,5 @@
 """Rows of paper 3 on the steps of the flow chart."""
 
-from __future__ import annotations
-
 from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
 from mechproof.record import (
@@ -23,36 +21,18 @@ from .mechanics import (
     GAUGE_UM,
     GRADES,
     NORMAL_SHARE,
-    PRINT,
     RANGE,
     TEETH,
     TIP_DIAMETER,
     TOLERANCE_UNIT,
-    E_measured,
-    E_true,
-    K,
-    K_m,
-    alpha,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    ds_height,
-    e_tip,
     error_variance,
-    f_measured,
-    f_true,
     height_deviation,
     height_towards_tip,
     influence,
     reading,
     rejected_by,
-    rightly_accepted,
-    rightly_rejected,
-    sigma_tip,
-    wrongly_accepted,
-    wrongly_rejected,
-    z,
 )
+from .symbols import *
 
 SHARES_OF_TOOTH = {
     rightly_accepted: f_true * f_measured,

@@ -1,7 +1,5 @@
 """How accurate the kernels of paper 3 are, and what their approximations leave out."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from sympy import (
@@ -35,21 +33,8 @@ from mechproof.record import (
     not_above,
 )
 
-from .mechanics import (
-    alpha,
-    dh,
-    dh_gauge,
-    e_tip,
-    incline,
-    linearisation_bound,
-    linearisation_root,
-    m,
-    r_b,
-    t_c,
-    thickness_change,
-    tilt,
-    z,
-)
+from .mechanics import linearisation_bound, linearisation_root, thickness_change
+from .symbols import alpha, dh, dh_gauge, e_tip, incline, m, r_b, t_c, tilt, z
 
 ROLLING = Scale("the way that the chord's end rolls", r_b * Abs(tilt) * (1 + t_c + Abs(tilt)))
 # Below that, subnormal numbers have fewer digits.

@@ -1,12 +1,10 @@
 """Coordinates over which the rounding errors of paper 3 are bounded."""
 
-from __future__ import annotations
-
 from sympy import Expr, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart
 
-from .mechanics import alpha, dh, dh_gauge, e_tip, m, tilt, z
+from .symbols import alpha, dh, dh_gauge, e_tip, m, tilt, z
 
 # A profile angle is less than pi/4.
 UP_TO = Rational(11, 14)

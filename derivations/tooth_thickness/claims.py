@@ -1,7 +1,5 @@
 """Rows of paper 3 on what it concludes, (a) to (e), and what follows for its numbers."""
 
-from __future__ import annotations
-
 from sympy import Interval, Rational, S, diff, pi, sqrt
 
 from mechproof.record import (
@@ -19,25 +17,16 @@ from mechproof.record import (
 from .mechanics import (
     GAUGE_UM,
     GRADES,
-    POSITIVE,
-    PRINT,
     PRINTED_INFLUENCE,
     RECOMMENDED_UM,
     VARIANCE_BY_SLOPE,
-    above,
-    below,
     chance_to_accept,
     crossover,
     error_variance,
-    gauge_um,
     rejected_by,
-    sigma,
-    sigma_height,
-    sigma_thickness,
-    sigma_tip,
     tip_spread,
-    width,
 )
+from .symbols import *
 
 AS_PRINTED, BY_GEOMETRY = "printed", "involute"
 # Per cent of good teeth rejected by grade, as printed and by the geometry: with a perfect gauge,

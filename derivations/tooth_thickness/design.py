@@ -1,7 +1,5 @@
 """Rows of paper 3 on design data, smallest deviation, measuring base, controlled parameters."""
 
-from __future__ import annotations
-
 from sympy import Rational, S, atan, cos, diff, pi, tan
 
 from mechproof.record import (
@@ -24,43 +22,29 @@ from .mechanics import (
     HEIGHTS_TO_0_1_MM,
     MODULE,
     NORMAL_SHARE,
-    PRINT,
     TEETH,
     THREE_SIGMA,
     TOLERANCE_UM,
-    E_cs,
-    E_true,
-    T_c,
     accepted_by,
-    alpha,
     at_angle,
     chord_height,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    e_tip,
     good_but_rejected,
     height_change,
     height_deviation,
-    incline,
     involute_chord,
     involute_distance,
-    m,
     measurement_spread,
-    millimetre,
     nominal_height,
     of_wheel,
-    place,
     rack_chord,
     rack_height,
     reading,
-    s_c,
     side_clearance,
     thickness_change,
-    tilt,
     tip_radius,
     tip_spread,
 )
+from .symbols import *
 
 DESIGN_ROWS = (
     PRINT.claim("data, pitch diameter", PrintedNumber("150", MODULE * S(TEETH))),

@@ -1,39 +1,11 @@
 """Rows of paper 3 on the example of Table 1."""
 
-from __future__ import annotations
-
 from sympy import Rational, S
 
-from mechproof.record import (
-    Correction,
-    Definition,
-    Equality,
-    PrintedNumber,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import Correction, Definition, Equality, PrintedNumber, all_of, less, ours
 
-from .mechanics import (
-    GAUGE_UM,
-    GRADES,
-    NORMAL_SHARE,
-    PRINT,
-    E_true,
-    K,
-    K_m,
-    clearance,
-    degree,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    e_tip,
-    height_towards_tip,
-    interval,
-    millimetre,
-    reading,
-    tip_tolerance,
-)
+from .mechanics import GAUGE_UM, GRADES, NORMAL_SHARE, height_towards_tip, reading
+from .symbols import *
 
 CAPTION = ("S27",)
 

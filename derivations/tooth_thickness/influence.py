@@ -1,32 +1,17 @@
 """Rows of paper 3 on the influence of the height on the thickness: (1) and step 6."""
 
-from __future__ import annotations
-
 from sympy import Expr, Rational, S, cos, diff, sin, tan
 
-from mechproof.record import (
-    Conjunction,
-    Equality,
-    PrintedNumber,
-    all_of,
-    less,
-    not_above,
-    ours,
-)
+from mechproof.record import Conjunction, Equality, PrintedNumber, all_of, less, not_above, ours
 
 from .mechanics import (
     HEIGHTS_TO_0_1_MM,
     LAST_SHARE,
-    PRINT,
     PRINTED_INFLUENCE,
-    K_m,
     across,
-    alpha,
     chord_distance,
     chord_half,
     curvature_of_thickness,
-    delta,
-    dh,
     distance,
     half_tooth,
     height_change,
@@ -34,20 +19,14 @@ from .mechanics import (
     involute_chord,
     involute_distance,
     linearisation_root,
-    m,
     of_wheel,
-    r_b,
     read,
     roll,
-    s_c,
     slope_of_thickness,
-    t_c,
     thickness,
     thickness_change,
-    tilt,
-    y_c,
-    z,
 )
+from .symbols import PRINT, K_m, alpha, delta, dh, m, r_b, s_c, t_c, tilt, y_c, z
 
 in_print = read("step 6, influence of the involute").subs(dh, height_change)
 excess_in_print = of_wheel(in_print - thickness_change)

@@ -1,7 +1,5 @@
 """What can be computed of paper 3: chords, their changes along the flank, errors of thickness."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from sympy import Abs, Eq, Expr, Rational, S, cos, pi, sin, tan
@@ -20,37 +18,19 @@ from .bounds import (
     first_order,
     within_a_hundredth,
 )
-from .charts import (
-    DEPTH_NEGATED,
-    DEPTHS,
-    ERRORS,
-    ERRORS_NEGATED,
-    FLANK_CHARTS,
-    RACK,
-    SHALLOW,
-)
+from .charts import DEPTH_NEGATED, DEPTHS, ERRORS, ERRORS_NEGATED, FLANK_CHARTS, RACK, SHALLOW
 from .mechanics import (
     PRINTED_INFLUENCE,
-    K_m,
-    alpha,
     chord,
     chord_distance,
     chord_half,
     chord_height,
-    dh,
-    dh_gauge,
-    e_tip,
     half_tooth,
     height_change,
     linearisation_bound,
-    m,
-    r_b,
-    t_c,
     thickness_change,
-    tilt,
-    y_c,
-    z,
 )
+from .symbols import K_m, alpha, dh, dh_gauge, e_tip, m, r_b, t_c, tilt, y_c, z
 
 MODULE = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))

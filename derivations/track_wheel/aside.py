@@ -1,7 +1,5 @@
 """The sentences of paper 5 that no row judges, by their numbers, and why."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 PURPOSE = "says what the method is for"

@@ -1,24 +1,11 @@
 """What follows from the rows for the sizes of Table 1; none of it is printed in the paper."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import PrintedNumber, Row, all_of, ours, rounded
 
 from .mechanics import FIVE_ERRORS, first_order_remainder
-from .symbols import (
-    PRINTED_16,
-    PRINTED_K,
-    PRINTED_VALUES,
-    amplitude,
-    elastic,
-    form,
-    mounting,
-    periods,
-    phi,
-    radius,
-)
+from .symbols import *
 from .table import SUM_OF_PRINTED_SQUARES, total_by_printed_sum
 
 SQUARES = {error: PRINTED_VALUES[error] ** 2 for error in FIVE_ERRORS}

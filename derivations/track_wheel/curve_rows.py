@@ -1,33 +1,11 @@
 """Part three: what is printed of the track, (16)-(18)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Definition,
-    Equality,
-    Part,
-    Row,
-    all_of,
-    not_above,
-)
+from mechproof.record import ChainLink, Definition, Equality, Part, Row, all_of, not_above
 
 from .mechanics import on_track, radius_by_sine_rule
-from .symbols import (
-    PRINT,
-    SURFACE_POINT,
-    THETA,
-    amplitude,
-    periods,
-    phi,
-    planar_error,
-    printed_radius,
-    radius,
-    radius_vector,
-    spatial_error,
-)
+from .symbols import *
 
 CURVE_ROWS: tuple[Row, ...] = (
     PRINT.equation(

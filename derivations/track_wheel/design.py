@@ -5,28 +5,11 @@ about X_0. Then y_13 is the distance of a point from the vertical plane of the a
 that rises; the worst offset e is the other way, and the largest y_13 is the radius rho of a crest.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Equality, Part, Row, all_of, less, not_above, ours
 
-from .symbols import (
-    PRINTED_15,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    eccentricity,
-    farther,
-    gamma,
-    nearer,
-    planar_error,
-    radius_vector,
-    spatial_error,
-    thickness,
-    tilt_tangent,
-)
+from .symbols import *
 
 a, b, c = SHIFT
 _, y, z = SURFACE_POINT

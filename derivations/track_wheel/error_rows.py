@@ -1,7 +1,5 @@
 """Part one: what is printed of errors of machining, (1)-(7)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -28,29 +26,7 @@ from .mechanics import (
     propagate,
     propagate_groups,
 )
-from .symbols import (
-    AT_TIME,
-    PRINT,
-    PRINTED_5,
-    correlations,
-    correlations_t,
-    dummy,
-    elastics,
-    elastics_t,
-    error,
-    half_width,
-    i,
-    influences,
-    j,
-    mountings,
-    mountings_t,
-    offset,
-    output,
-    scatter,
-    sigma,
-    thermal,
-    total,
-)
+from .symbols import *
 
 LATEX_CORRECTED_GROUPS = (
     r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"

@@ -1,7 +1,5 @@
 """Part three: what is said of the figures, of cutting and of what was reached by it."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -16,22 +14,7 @@ from mechproof.record import (
     not_above,
 )
 
-from .symbols import (
-    PART_POINT,
-    PRINT,
-    PRINTED_15,
-    PRINTED_17,
-    SURFACE_POINT,
-    depth,
-    depth_exponent,
-    error_x,
-    error_y,
-    feed_exponent,
-    kept,
-    level,
-    phi,
-    spread,
-)
+from .symbols import *
 
 
 def displaced(point: sp.ImmutableMatrix) -> sp.ImmutableMatrix:

@@ -1,30 +1,12 @@
 """What is wrong or missing in paper 5, and what it costs at the sizes of its Table 1."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, FollowingRow, Weight
 
 from .consequences import FARTHEST, HALF, LARGEST_HEIGHT_ERROR, UNIFORM, gain
 from .mechanics import product_of
-from .symbols import (
-    ANGLES,
-    AT_TIME,
-    ERROR_FIELDS,
-    PRINTED_K,
-    PRINTED_VALUES,
-    THERMAL_SHARE,
-    amplitude,
-    beta,
-    elastic,
-    elastics,
-    elastics_t,
-    mounting,
-    mountings,
-    mountings_t,
-    radius,
-)
+from .symbols import *
 from .table import SUM_OF_PRINTED_SQUARES, total_by_corrected_sum, total_by_printed_sum
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)

@@ -1,7 +1,5 @@
 """Part two: what is printed of the frame of the part, (8)-(15)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -33,24 +31,7 @@ from .mechanics import (
     turn_about_fixed_axes,
     turn_by_vector,
 )
-from .symbols import (
-    ANGLES,
-    ELEMENTS,
-    MACHINE_POINT,
-    MATRIX_A,
-    MATRIX_K,
-    PART_POINT,
-    POSITION_ERROR,
-    PRINT,
-    PRINTED_A,
-    PRINTED_K,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    gamma,
-    parameter,
-)
+from .symbols import *
 
 
 def coordinate_row(number: str, row: int) -> Equation:

@@ -1,7 +1,5 @@
 """What can be computed of poses: the turn, the position errors and their first-order model."""
 
-from __future__ import annotations
-
 import itertools
 
 import sympy as sp
@@ -29,24 +27,7 @@ from .mechanics import (
     first_order_remainder,
     see_from_turned_frame,
 )
-from .symbols import (
-    ANGLES,
-    AXIS,
-    POSITION_ERROR,
-    PRINTED_15,
-    PRINTED_K,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    error_x,
-    error_y,
-    error_z,
-    gamma,
-    parameter,
-    scale,
-    w,
-)
+from .symbols import *
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)

@@ -4,8 +4,6 @@ Letters that the paper uses twice are kept apart: K (scatter coefficient) and th
 A (amplitude) and the matrix A, z (number of periods) and the coordinate.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Part three: the data of Table 1, and what follows from them."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -19,24 +17,8 @@ from mechproof.record import (
     ours,
 )
 
-from .mechanics import (
-    FIVE_ERRORS,
-    SUM_OF_SQUARES,
-)
-from .symbols import (
-    MM,
-    PRINT,
-    PRINTED_VALUES,
-    TABLE,
-    THERMAL_SHARE,
-    ball_radius,
-    form,
-    millimetre,
-    setting,
-    share,
-    thermal,
-    total,
-)
+from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES
+from .symbols import *
 
 REMARKS = {
     setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "

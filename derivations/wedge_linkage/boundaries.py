@@ -7,42 +7,11 @@ from typing import TypeAlias
 import sympy as sp
 from sympy import Rational, pi, sqrt
 
-from mechproof.record import (
-    Conjunction,
-    Holds,
-    PublishedSizes,
-    Statement,
-    all_of,
-    less,
-    rounded,
-)
+from mechproof.record import Conjunction, Holds, PublishedSizes, Statement, all_of, less, rounded
 
 from .mechanics import driven
 from .sizes import SETS, Signs, limits
-from .symbols import (
-    PRINTED_Q,
-    PRINTED_R,
-    Q,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    overlap,
-    phi3,
-    phi7,
-    print_1,
-    print_1_bottom,
-    print_3,
-    print_10,
-    x1,
-    x5,
-)
+from .symbols import *
 
 Displacement: TypeAlias = "sp.Rational | int | str"
 

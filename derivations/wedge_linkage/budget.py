@@ -1,27 +1,12 @@
 """Which tolerances of paper 4 make the deviation of the wedge at -40 mm, by reconstructed sizes."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import PublishedSizes, Statement, all_of, ours, rounded
 
 from .boundaries import BOUNDARY_II, START, angles_of, position_of
 from .sizes import SETS, limits
-from .symbols import (
-    NAMES,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    radicand,
-    x1,
-)
+from .symbols import *
 
 # Half the change (mm) of y9 between the limits of each size, of the three sets.
 PARTS = {

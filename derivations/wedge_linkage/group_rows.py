@@ -1,18 +1,9 @@
 """Rows of paper 4 on its structure and on the groups: equations (1) to (10)."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import sqrt
 
-from mechproof.record import (
-    Claim,
-    Definition,
-    Equality,
-    Part,
-    all_of,
-    ours,
-)
+from mechproof.record import Claim, Definition, Equality, Part, all_of, ours
 
 from .mechanics import (
     BEFORE_PIVOT,
@@ -38,34 +29,7 @@ from .mechanics import (
     upright,
     wedge,
 )
-from .symbols import (
-    AD,
-    DG,
-    HL,
-    LP,
-    POSITIVE,
-    PRINT,
-    PRINTED_Q,
-    Q,
-    R,
-    alpha_KL,
-    apart,
-    elements,
-    kappa,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_GH,
-    l_KL,
-    overlap,
-    phi3,
-    phi7,
-    tau,
-    x1,
-    x5,
-    x5_driven,
-    y9,
-)
+from .symbols import *
 
 GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
 

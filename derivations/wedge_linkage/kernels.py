@@ -1,7 +1,5 @@
 """What can be computed of paper 4: the chain, its derivatives; every form of them."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Abs, Eq, Le, sqrt
 

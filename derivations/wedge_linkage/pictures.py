@@ -1,7 +1,5 @@
 """The figures of paper 4, redrawn from the kernels for both reconstructed sets of sizes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache, partial
 from typing import Any

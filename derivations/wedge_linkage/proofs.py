@@ -9,16 +9,7 @@ from collections.abc import Callable
 import sympy as sp
 from sympy import cos, sin
 
-from mechproof.record import (
-    LENGTH,
-    EmittedForm,
-    Equality,
-    Holds,
-    Part,
-    Statement,
-    Variable,
-    all_of,
-)
+from mechproof.record import LENGTH, EmittedForm, Equality, Holds, Part, Statement, Variable, all_of
 
 from .chain import (
     DIRECTION,
@@ -49,26 +40,7 @@ from .mechanics import (
     roller_slopes,
     sine_of_tau,
 )
-from .symbols import (
-    POSITIVE,
-    PRINTED_Q,
-    PRINTED_R,
-    Q,
-    R,
-    alpha_KL,
-    alpha_LM,
-    kappa,
-    l_BC,
-    l_GH,
-    l_KL,
-    phi3,
-    phi7,
-    print_10,
-    reach,
-    tau,
-    x1,
-    x5,
-)
+from .symbols import *
 
 excess = sp.Symbol("excess", nonnegative=True)
 lack = sp.Symbol("lack", positive=True)

@@ -19,24 +19,7 @@ from mechproof.record import (
     ours,
 )
 
-from .symbols import (
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_EF,
-    l_GH,
-    l_IK,
-    l_KL,
-    l_LM,
-    l_MN,
-    millimetre,
-    radicand,
-    x1,
-)
+from .symbols import *
 
 Signs = Mapping[sp.Symbol, int]
 

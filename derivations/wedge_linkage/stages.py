@@ -1,7 +1,5 @@
 """What can be computed of paper 4 stage by stage; every form of it."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, sin, sqrt
 
@@ -33,33 +31,7 @@ from .proofs import (
     same_lever,
     upwards,
 )
-from .symbols import (
-    MEANING,
-    PRINTED_R,
-    R,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    guide_square,
-    height_square,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    phi3,
-    phi7,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_10,
-    radicand,
-    x1,
-    x5,
-)
+from .symbols import *
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
 DRIVEN_RUN = Argument(

@@ -1,20 +1,9 @@
 """Rows of paper 4 on the chain that substitution gives, and on the one place that it lacks."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import pi
 
-from mechproof.record import (
-    Correction,
-    Equality,
-    Part,
-    PrintedNumber,
-    all_of,
-    less,
-    ours,
-    rounded,
-)
+from mechproof.record import Correction, Equality, Part, PrintedNumber, all_of, less, ours, rounded
 
 from .boundaries import upright_at, upright_wedge
 from .chain import PUSHED_IN_PRINT
@@ -35,20 +24,7 @@ from .mechanics import (
 )
 from .proofs import push_by
 from .sizes import SETS
-from .symbols import (
-    POSITIVE,
-    PRINT,
-    R,
-    alpha_KL,
-    kappa,
-    l_KL,
-    print_1,
-    print_3,
-    print_7,
-    print_8,
-    print_10,
-    tau,
-)
+from .symbols import *
 
 SUBSTITUTED = "(1), (3), (4), (7), (8), (10), substituted"
 SUBSTITUTION_ROWS = (

@@ -4,8 +4,6 @@ Conventions: x to the right, y upwards; angles from Ox, positive counter-clockwi
 varphi_i are displacements and rotations from the position x1 = 0; lengths in mm, angles in rad.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Rows of paper 4 on the range of its transfer function and on its conclusions."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Rational
 
@@ -29,26 +27,7 @@ from .boundaries import (
 )
 from .mechanics import displacement, lever_cosine, lever_sine, rod, wedge
 from .sizes import FIRST_SET, SECOND_SET, SETS
-from .symbols import (
-    PRINT,
-    combinations,
-    crossing_place,
-    error,
-    l_EF,
-    l_IK,
-    l_MN,
-    millimetre,
-    own_error,
-    print_1,
-    print_3,
-    print_4,
-    print_7,
-    print_8,
-    print_10,
-    stage_ratio,
-    tau,
-    tolerances,
-)
+from .symbols import *
 
 
 def no_influence(size: sp.Symbol) -> Conjunction:

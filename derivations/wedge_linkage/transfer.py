@@ -1,7 +1,5 @@
 """Rows on the transfer function of paper 4: slopes and velocities."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import sympy as sp
@@ -24,27 +22,7 @@ from .mechanics import (
     root_7,
     wedge,
 )
-from .symbols import (
-    NAMES,
-    POSITIVE,
-    PRINTED_R,
-    alpha_1,
-    alpha_2,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    height,
-    l_DE,
-    l_KL,
-    l_LM,
-    phi3,
-    phi7,
-    radicand,
-    reach,
-    x1,
-    x5,
-    x5_driven,
-)
+from .symbols import *
 
 
 def displacement_by(direction: sp.Symbol) -> sp.Expr:
