@@ -37,8 +37,7 @@ from mechproof.record import (
 
 from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
 from .mechanics import largest, position_closed, position_principal, smallest
-from .position_rows import print_12
-from .ratio_rows import print_8
+from .rows import print_8, print_12
 from .symbols import BRANCH, R1, R2, E, T, e, k, nearest, nu, phi1, phi5, turns, x
 
 ARGUMENTS = (

@@ -5,9 +5,8 @@ from sympy import Rational, S, sqrt
 from mechproof.record import Check, Cost, Finding, Paper, PublishedSizes, Weight
 
 from .algorithm import ALGORITHM_ROWS, wheels_rejected
-from .claims import CLAIM_ROWS
+from .claims import CLAIM_ROWS, EXAMPLE_ROWS
 from .design import DESIGN_ROWS, PARAMETER_ROWS
-from .example import EXAMPLE_ROWS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .mechanics import (

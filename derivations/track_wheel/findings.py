@@ -4,10 +4,18 @@ import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, FollowingRow, Weight
 
-from .consequences import FARTHEST, HALF, LARGEST_HEIGHT_ERROR, UNIFORM, gain
 from .mechanics import product_of
 from .symbols import *
-from .table import SUM_OF_PRINTED_SQUARES, total_by_corrected_sum, total_by_printed_sum
+from .table import (
+    FARTHEST,
+    HALF,
+    LARGEST_HEIGHT_ERROR,
+    SUM_OF_PRINTED_SQUARES,
+    UNIFORM,
+    gain,
+    total_by_corrected_sum,
+    total_by_printed_sum,
+)
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
 SYSTEMATIC_TOTAL = sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)

@@ -5,15 +5,13 @@ import sympy as sp
 from mechproof.record import Check, Cost, Finding, Paper, Weight
 
 from . import chain, conditioning, mechanics, proofs, sizes
-from .boundaries import upright_at, upright_wedge
-from .budget import BUDGET_ROWS
+from .boundaries import BUDGET_ROWS, upright_at, upright_wedge
 from .group_rows import GROUP_ROWS
 from .kernels import QUANTITIES
 from .sizes import FIRST_SET, SECOND_SET, SIZE_ROWS, limits
-from .substitution import SUBSTITUTED, SUBSTITUTION_ROWS
 from .symbols import PRINT, alpha_KL, error, l_KL, own_error, stage_ratio
 from .tolerances import RANGE_ROWS
-from .transfer import TRANSFER_ROWS
+from .transfer import SUBSTITUTED, SUBSTITUTION_ROWS, TRANSFER_ROWS
 
 UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 

@@ -5,7 +5,7 @@ from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, s
 
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Singular
 
-from . import charts
+from . import charts, proofs
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER, guide_sum
 from .conditioning import (
     AT_REST,
@@ -22,15 +22,6 @@ from .conditioning import (
     turns,
 )
 from .mechanics import BEFORE_PIVOT, MOVABLE
-from .proofs import (
-    NOT_UPRIGHT,
-    UPWARD,
-    by_pushing,
-    by_quadrants,
-    from_projection,
-    same_lever,
-    upwards,
-)
 from .symbols import *
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
@@ -122,7 +113,7 @@ STAGES = (
                 "printed (1)",
                 print_1,
                 key="printed",
-                states=same_lever,
+                states=proofs.same_lever,
                 on=MOVABLE,
                 holds_on=BEFORE_PIVOT,
                 source=f"{BAZUEV} (1)",
@@ -132,7 +123,7 @@ STAGES = (
                 "(1) with atan2",
                 sp.atan2(print_1_top, print_1_bottom),
                 key="atan2",
-                states=same_lever,
+                states=proofs.same_lever,
                 on=MOVABLE,
             ),
         ),
@@ -171,12 +162,12 @@ STAGES = (
         (RUN, *arguments(l_GH)),
         PUSHED,
         (
-            Form("maximum", Max(0, x5 - l_GH), states=by_pushing, charts=charts.CLEARANCE),
+            Form("maximum", Max(0, x5 - l_GH), states=proofs.by_pushing, charts=charts.CLEARANCE),
             Form(
                 "printed (4)",
                 PUSHED_IN_PRINT,
                 key="printed",
-                states=by_pushing,
+                states=proofs.by_pushing,
                 source=f"{BAZUEV} (4)",
             ),
         ),
@@ -205,16 +196,16 @@ STAGES = (
             Form(
                 "half-angle atan",
                 ROLLER_FORM,
-                states=from_projection(upwards),
-                on=UPWARD,
+                states=proofs.from_projection(proofs.upwards),
+                on=proofs.UPWARD,
                 charts=charts.ROLLER,
             ),
             Form(
                 "printed (7), (8)",
                 DIRECTION_IN_PRINT.subs(R, PRINTED_R),
                 key="printed",
-                states=from_projection(by_quadrants),
-                on=NOT_UPRIGHT,
+                states=proofs.from_projection(proofs.by_quadrants),
+                on=proofs.NOT_UPRIGHT,
                 source=f"{BAZUEV}s (7) and (8)",
                 note="R = 0 is in neither case: NaN",
             ),
@@ -222,8 +213,8 @@ STAGES = (
                 "(7) or else (8)",
                 DIRECTION_OR_ELSE.subs(R, PRINTED_R),
                 key="or_else",
-                states=from_projection(by_quadrants),
-                on=NOT_UPRIGHT,
+                states=proofs.from_projection(proofs.by_quadrants),
+                on=proofs.NOT_UPRIGHT,
                 note="at R = 0 the quotient is infinite and (8) off by pi",
             ),
             Form("atan2", ROLLER, key="atan2"),
@@ -231,8 +222,8 @@ STAGES = (
                 "arccosine",
                 sp.acos(cos(alpha_KL) - x5 / l_KL) - alpha_KL,
                 key="arccosine",
-                states=from_projection(upwards),
-                on=UPWARD,
+                states=proofs.from_projection(proofs.upwards),
+                on=proofs.UPWARD,
             ),
         ),
         f"{BAZUEV}s (7) and (8)",
