@@ -65,8 +65,6 @@ PAPER = Paper(
     transcription="2",
     sentences=60,
     aside=ASIDE,
-    conventions=(
-        "Angles are positive in the direction of the carrier's rotation; distances on the line "
-        "A-C are positive from A towards C and B. Lengths in mm, angles in rad."
-    ),
+    conventions="Angles are positive in the direction of the carrier's rotation; distances on the "
+    "line A-C are positive from A towards C and B. Lengths in mm, angles in rad.",
 )

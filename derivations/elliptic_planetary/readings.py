@@ -5,7 +5,6 @@ from sympy import Abs, Expr, Ge, Gt, Integral, Ne, Rational, atan, cos, diff, pi
 from mechproof.record import (
     Claim,
     Correction,
-    Datum,
     Definition,
     Equality,
     Holds,
@@ -94,15 +93,13 @@ def turned_wheel_6(degrees: str) -> Expr:
 
 TABLE_CLAIMS = (
     *(
-        Datum(
+        PRINT.datum(
             f"table 1, variant {number}",
-            rf"R_1={large}~\mathrm{{mm}},\ R_2={small}~\mathrm{{mm}},\ e={float(eccentricity)}",
             all_of(
                 Definition(R1, large * millimetre),
                 Definition(R2, small * millimetre),
                 Definition(e, eccentricity),
             ),
-            cites=("S34",),
         )
         for number, (large, small, eccentricity) in VARIANTS.items()
     ),
@@ -126,10 +123,8 @@ TABLE_CLAIMS = (
                 if one < two
             ),
         ),
-        note=(
-            "The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
-            "four variants have the same."
-        ),
+        note="The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
+        "four variants have the same.",
     ),
     table_row("table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     interval_of_errors(READINGS, ("S7", "S52", "S56")),

@@ -65,10 +65,8 @@ RATIO_ROWS = (
             ),
             2: ChainLink(
                 derived={R1 - R2: rho + mechanics.radius_of_mate(phi5)},
-                note=(
-                    "The centre distance at which two congruent ellipses roll about their foci; "
-                    "with it, R1, R2 and a are no longer independent."
-                ),
+                note="The centre distance at which two congruent ellipses roll about their foci; "
+                "with it, R1, R2 and a are no longer independent.",
             ),
         },
     ),
@@ -118,12 +116,10 @@ CORRECT_12 = (
 )
 EQUATION_12 = PRINT.equation(
     "(12)",
-    note=(
-        "As a1 ± b1 = (1 ± e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
-        "root of that once more. Without it the factor before the arctangent is 2 and the "
-        "quotient inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. "
-        "Compared with what (8), which is proved, gives when it is integrated from 0."
-    ),
+    note="As a1 ± b1 = (1 ± e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
+    "root of that once more. Without it the factor before the arctangent is 2 and the "
+    "quotient inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. "
+    "Compared with what (8), which is proved, gives when it is integrated from 0.",
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: mechanics.position},

@@ -38,10 +38,8 @@ ASIDE = {
 
 PAPER = Paper(
     system="oval_planetary",
-    citation=(
-        "Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval "
-        "wheels, EDN HZWKZJ"
-    ),
+    citation="Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval "
+    "wheels, EDN HZWKZJ",
     variables=VARIABLES,
     notation=PRINT.notation,
     where=PRINT.where,
@@ -72,8 +70,6 @@ PAPER = Paper(
     transcription="2",
     sentences=57,
     aside=ASIDE,
-    conventions=(
-        "Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. "
-        "The paper's (10) has the opposite sign."
-    ),
+    conventions="Angles in radians, positive in the direction of the carrier's rotation; lengths "
+    "in mm. The paper's (10) has the opposite sign.",
 )

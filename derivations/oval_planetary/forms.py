@@ -1,17 +1,17 @@
 """Forms, their proofs and the accuracy of the kernels of paper 2."""
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
 from .equations import print_radius
 from .mechanics import (
-    ACCELERATION,
     ACCELERATION_CYLINDRICAL,
     COS_4,
     GIVEN,
     POSITION,
-    RATIO,
     RATIO_CYLINDRICAL,
     cos_6,
     driven_angle,
@@ -59,16 +59,14 @@ def of_parts(code: EmittedForm, *unused: sp.Symbol) -> tuple[Equality, ...]:
     return tuple(Equality((1 - e2) * total, coefficient) for coefficient, total in sums.items())
 
 
-def ratio_by_parts(code: EmittedForm) -> Statement:
-    """State the ratio of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, RATIO.xreplace(SCALED_MAP)), *of_parts(code, swing))
+def by_parts(definition: sp.Expr, *unused: sp.Symbol) -> Callable[[EmittedForm], Statement]:
+    """Make the statement of a form in the parts, and of the parts."""
 
+    def states(code: EmittedForm) -> Statement:
+        form = code.output(*PARTS).xreplace(PARTS)
+        return all_of(Equality(form, definition.xreplace(SCALED_MAP)), *of_parts(code, *unused))
 
-def acceleration_by_parts(code: EmittedForm) -> Statement:
-    """State the acceleration of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, ACCELERATION.xreplace(SCALED_MAP)), *of_parts(code))
+    return states
 
 
 def position_by_parts(code: EmittedForm) -> Statement:
@@ -84,16 +82,14 @@ def of_double(code: EmittedForm) -> tuple[Equality, ...]:
     return tuple(Equality(code.step(step), coefficient) for step, coefficient in pairs)
 
 
-def ratio_by_map(code: EmittedForm) -> Statement:
-    """State the ratio of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, RATIO.xreplace(ANY_MAP)), *of_double(code))
+def by_map(definition: sp.Expr) -> Callable[[EmittedForm], Statement]:
+    """Make the statement of a form of any map, and of the coefficients."""
 
+    def states(code: EmittedForm) -> Statement:
+        form = code.output(*DOUBLE).xreplace(DOUBLE)
+        return all_of(Equality(form, definition.xreplace(ANY_MAP)), *of_double(code))
 
-def acceleration_by_map(code: EmittedForm) -> Statement:
-    """State the acceleration of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, ACCELERATION.xreplace(ANY_MAP)), *of_double(code))
+    return states
 
 
 def position_by_map(code: EmittedForm) -> Statement:

@@ -4,18 +4,13 @@ import sympy as sp
 
 from mechproof.record import (
     Accuracy,
-    EmittedForm,
-    Equality,
     Form,
     Periodicity,
     Quantity,
     Scale,
-    Statement,
-    all_of,
 )
 
 from .forms import (
-    ANY_MAP,
     CHANGE,
     DOUBLE,
     EPS_X,
@@ -24,8 +19,6 @@ from .forms import (
     NO_UNDERFLOW_OF_LEAD,
     OF_T,
     OF_X,
-    PARTS,
-    SCALED_MAP,
     SPREAD_FORM,
     STEPS,
     TILT,
@@ -35,8 +28,8 @@ from .forms import (
     T,
     W,
     Z,
-    of_double,
-    of_parts,
+    by_map,
+    by_parts,
 )
 from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
 from .mechanics import ACCELERATION, ACCELERATION_CYLINDRICAL, GIVEN, ratio_of_map, t
@@ -52,18 +45,6 @@ BEND = (
     -4 * rise * (lesser + shift) * t,
 )
 FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
-
-
-def by_parts(code: EmittedForm) -> Statement:
-    """State the jerk of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, JERK.xreplace(SCALED_MAP)), *of_parts(code))
-
-
-def by_map(code: EmittedForm) -> Statement:
-    """State the jerk of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, JERK.xreplace(ANY_MAP)), *of_double(code))
 
 
 # Accuracy. Both are differences, of whose terms they have the accuracy: some 30 operations, with
@@ -111,12 +92,12 @@ JERK_QUANTITIES = (
         OF_OVALS,
         JERK,
         (
-            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts),
+            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts(JERK)),
             Form(
                 "double angles",
                 sp.diff(ratio_of_map(*DOUBLE), phi1, 2),
                 key="direct",
-                states=by_map,
+                states=by_map(JERK),
             ),
         ),
         f"{SOURCE}, second derivative of (10)",

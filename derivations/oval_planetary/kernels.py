@@ -123,7 +123,9 @@ QUANTITIES = (
         OF_OVALS,
         RATIO,
         (
-            Form("quotient in tan(phi1)", 1 - forms.WHEEL_3_FORM, states=forms.ratio_by_parts),
+            Form(
+                "quotient in tan(phi1)", 1 - forms.WHEEL_3_FORM, states=forms.by_parts(RATIO, swing)
+            ),
             Form(
                 "printed (3)-(6), (10)",
                 -print_10.subs(forms.PRINTED_RADII).subs(a, 1),
@@ -137,7 +139,7 @@ QUANTITIES = (
                 "double angles",
                 ratio_of_map(*forms.DOUBLE),
                 key="direct",
-                states=forms.ratio_by_map,
+                states=forms.by_map(RATIO),
             ),
         ),
         f"{SOURCE}, equation (10)",
@@ -200,13 +202,13 @@ QUANTITIES = (
                 "quotient in tan(phi1)",
                 forms.ACCELERATION_FORM,
                 ("low_product",),
-                states=forms.acceleration_by_parts,
+                states=forms.by_parts(ACCELERATION),
             ),
             Form(
                 "double angles",
                 sp.diff(ratio_of_map(*forms.DOUBLE), phi1),
                 key="direct",
-                states=forms.acceleration_by_map,
+                states=forms.by_map(ACCELERATION),
             ),
         ),
         f"{SOURCE}, derivative of (10)",

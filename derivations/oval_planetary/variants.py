@@ -4,7 +4,6 @@ import sympy as sp
 
 from mechproof.record import (
     Correction,
-    Datum,
     Definition,
     Distinct,
     Equality,
@@ -65,30 +64,19 @@ def reverses(ratio: sp.Expr, backward: sp.Expr, forward: sp.Expr) -> tuple[Holds
     return less(ratio.subs(phi1, backward), sp.S.Zero), less(sp.S.Zero, ratio.subs(phi1, forward))
 
 
-def variant_row(number: int, printed: str, pair_45: dict[sp.Symbol, sp.Expr]) -> Datum:
-    """List the sizes of a variant as printed."""
-    sizes = (Definition(s, v if s == e1 else v * millimetre) for s, v in pair_45.items())
-    return Datum(
-        f"variant {number}, sizes",
-        rf"{printed},\ e_2=0.2",
-        all_of(*sizes, Definition(e2, VARIANTS[number][e2])),
-        note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at hand, "
-        "by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
-        cites=("S30",),
-    )
-
-
 OF_PAIR_36 = sp.Rational("0.2")
 
 VARIANT_ROWS: tuple[Row, ...] = (
     *(
-        variant_row(number, printed, {s: v for s, v in VARIANTS[number].items() if s != e2})
-        for number, printed in (
-            (1, r"e_1=0.2"),
-            (2, r"R_5=R_4=25~\mathrm{mm}"),
-            (3, r"R_5=20,\ R_4=30~\mathrm{mm}"),
-            (4, r"R_5=18,\ R_4=32~\mathrm{mm}"),
+        PRINT.datum(
+            f"variant {number}, sizes",
+            all_of(
+                *(Definition(s, v if s in (e1, e2) else v * millimetre) for s, v in sizes.items())
+            ),
+            note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at "
+            "hand, by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
         )
+        for number, sizes in VARIANTS.items()
     ),
     PRINT.claim(
         "variant 1, reciprocating",

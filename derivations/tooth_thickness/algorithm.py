@@ -142,13 +142,11 @@ ALGORITHM_ROWS = (
             r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}",
             HALF_OF_THE_DEVIATION,
         ),
-        note=(
-            "The gauge stands on the tip circle, so that half the deviation of the diameter "
-            "counts, whichever way heights are counted, which the text at hand does not say: the "
-            "step fails with heights counted towards the tip (plus) and towards the centre "
-            "(minus). The correction is proved with both. The charge rests on the words 'diameter "
-            "of the tooth tips', in step 3 and column 4, not on a subscript."
-        ),
+        note="The gauge stands on the tip circle, so that half the deviation of the diameter "
+        "counts, whichever way heights are counted, which the text at hand does not say: the "
+        "step fails with heights counted towards the tip (plus) and towards the centre "
+        "(minus). The correction is proved with both. The charge rests on the words 'diameter "
+        "of the tooth tips', in step 3 and column 4, not on a subscript.",
         marks=("rebuilt",),
     ),
     ours(
@@ -165,11 +163,9 @@ ALGORITHM_ROWS = (
             error_variance(K_m, K_m) - error_variance(-influence / 2, influence),
             3 * tan(alpha) ** 2 * sigma_tip**2,
         ),
-        note=(
-            "The printed steps make the tip's part of the variance four times too large. The sign "
-            "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
-            "bias."
-        ),
+        note="The printed steps make the tip's part of the variance four times too large. The sign "
+        "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
+        "bias.",
         marks=("consequence",),
     ),
     ours(
@@ -208,11 +204,7 @@ ALGORITHM_ROWS = (
         "step 10, per cent of parts",
         Equality(rejected_by(6, 0), wheels_rejected(6)),
         readings=(Reading("every tooth is a part, and the four shares are all teeth", ALL_TEETH),),
-        corrected=Correction(
-            r"\text{the per cent of teeth: rightly accepted, wrongly accepted, rightly rejected, "
-            r"wrongly rejected}",
-            ALL_TEETH,
-        ),
+        corrected=PRINT.mend("step 10, per cent of parts", "parts", "teeth", ALL_TEETH),
         note="Compared are the shares wrongly rejected. The blocks count teeth; the part that is "
         "sorted is a wheel, and a good wheel is rejected as soon as one of its teeth is. Perfect "
         "gauge, tip of IT6, steps as printed, K = 6, normal laws, centred; each tooth by itself, "

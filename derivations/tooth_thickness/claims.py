@@ -176,13 +176,11 @@ CLAIM_ROWS = (
             "the expected reading of the tooth lies inside the limits",
             {above: POSITIVE, below: POSITIVE},
         ),
-        note=(
-            "The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
-            "limits falls as the normal error grows. With a centred gauge this holds for every "
-            "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
-            "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
-            "teeth more often the more it scatters."
-        ),
+        note="The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
+        "limits falls as the normal error grows. With a centred gauge this holds for every "
+        "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
+        "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
+        "teeth more often the more it scatters.",
     ),
     ours(
         "(a), order of the curves",

@@ -3,7 +3,6 @@
 from sympy import Rational, S, atan, cos, diff, pi, tan
 
 from mechproof.record import (
-    Correction,
     Definition,
     Distinct,
     Equality,
@@ -75,20 +74,16 @@ DESIGN_ROWS = (
             less(Rational("4.1615"), at_angle(rack_chord, "19.99")),
             less(at_angle(rack_height, "20.01"), Rational("2.2425")),
         ),
-        note=(
-            "Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
-            "is already too long, at 20.01° the height is too small."
-        ),
+        note="Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
+        "is already too long, at 20.01° the height is too small.",
     ),
     ours(
         "constant chord",
         r"\bar S_c=\frac{\pi m}2\cos^2\alpha",
         Equality(rack_chord, involute_chord),
-        note=(
-            "The chord along which the rack touches both flanks at once, by the rack (foot of the "
-            "perpendicular from the pitch point) and by the involute; the number of teeth "
-            "cancels."
-        ),
+        note="The chord along which the rack touches both flanks at once, by the rack (foot of the "
+        "perpendicular from the pitch point) and by the involute; the number of teeth "
+        "cancels.",
         quantities=("constant_chord",),
     ),
     ours(
@@ -116,17 +111,16 @@ DESIGN_ROWS = (
                 not_above(E_cs, -(-E_cs - T_c * place)),
             ),
         ),
-        corrected=Correction(
-            r"E_{cs}\text{ is the smallest prescribed decrease of the constant chord; good: }"
-            r"-E_{cs}-T_c<E_{csu}<-E_{cs}",
+        corrected=PRINT.mend(
+            "smallest deviation, smallest prescribed decrease",
+            "E_{cs}-T_c<E_{csu}<",
+            "-E_{cs}-T_c<E_{csu}<-",
             not_above(E_cs, -(-E_cs - T_c * place)),
         ),
-        note=(
-            "E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
-            "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
-            "simulate a decrease instead of a deviation does not help: step 2 would then admit "
-            "only decreases below E_cs."
-        ),
+        note="E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
+        "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
+        "simulate a decrease instead of a deviation does not help: step 2 would then admit "
+        "only decreases below E_cs.",
         marks=("rebuilt",),
     ),
     PRINT.claim(

@@ -67,10 +67,8 @@ INFLUENCE_ROWS = (
             Equality(slope_of_thickness, 2 * tan(delta)),
             Equality(K_m, influence),
         ),
-        note=(
-            "On the involute itself; delta is the angle between the tangent of the flank and the "
-            "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height."
-        ),
+        note="On the involute itself; delta is the angle between the tangent of the flank and the "
+        "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height.",
         quantities=("thickness_change_linear",),
     ),
     ours(
@@ -143,12 +141,10 @@ INFLUENCE_ROWS = (
             Equality(y_c, involute_distance),
             Equality(linearisation_root, (y_c - dh) ** 2 + s_c**2 / 4 - r_b**2),
         ),
-        note=(
-            "N = t_c (1 - cos(tilt)) + sin(tilt) - tilt cos(tilt), the tilt being epsilon. With "
-            "'step 6, curvature', Taylor's remainder gives the bound of the kernel: "
-            "dh^2 (y_c + |dh|)^3/(r_b^3 R), R^2 the last part with |dh| for dh, for "
-            "|dh| <= y_c - r_b, up to the tip."
-        ),
+        note="N = t_c (1 - cos(tilt)) + sin(tilt) - tilt cos(tilt), the tilt being epsilon. With "
+        "'step 6, curvature', Taylor's remainder gives the bound of the kernel: "
+        "dh^2 (y_c + |dh|)^3/(r_b^3 R), R^2 the last part with |dh| for dh, for "
+        "|dh| <= y_c - r_b, up to the tip.",
         quantities=("thickness_change_linear", "linearisation_bound"),
     ),
 )

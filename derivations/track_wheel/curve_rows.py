@@ -4,7 +4,6 @@ import sympy as sp
 
 from mechproof.record import (
     ChainLink,
-    Correction,
     Definition,
     Distinct,
     Equality,
@@ -131,9 +130,10 @@ FIGURE_ROWS: tuple[Row, ...] = (
                 Equality(DISPLACED_DISTANCE, DISTANCE),
             ),
         ),
-        corrected=Correction(
-            r"\text{The errors on the diagram may be regarded as deviations of location of the"
-            r" given profile of the track}",
+        corrected=PRINT.mend(
+            "Fig. 3, form and location",
+            "form and location",
+            "location",
             Equality(DISPLACED_DISTANCE, DISTANCE),
         ),
         note="A deviation of form changes the distance between some points of the track. By (15), "

@@ -75,7 +75,7 @@ ERROR_ROWS: tuple[Row, ...] = (
     PRINT.equation(
         "(3)",
         derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
-        corrected=Correction(PRINT.find("(3)").replace("k", "j")),
+        corrected=PRINT.mend("(3)", "k", "j"),
         note="The inner sum runs over k, while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so that j is meant.",
     ),

@@ -4,7 +4,6 @@ import sympy as sp
 
 from mechproof.record import (
     ChainLink,
-    Correction,
     Distinct,
     Equality,
     Equation,
@@ -114,10 +113,8 @@ FRAME_ROWS: tuple[Row, ...] = (
                 ),
             ),
         ),
-        corrected=Correction(
-            r"\text{the matrix }K\text{ of the resulting transformation may be represented by the"
-            r" product of the matrices }C,B,A",
-            Equality(product_of("CBA"), PRINTED_K),
+        corrected=PRINT.mend(
+            "before (14), product", "A,B,C", "C,B,A", Equality(product_of("CBA"), PRINTED_K)
         ),
         note="ABC is the matrix of turns about x_10, y_10 and z_10, which stay fixed.",
     ),

@@ -86,8 +86,6 @@ PAPER = Paper(
     transcription="2",
     sentences=52,
     aside=ASIDE,
-    conventions=(
-        "Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
-        "positive counter-clockwise; x to the right, y upwards."
-    ),
+    conventions="Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
+    "positive counter-clockwise; x to the right, y upwards.",
 )

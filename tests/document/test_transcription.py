@@ -12,7 +12,7 @@ from mechproof.derivation import DerivationError, load_paper
 from mechproof.document.block import BlockError
 from mechproof.document.transcription import Transcription
 from mechproof.proof.verdict import State, Verdict
-from mechproof.record import ANGLE, Claim, Equation
+from mechproof.record import ANGLE, Claim, Correction, Equation
 from mechproof.verification import judge_derivations
 
 PAPER = r"""
@@ -105,6 +105,13 @@ def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
     assert paper.find("(1)") == row.printed_latex
 
 
+def test_a_correction_is_a_print_with_something_else_in_it(write: Write) -> None:
+    paper = write(PAPER)
+    assert paper.mend("the domain", "0", "1") == Correction(r"e\ge1")
+    with pytest.raises(ValueError, match=r"display the domain has no 2$"):
+        paper.mend("the domain", "2", "1")
+
+
 def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
     paper = write(PAPER)
     e, half = paper.symbols("e lambda")
@@ -175,6 +182,21 @@ def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:
     (ledger,) = judge_derivations([module], use_cache=False)
     numbers = [judged.number for judged in ledger.judgements]
     assert sorted(numbers) == ["(1)", "(2), as meant", "(3)", "(5)"]
+
+
+def test_a_statement_of_a_whole_display_judges_all_its_signs(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(CRANK + r"\[r=2~\mathrm{mm},\ \varphi=3\tag*{sizes}\]")
+    module = tmp_path / "crank.py"
+    names = {}
+    for row in ("", 'PRINT.datum("sizes", Definition(r, 2 * r)),'):
+        text = MODULE.replace("LENGTH,", "LENGTH, Definition,").replace("rows=(", f"rows=({row}")
+        module.write_text(text)
+        (ledger,) = judge_derivations([module], use_cache=False)
+        names[row] = [one.number for one in ledger.paper.rows if one.number.startswith("sizes")]
+    assert list(names.values()) == [
+        ["sizes, first equals sign", "sizes, second equals sign"],
+        ["sizes"],
+    ]
 
 
 def test_a_print_that_cannot_be_read_is_an_error_of_the_derivation(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from mechproof.document.block import read_block
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.sources import read_source
 from mechproof.document.symbols import declare
-from mechproof.record import Claim, Datum, Equation, Notation, Row, Statement, Variable
+from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 
 R = TypeVar("R", bound=Row)
 
@@ -86,6 +86,16 @@ class Transcription:
     def datum(self, number: str, says: Statement | None = None, **more: Any) -> Datum:
         """Return a datum, in the same way."""
         return self._make(Datum, number, says, more)
+
+    def mend(self, number: str, old: str, new: str, says: Statement | None = None) -> Correction:
+        """Return a display with something else in the place of a part, as what should be printed.
+
+        Raises `ValueError` for what is not printed there.
+        """
+        printed = self.find(number)
+        if old not in printed:
+            raise ValueError(f"{self.file}: display {number} has no {old}")
+        return Correction(printed.replace(old, new), says)
 
     def _make(self, kind: type[R], number: str, says: Statement | None, more: dict[str, Any]) -> R:
         display = self._find(number)
