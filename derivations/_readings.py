@@ -234,7 +234,6 @@ def costs_of_interval(
         for cost in (
             Cost(
                 f"variant {variant}, share of single errors within mean ± 2u",
-                {},
                 "%",
                 printed=Rational(95, 100),
                 right=coverage_of_errors(line.count) / 100,
@@ -242,7 +241,6 @@ def costs_of_interval(
             ),
             Cost(
                 f"variant {variant}, half-width for 95 % of single errors",
-                {},
                 "°",
                 decimals=2,
                 printed=2 * line.uncertainty * pi / 180,

@@ -37,20 +37,10 @@ from mechproof.record import (
     ours,
 )
 
-from .kernels import (
-    ACCELERATION,
-    ARGUMENTS,
-    ENDS_OF_E,
-    EPS,
-    EPS_X,
-    LEAST,
-    LOW_WORD,
-    SINGULAR,
-    SOURCE,
-)
+from . import kernels
 from .symbols import R1, R2, c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
 
-JERK = diff(ACCELERATION, x) * k
+JERK = diff(kernels.ACCELERATION, x) * k
 SPREAD = 1 + e**2 - 2 * e * cos(x)
 
 # Acceleration: it grows and falls with sin(x)/(square - 2 e c)**2, extreme where
@@ -97,7 +87,7 @@ ANGLE_OF_JERK = Piecewise((pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
 # of which the square in its denominator has 7.3. root_jerk 2: the largest jerk 21, the smallest 7.
 # The jerk itself is a difference, of whose terms it has the accuracy;
 # cos(x) is one itself, of the squares of the half angle's parts.
-SIZES = (R1 >= LEAST, R2 >= LEAST, R1 <= 10**90 * R2)
+SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**90 * R2)
 # Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
 EITHER_TERM = Scale(
@@ -108,7 +98,7 @@ EITHER_TERM = Scale(
     * (1 - e**2)
     * (
         Max(SPREAD, 4 * e * sin(x) ** 2) / SPREAD**3
-        + EPS_X
+        + kernels.EPS_X
         * Abs(sin(x))
         * (SPREAD**2 + 12 * e * Abs(cos(x)) * SPREAD + 24 * e**2 * sin(x) ** 2)
         / SPREAD**4
@@ -117,9 +107,9 @@ EITHER_TERM = Scale(
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
-    ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), EPS))),
+    ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), kernels.EPS))),
 )
-OF_SIZES = f"extremes of the derivatives of {SOURCE}, equation (8)"
+OF_SIZES = f"extremes of the derivatives of {kernels.SOURCE}, equation (8)"
 
 
 def of_sizes(
@@ -129,13 +119,13 @@ def of_sizes(
     return Quantity(
         name,
         summary,
-        ARGUMENTS[1:],
+        kernels.ARGUMENTS[1:],
         value,
         (Form("quotient", value),),
         OF_SIZES,
         unit="rad" if name.startswith("angle") else "1",
         accuracy=accuracy,
-        singular=(*ENDS_OF_E, *singular),
+        singular=(*kernels.ENDS_OF_E, *singular),
         # At a threshold what is differentiated has a kink.
         slopes=None if singular else SLOPES,
     )
@@ -146,7 +136,7 @@ PEAK_QUANTITIES = (
     Quantity(
         "jerk",
         "Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.",
-        ARGUMENTS,
+        kernels.ARGUMENTS,
         JERK,
         (
             Form(
@@ -156,9 +146,9 @@ PEAK_QUANTITIES = (
             ),
             Form("1 + e**2 - 2 e cos x", JERK, key="direct"),
         ),
-        f"second derivative of {SOURCE}, equation (8)",
-        accuracy=Accuracy(24, EITHER_TERM, (*LOW_WORD, *SIZES, *NO_UNDERFLOW)),
-        singular=SINGULAR,
+        f"second derivative of {kernels.SOURCE}, equation (8)",
+        accuracy=Accuracy(24, EITHER_TERM, (*kernels.LOW_WORD, *SIZES, *NO_UNDERFLOW)),
+        singular=kernels.SINGULAR,
         periodicity=Periodicity(2 * pi / k),
     ),
     of_sizes(
@@ -231,7 +221,7 @@ PEAK_ROWS = (
         r"\frac{2e\cos^2x+(1+e^2)\cos x-4e}{(1+e^2-2e\cos x)^3},\ "
         r"\cos x=\frac{-(1+e^2)+\sqrt{(1+e^2)^2+32e^2}}{4e}",
         all_of(
-            Equality(diff(ACCELERATION, x), -FACTOR * jerk_by_c.subs(c, cos(x))),
+            Equality(diff(kernels.ACCELERATION, x), -FACTOR * jerk_by_c.subs(c, cos(x))),
             less(turn_of_acceleration.subs(c, -1), 0 * e),
             less(0 * e, turn_of_acceleration.subs(c, 1)),
             Equality(diff(turn_of_acceleration, c, 2), 4 * e),

@@ -4,17 +4,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Correction,
-    Equality,
-    Holds,
-    Part,
-    Reading,
-    Row,
-    all_of,
-    ours,
-)
+from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Reading, all_of, ours
 
 from . import mechanics
 from .symbols import *
@@ -57,7 +47,7 @@ bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
 mate_cosine, _ = mechanics.roll(e, phi)
 mate = mechanics.oval_radius(e, -mate_cosine)
 
-EQUATION_ROWS: tuple[Row, ...] = (
+EQUATION_ROWS = (
     PRINT.equation(
         "(1)",
         defines=(ratio_symbol,),

@@ -53,7 +53,6 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"variant {variant}",
-                {},
                 "°",
                 decimals=2,
                 printed=abs(READINGS[variant].mean) * DEGREE,
@@ -97,10 +96,10 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"output of variant {variant}, 60° of the carrier",
-                place(variant, 60),
                 "°",
                 printed=AS_PRINTED,
                 right=position_45,
+                at=place(variant, 60),
             )
             for variant in (3, 4)
         ),
@@ -123,10 +122,10 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"variant 1, {degrees}° of the carrier",
-                place(1, degrees),
                 "°",
                 printed=-WITH_THE_CARRIER,
                 right=WITH_THE_CARRIER,
+                at=place(1, degrees),
             )
             for degrees in (30, 60)
         ),

@@ -2,13 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    Form,
-    Periodicity,
-    Quantity,
-    Scale,
-)
+from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
 from .forms import (
     CHANGE,

@@ -6,7 +6,7 @@ drives it fastest, the position is one arctangent with the factor q = (1 - e2)/(
 
 import sympy as sp
 
-from mechproof.record import Equality, Holds, Part, Row, all_of, less, ours
+from mechproof.record import Equality, Holds, Part, all_of, less, ours
 
 from .mechanics import (
     COEFFICIENTS,
@@ -31,7 +31,7 @@ def advances(position: sp.Expr, carrier: sp.Expr, output_angle: sp.Expr) -> Equa
     return Equality(position.subs(phi1, phi1 + carrier) - position, output_angle)
 
 
-OVAL_PAIR_ROWS: tuple[Row, ...] = (
+OVAL_PAIR_ROWS = (
     ours(
         "two eccentricities as one",
         r"\frac{1+E}{1-E}=\frac{1+e_1}{1-e_1}\cdot\frac{1+e_2}{1-e_2},\ "
@@ -123,7 +123,7 @@ REACHED = Part(
     (eta < 4 * e2 / (1 - e2) ** 2,),
 )
 
-CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
+CYLINDRICAL_PAIR_ROWS = (
     ours(
         "special case, radii",
         r"\varphi_3'=1-\frac{R_4}{R_5}\cdot\frac{1-e_2^2}{1+e_2^2-2e_2\cos x},\ "
@@ -224,7 +224,7 @@ slowness = (1 + e2**2 - 2 * e2 * sp.cos(x)) / (1 - e2**2)
 spread = OF_E + 1 / OF_E
 against = k * (1 - e2**2) - theta * (1 + e2**2 - 2 * e2 * sp.cos(x))
 
-DWELL_ROWS: tuple[Row, ...] = (
+DWELL_ROWS = (
     ours(
         "dwells, position from the slowest place",
         r"\varphi_3\left(\tfrac{\pi R_5}{2R_4}+\varphi_1\right)-\varphi_3\left(\tfrac{\pi R_5}"

@@ -7,7 +7,6 @@ from mechproof.record import (
     Equality,
     NotCheckable,
     PrintedNumber,
-    Row,
     all_of,
     less,
     not_above,
@@ -75,7 +74,7 @@ def turned_wheel_6(variant: int, degrees: str) -> sp.Expr:
     return mean.subs(turned) * 180 / sp.pi
 
 
-MEASUREMENT_ROWS: tuple[Row, ...] = (
+MEASUREMENT_ROWS = (
     PRINT.equation("(12)", defines=(qbar,), marks=("rebuilt",)),
     PRINT.equation("(13)", note="Needs n >= 2.", defines=(s2,), marks=("rebuilt",)),
     PRINT.equation("(14)", defines=(s2_mean,), marks=("rebuilt",)),
@@ -113,7 +112,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
 
 DOUBLE = 2 * R4 / R5 * phi1
 
-CONCLUSION_ROWS: tuple[Row, ...] = (
+CONCLUSION_ROWS = (
     PRINT.claim(
         "conclusion 2, acceleration",
         NotCheckable(
@@ -162,7 +161,7 @@ NEAR_REST = sp.Rational("0.01")
 DWELL = with_cylinders(2 * R5 / R4 * sp.atan(edge), 3).subs(eta, NEAR_REST)
 MOVED = with_cylinders(position_45, 3)
 
-CONSEQUENCES: tuple[Row, ...] = (
+CONSEQUENCES = (
     ours(
         "near rest of variant 3",
         r"|\varphi_3'|\le0.01\text{ over }10.2^\circ\text{ of the carrier, in which the output "

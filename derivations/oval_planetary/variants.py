@@ -10,7 +10,6 @@ from mechproof.record import (
     Holds,
     Part,
     Reading,
-    Row,
     all_of,
     less,
     ours,
@@ -66,7 +65,7 @@ def reverses(ratio: sp.Expr, backward: sp.Expr, forward: sp.Expr) -> tuple[Holds
 
 OF_PAIR_36 = sp.Rational("0.2")
 
-VARIANT_ROWS: tuple[Row, ...] = (
+VARIANT_ROWS = (
     *(
         PRINT.datum(
             f"variant {number}, sizes",

@@ -53,19 +53,18 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
-                {},
                 "%",
                 2,
                 rejected_by(8, 0),
                 rejected_by(8, 0, geometry="involute"),
             ),
-            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
+            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", "µm", at=TIP_6),
             Cost(
                 "measured thickness for it",
-                TIP_6,
                 "µm",
                 printed=(e_tip + dh_gauge) * K_m,
                 right=(dh_gauge - e_tip / 2) * K_m,
+                at=TIP_6,
             ),
         ),
         follows=("Table 1, columns 4 to 6",),
@@ -89,7 +88,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, perfect gauge, {LAWS}",
-                {},
                 "%",
                 2,
                 printed=rejected_by(7, 0),
@@ -114,7 +112,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
-                {},
                 "µm",
                 2,
                 *RECOMMENDED_SPREADS,
@@ -138,7 +135,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "thickest good tooth, from nominal",
-                {},
                 "µm",
                 0,
                 DECREASE_UM * MICROMETRE,
@@ -161,7 +157,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "spread of the tip circle's mean over the wheel, IT6",
-                {},
                 "µm",
                 printed=SPREAD_6 / sqrt(TEETH),
                 right=SPREAD_6,
@@ -183,7 +178,6 @@ FINDINGS = (
             Cost(
                 "wrongly rejected, tip of IT6, perfect gauge, steps as printed, a tip deviation "
                 "for each tooth",
-                {},
                 "%",
                 2,
                 printed=rejected_by(6, 0),
@@ -206,7 +200,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
-                {},
                 "%",
                 printed=rejected_by(6, Rational(GAUGE_UM, 2), 3),
                 right=rejected_by(6, GAUGE_UM, 2),

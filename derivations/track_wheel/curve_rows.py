@@ -10,7 +10,6 @@ from mechproof.record import (
     NotCheckable,
     Part,
     Reading,
-    Row,
     all_of,
     less,
     not_above,
@@ -19,7 +18,7 @@ from mechproof.record import (
 from .mechanics import on_track, radius_by_sine_rule
 from .symbols import *
 
-CURVE_ROWS: tuple[Row, ...] = (
+CURVE_ROWS = (
     PRINT.equation(
         "(16)",
         derived=dict(zip(SURFACE_POINT[:2], on_track(radius_by_sine_rule(THETA)), strict=False)),
@@ -115,7 +114,7 @@ def cutting_force(feed: sp.Expr) -> sp.Expr:
 LESS_FEED = depth ** (-depth_exponent / feed_exponent)
 
 
-FIGURE_ROWS: tuple[Row, ...] = (
+FIGURE_ROWS = (
     PRINT.claim(
         "Fig. 3, values",
         NotCheckable("the values of Fig. 3, which are lost, and a, b, c, z, H_s"),

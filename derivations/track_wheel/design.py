@@ -7,7 +7,7 @@ that rises; the worst offset e is the other way, and the largest y_13 is the rad
 
 import sympy as sp
 
-from mechproof.record import Equality, Part, Row, all_of, less, not_above, ours
+from mechproof.record import Equality, Part, all_of, less, not_above, ours
 
 from .symbols import *
 
@@ -55,7 +55,7 @@ IN_SPACE = Part(
     ),
 )
 
-DESIGN_ROWS: tuple[Row, ...] = (
+DESIGN_ROWS = (
     ours(
         "design, tilt and offset",
         r"\Delta y_0=-(e+y_{13}(1-\cos\alpha)+z_{13}\sin\alpha),\ "

@@ -8,7 +8,6 @@ from mechproof.record import (
     Equality,
     NotCheckable,
     Reading,
-    Row,
     all_of,
     less,
     ours,
@@ -39,7 +38,7 @@ LATEX_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
 )
 
 
-ERROR_ROWS: tuple[Row, ...] = (
+ERROR_ROWS = (
     PRINT.equation(
         "(1)",
         defines=(output,),

@@ -56,7 +56,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "total of Table 1, all K = 1, Δ_T random",
-                {},
                 "mm",
                 3,
                 RIGHT_TOTAL,
@@ -65,7 +64,6 @@ FINDINGS = (
             ),
             Cost(
                 "without any elastic error the total falls by",
-                {},
                 "%",
                 1,
                 gain(elastic) / 100,
@@ -74,7 +72,6 @@ FINDINGS = (
             ),
             Cost(
                 "halving one error lowers the total by",
-                {},
                 "%",
                 1,
                 gain(elastic, left=HALF) / 100,
@@ -100,7 +97,6 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"total of Table 1, all K = 1, Δ_T {kind}, reckoned in {unit}",
-                {},
                 "mm",
                 4,
                 total_by_printed_sum(length),
@@ -133,7 +129,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "turns of Table 1, points at R + A and z_13 = 0",
-                {},
                 "mm",
                 4,
                 LARGEST_HEIGHT_ERROR,
@@ -160,7 +155,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "total of Table 1",
-                {},
                 "mm",
                 3,
                 RIGHT_TOTAL,
@@ -195,7 +189,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "Table 1, all K = 1, without Δ_T",
-                {},
                 "mm",
                 4,
                 FIVE,
@@ -219,11 +212,11 @@ FINDINGS = (
         costs=(
             Cost(
                 "farthest point of the track, along Y_0, turns of Table 1",
-                LIKE_TABLE_1,
                 "µm",
                 3,
                 along_y(ABC),
                 along_y(PRINTED_K),
+                at=LIKE_TABLE_1,
             ),
         ),
         weight=Weight.WORDING,

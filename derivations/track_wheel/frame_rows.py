@@ -2,15 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Distinct,
-    Equality,
-    Equation,
-    Reading,
-    Row,
-    all_of,
-)
+from mechproof.record import ChainLink, Distinct, Equality, Equation, Reading, all_of
 
 from .mechanics import (
     FROM_ORIGIN,
@@ -47,7 +39,7 @@ def coordinate_row(number: str, row: int) -> Equation:
 
 ALONG_LINE = PRINTED_K.subs({angle: parameter * angle for angle in ANGLES}, simultaneous=True)
 
-FRAME_ROWS: tuple[Row, ...] = (
+FRAME_ROWS = (
     PRINT.equation(
         "(8)",
         links={

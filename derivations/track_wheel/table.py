@@ -11,7 +11,6 @@ from mechproof.record import (
     Equality,
     NotCheckable,
     PrintedNumber,
-    Row,
     all_of,
     less,
     ours,
@@ -61,7 +60,7 @@ def exceeds_others(tolerance: sp.Expr) -> Conjunction:
     return all_of(*(less(other, tolerance) for other in others))
 
 
-TABLE_ROWS: tuple[Row, ...] = (
+TABLE_ROWS = (
     *(
         Datum(
             f"Table 1, {what}",
@@ -170,7 +169,7 @@ def radius_of_curvature(count: int, phase: sp.Expr) -> sp.Expr:
     return sp.Abs(sp.sqrt(dx**2 + dy**2) ** 3 / (dx * ddy - dy * ddx))
 
 
-CONSEQUENCES: tuple[Row, ...] = (
+CONSEQUENCES = (
     ours(
         "Consequences, shares of the errors",
         r"\Delta_y:49.4\,\%,\ \Delta_\delta:34.9\,\%,\ \Delta_u:8.7\,\%,\ \Delta_\phi:5.1\,\%,\ "

@@ -25,7 +25,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "x_1 of the gap",
-                {},
                 "mm",
                 printed=upright_at(FIRST_SET),
                 right=upright_at(SECOND_SET),
