@@ -35,6 +35,7 @@ from mechproof.record import (
     all_of,
 )
 
+from .._eccentric import on_branch
 from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
 from .mechanics import largest, position_closed, position_principal, smallest
 from .rows import print_8, print_12
@@ -96,11 +97,8 @@ HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
 def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(floor)
     whole = phi1 + x + 2 * atan2(e * sin(x), 1 - e * cos(x))
-    at_turn = {x: x + 2 * pi * turns}
-    return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
+    return on_branch(code.output(x), whole, {x: x + 2 * pi * turns}, turns)
 
 
 # Fourier series. Cut after n terms, its error starts with slope 0 at x = 0, where it vanishes, and

@@ -37,6 +37,7 @@ from mechproof.record import (
     ours,
 )
 
+from .._eccentric import jerk_terms
 from . import kernels
 from .symbols import R1, R2, c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
 
@@ -92,17 +93,7 @@ SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**90 * R2)
 NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
 EITHER_TERM = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    2
-    * e
-    * k**3
-    * (1 - e**2)
-    * (
-        Max(SPREAD, 4 * e * sin(x) ** 2) / SPREAD**3
-        + kernels.EPS_X
-        * Abs(sin(x))
-        * (SPREAD**2 + 12 * e * Abs(cos(x)) * SPREAD + 24 * e**2 * sin(x) ** 2)
-        / SPREAD**4
-    ),
+    2 * e * k**3 * (1 - e**2) * jerk_terms(e, x, kernels.EPS_X),
 )
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(

@@ -6,6 +6,7 @@ import sympy as sp
 
 from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
+from .._eccentric import on_branch
 from .equations import print_radius
 from .mechanics import (
     ACCELERATION_CYLINDRICAL,
@@ -121,19 +122,15 @@ def through_pairs(code: EmittedForm) -> Statement:
 def over_branches(code: EmittedForm) -> Statement:
     """State each pair at its angle + pi*m, |angle| < pi/2, where its floor is m."""
     form = code.output(phi6_counted, mount_counted).xreplace({phi6_counted: phi6})
+    turned = sp.pi * turns
     of_second = phi1 - driven_angle(e2, phi6 + mount) + mount_counted
     return all_of(
-        on_branch(code.step(phi6_counted), driven_angle(e1, phi1), phi1, phi1),
-        on_branch(code.step(mount_counted), driven_angle(e2, mount), mount, mount),
-        on_branch(form, of_second, phi6, phi6 - mount),
+        on_branch(code.step(phi6_counted), driven_angle(e1, phi1), {phi1: phi1 + turned}, turns),
+        on_branch(
+            code.step(mount_counted), driven_angle(e2, mount), {mount: mount + turned}, turns
+        ),
+        on_branch(form, of_second, {phi6: phi6 - mount + turned}, turns),
     )
-
-
-def on_branch(form: sp.Expr, whole: sp.Expr, angle: sp.Symbol, value: sp.Expr) -> Equality:
-    """State that a form with one floor is a whole where an angle has a value and m half turns."""
-    (count,) = form.atoms(sp.floor)
-    at_turn = {angle: value + sp.pi * turns}
-    return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
 
 
 def as_printed(code: EmittedForm) -> Statement:

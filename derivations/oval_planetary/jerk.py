@@ -4,6 +4,7 @@ import sympy as sp
 
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
+from .._eccentric import jerk_terms
 from .forms import (
     CHANGE,
     DOUBLE,
@@ -65,17 +66,7 @@ NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
 SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
 TERMS_CYLINDRICAL = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    8
-    * e2
-    * k**3
-    * (1 - e2**2)
-    * (
-        sp.Max(SPREAD, 4 * e2 * sp.sin(x) ** 2) / SPREAD**3
-        + EPS_X
-        * sp.Abs(sp.sin(x))
-        * (SPREAD**2 + 12 * e2 * sp.Abs(sp.cos(x)) * SPREAD + 24 * e2**2 * sp.sin(x) ** 2)
-        / SPREAD**4
-    ),
+    8 * e2 * k**3 * (1 - e2**2) * jerk_terms(e2, x, EPS_X),
     OF_X,
 )
 

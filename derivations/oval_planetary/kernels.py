@@ -16,6 +16,7 @@ from mechproof.record import (
     all_of,
 )
 
+from .._eccentric import on_branch
 from . import forms
 from .charts import NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
@@ -39,12 +40,9 @@ BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp
 
 def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(sp.floor)
     whole = phi1 - driven_angle(e2, x / 2)
-    at_turn = {x: x + 2 * sp.pi * turns}
     return all_of(
-        Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
+        on_branch(code.output(x), whole, {x: x + 2 * sp.pi * turns}, turns),
         Equality(whole, POSITION_CYLINDRICAL),
     )
 
