@@ -6,12 +6,12 @@ from typing import Any
 
 from sympy import Abs, Expr, Interval, Rational, erf, oo, pi, sqrt, symbols
 
+from mechproof.document.transcription import Transcription
 from mechproof.record import (
     LENGTH,
     Check,
     Claim,
     Conjunction,
-    Correction,
     Cost,
     Datum,
     Definition,
@@ -57,11 +57,10 @@ def two_encoders(gain: Expr) -> Expr:
     return FULL_SCALE_LINEARITY * (1 + gain)
 
 
-def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
+def encoder_row(paper: Transcription, table: str) -> Datum:
     """List what is printed of the encoder besides how its resolution comes about."""
-    return Datum(
+    return paper.datum(
         f"{table}, encoder",
-        r"0.088^\circ,\ 0.3\,\%,\ 0.6\text{ ms},\ 0\dots5\text{ V},\ 22\text{ mm}",
         all_of(
             Definition(resolution, Rational("0.088")),
             Definition(linearity, Rational("0.003")),
@@ -71,7 +70,6 @@ def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
         ),
         note="Resolution, linearity, reading speed, output signal, diameter; no formula uses "
         "them. The text at hand does not say what the 0.3 % refers to; of 360° it is 1.08°.",
-        cites=cites,
     )
 
 
@@ -128,26 +126,19 @@ def of_single_errors(count: int) -> Expr:
 
 
 def interval_of_errors(
-    readings: Mapping[int, Readings], cites: tuple[str, ...], marks: tuple[str, ...] = ()
+    paper: Transcription, readings: Mapping[int, Readings], marks: tuple[str, ...] = ()
 ) -> Claim:
     """Judge of what the interval is: of the errors, as it is called, or of their mean."""
     counts = [line.count for line in readings.values()]
     of_mean = all_of(*(PrintedNumber("95", of_the_mean(count)) for count in counts))
-    return Claim(
+    return paper.claim(
         INTERVAL,
-        r"\text{the confidence interval of the measurement errors at a confidence level of 95 \% "
-        r"is determined as }\bar q\pm2u",
         all_of(*(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
         readings=(Reading("the interval of the mean of the errors, whose u it is", of_mean),),
-        corrected=Correction(
-            r"\text{the confidence interval of the mean of the measurement errors at a "
-            r"confidence level of 95 \% is determined as }\bar q\pm2u",
-            of_mean,
-        ),
+        corrected=paper.mend(INTERVAL, "interval of", "interval of the mean of", of_mean),
         note="Coverage by Student's t, for normal observations. If u is the standard deviation of "
         "single errors, the words are right, but u is not what the preceding formulas make it.",
         marks=(*marks, "inferred"),
-        cites=cites,
     )
 
 
@@ -202,14 +193,11 @@ def table_row(
     )
 
 
-def adequacy_row(cites: tuple[str, ...]) -> Claim:
+def adequacy_row(paper: Transcription) -> Claim:
     """Say that no calculation decides whether the model is adequate."""
-    return Claim(
+    return paper.claim(
         ADEQUACY,
-        r"\text{the measured position functions of all variants are adequate to the kinematic "
-        r"model built}",
         NotCheckable("neither a criterion of adequacy nor the readings are in the text at hand"),
-        cites=cites,
     )
 
 

@@ -85,11 +85,11 @@ MEASUREMENT_ROWS = (
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),
     ),
-    encoder_row("table 1", ("S37",)),
+    encoder_row(PRINT, "table 1"),
     table_row("table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
-    interval_of_errors(READINGS, ("S47", "S51", "S57"), ("rebuilt",)),
+    interval_of_errors(PRINT, READINGS, ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
-    adequacy_row(("S7", "S41", "S50", "S56")),
+    adequacy_row(PRINT),
     PRINT.claim(
         "inaccurate manufacture",
         all_of(

@@ -274,5 +274,6 @@ def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
 
 def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
     if tag := _TAG.search(line.string):
-        return tag[2] if tag[1] else f"({tag[2]})"
+        named = tag[2].replace(r"\%", "%")
+        return named if tag[1] else f"({named})"
     return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""
