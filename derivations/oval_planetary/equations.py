@@ -1,7 +1,5 @@
 """The equations (1)-(11) of paper 2, read, and what is found beside each."""
 
-from typing import Any
-
 import sympy as sp
 
 from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Reading, all_of, ours
@@ -9,14 +7,10 @@ from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Readi
 from . import mechanics
 from .symbols import *
 
-
 # What is printed, for claims and kernels.
-def read(number: str) -> Any:
-    """Return the right-hand side of an equation as printed."""
-    return mechanics.READER.members(PRINT.equation(number))[1]
-
-
-print_2, print_5, print_7, print_10 = map(read, ("(2)", "(5)", "(7)", "(10)"))
+(_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(
+    mechanics.read, ("(2)", "(5)", "(7)", "(10)")
+)
 
 
 def print_radius(eccentricity: sp.Expr, angle: sp.Expr) -> sp.Expr:

@@ -4,7 +4,6 @@ from functools import cache
 
 import sympy as sp
 
-from mechproof.latex import Reader
 from mechproof.record import ANGLE, LENGTH, Variable, list_given
 
 from .._linear import solve_linear
@@ -186,7 +185,7 @@ VARIABLES = (
     *TYPE_A_VARIABLES,
     *ENCODER_VARIABLES,
 )
-READER = Reader(VARIABLES, PRINT.notation)
+read = PRINT.reader(VARIABLES)
 
 
 # Both pairs are Moebius maps of tangents, and so is their composition:

@@ -28,7 +28,7 @@ from .mechanics import (
 )
 from .symbols import PRINT, K_m, alpha, delta, dh, m, r_b, s_c, t_c, tilt, y_c, z
 
-in_print = read("step 6, influence of the involute").subs(dh, height_change)
+in_print = read("step 6, influence of the involute")[1].subs(dh, height_change)
 excess_in_print = of_wheel(in_print - thickness_change)
 excess_of_0_7284 = of_wheel(PRINTED_INFLUENCE * height_change - thickness_change)
 # The tilt of a chord nearer the tip, in 1e-6, between which the secant has the printed slope.

@@ -1,7 +1,5 @@
 """The geometry of paper 3, rebuilt, its wheel in numbers, and the shares of its parts."""
 
-from typing import Any
-
 from sympy import (
     Abs,
     Eq,
@@ -22,7 +20,6 @@ from sympy import (
     tan,
 )
 
-from mechproof.latex import Reader
 from mechproof.record import ANGLE, LENGTH, Notation, Part, Scope, Variable, list_given
 
 from .._linear import solve_linear
@@ -99,7 +96,7 @@ NOTATION = Notation(
     factors=("m", "mz", "t_c"),
     scopes=(Scope(rows=("(1)",), names={r"\Delta S_c": ds_height}),),
 )
-READER = Reader(VARIABLES, NOTATION)
+read = PRINT.reader(VARIABLES, NOTATION)
 
 # Basic rack, involute, gauge on the tip circle ----------------------------------------------------
 
@@ -183,17 +180,10 @@ reading = chord_at_line - chord_by_thinning.subs(thinning, -E_true) + ds_gauge -
 PROFILE_ANGLE = pi / 9
 MODULE, TEETH = 3, 50
 WHEEL = {m: S(MODULE), z: S(TEETH), alpha: PROFILE_ANGLE}
-
-
-def read(number: str) -> Any:
-    """Return the right-hand side of a row as printed."""
-    return READER.members(PRINT.equation(number))[1]
-
-
-PRINTED_INFLUENCE = read("(1), influence 0.7284").coeff(dh)
-DECREASE_UM = int(read("data, smallest deviation") / micrometre)
-TOLERANCE_UM = int(read("data, tolerance") / micrometre)
-K_PRINTED = int(read("Table 1, ratio of tolerance and standard deviation"))
+PRINTED_INFLUENCE = read("(1), influence 0.7284")[1].coeff(dh)
+DECREASE_UM = int(read("data, smallest deviation")[1] / micrometre)
+TOLERANCE_UM = int(read("data, tolerance")[1] / micrometre)
+K_PRINTED = int(read("Table 1, ratio of tolerance and standard deviation")[1])
 GAUGE_UM, RECOMMENDED_UM = 50, 2
 PRINTED_SIZES = {
     **WHEEL,

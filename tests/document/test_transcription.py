@@ -12,7 +12,7 @@ from mechproof.derivation import DerivationError, load_paper
 from mechproof.document.block import BlockError
 from mechproof.document.transcription import Transcription
 from mechproof.proof.verdict import State, Verdict
-from mechproof.record import ANGLE, Claim, Correction, Equation
+from mechproof.record import ANGLE, Claim, Correction, Equation, Variable
 from mechproof.verification import judge_derivations
 
 PAPER = r"""
@@ -103,6 +103,19 @@ def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
     assert paper.claim("the domain") == Claim("the domain", r"e\ge0", cites=cites)
     assert paper.claim("domain", cites=()) == Claim("domain", r"e\ge0")
     assert paper.find("(1)") == row.printed_latex
+
+
+def test_members_of_displays_are_read_in_letters_of_the_block_or_given_ones(write: Write) -> None:
+    paper = write(PAPER.replace(r"e\ge0", r"e=\lambda"))
+    e, half = paper.symbols("e lambda")
+    assert paper.reader()("the domain") == (e, half)
+    other = sp.Symbol("other")
+    read = paper.reader(
+        [Variable(other, "", latex=("e",)), Variable(half, "", latex=(r"\lambda",))]
+    )
+    assert read("the domain") == (other, half)
+    with pytest.raises(ValueError, match=r"it has no display \(2\)$"):
+        read("(2)")
 
 
 def test_a_correction_is_a_print_with_something_else_in_it(write: Write) -> None:

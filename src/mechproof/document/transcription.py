@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,6 +13,7 @@ from mechproof.document.block import read_block
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.sources import read_source
 from mechproof.document.symbols import declare
+from mechproof.latex import Reader
 from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 
 R = TypeVar("R", bound=Row)
@@ -47,6 +48,16 @@ class Transcription:
                     raise ValueError(f"{self.file}: two displays are called {name}")
                 named[name] = display
         return named
+
+    def reader(
+        self, variables: Sequence[Variable] = (), notation: Notation | None = None
+    ) -> Callable[[str], tuple[Any, ...]]:
+        """Return what reads the members of a display by its name, in these letters or the file's.
+
+        It raises what `find` and `mechproof.latex` do.
+        """
+        members = Reader(variables or self.variables, notation or self.notation).members
+        return lambda number: members(self.equation(number))
 
     def find(self, number: str) -> str:
         """Return the LaTeX of a display by its name.
