@@ -17,11 +17,7 @@ from sympy import (
     symbols,
 )
 
-from mechproof.record import (
-    Claim,
-    Equality,
-    Variable,
-)
+from mechproof.record import Claim, Equality, Variable, ours
 
 POSITIVE = Interval.open(0, oo)
 
@@ -54,12 +50,11 @@ def expected_squares() -> Expr:
 
 def unbiased_row(number: str) -> Claim:
     """State that the divisor n - 1 leaves no bias; `number` is that of the variance."""
-    return Claim(
+    return ours(
         f"{number} is free of bias",
         r"E\,s^2(q_k)=\sigma^2",
         Equality(expected_squares(), (n - 1) * sigma2),
         note="For independent observations of equal variance; this is why the divisor is n - 1.",
-        marks=("ours",),
         quantities=("standard_deviation",),
     )
 

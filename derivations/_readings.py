@@ -1,19 +1,17 @@
 """What two papers print of one test rig: its encoders, tables of mean errors and intervals."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from sympy import Abs, Expr, Interval, Rational, erf, oo, pi, sqrt, symbols
 
+from mechproof.document.transcription import Transcription
 from mechproof.record import (
     LENGTH,
     Check,
     Claim,
     Conjunction,
-    Correction,
     Cost,
     Datum,
     Definition,
@@ -21,10 +19,12 @@ from mechproof.record import (
     PrintedNumber,
     Reading,
     Variable,
+    all_of,
+    less,
+    ours,
 )
 
 from ._metrology import student_coverage
-from ._relations import less
 
 POSITIVE = Interval.open(0, oo)
 # The rows that are findings of both papers.
@@ -57,23 +57,19 @@ def two_encoders(gain: Expr) -> Expr:
     return FULL_SCALE_LINEARITY * (1 + gain)
 
 
-def encoder_row(table: str, cites: tuple[str, ...]) -> Datum:
+def encoder_row(paper: Transcription, table: str) -> Datum:
     """List what is printed of the encoder besides how its resolution comes about."""
-    return Datum(
+    return paper.datum(
         f"{table}, encoder",
-        r"0.088^\circ,\ 0.3\,\%,\ 0.6\text{ ms},\ 0\dots5\text{ V},\ 22\text{ mm}",
-        Conjunction(
-            (
-                Definition(resolution, Rational("0.088")),
-                Definition(linearity, Rational("0.003")),
-                Definition(read_time, Rational("0.0006")),
-                Definition(output, Rational(5)),
-                Definition(diameter, 22 * millimetre),
-            )
+        all_of(
+            Definition(resolution, Rational("0.088")),
+            Definition(linearity, Rational("0.003")),
+            Definition(read_time, Rational("0.0006")),
+            Definition(output, Rational(5)),
+            Definition(diameter, 22 * millimetre),
         ),
         note="Resolution, linearity, reading speed, output signal, diameter; no formula uses "
         "them. The text at hand does not say what the 0.3 % refers to; of 360° it is 1.08°.",
-        cites=cites,
     )
 
 
@@ -130,26 +126,19 @@ def of_single_errors(count: int) -> Expr:
 
 
 def interval_of_errors(
-    readings: Mapping[int, Readings], cites: tuple[str, ...], marks: tuple[str, ...] = ()
+    paper: Transcription, readings: Mapping[int, Readings], marks: tuple[str, ...] = ()
 ) -> Claim:
     """Judge of what the interval is: of the errors, as it is called, or of their mean."""
     counts = [line.count for line in readings.values()]
-    of_mean = Conjunction(tuple(PrintedNumber("95", of_the_mean(count)) for count in counts))
-    return Claim(
+    of_mean = all_of(*(PrintedNumber("95", of_the_mean(count)) for count in counts))
+    return paper.claim(
         INTERVAL,
-        r"\text{the confidence interval of the measurement errors at a confidence level of 95 \% "
-        r"is determined as }\bar q\pm2u",
-        Conjunction(tuple(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
+        all_of(*(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
         readings=(Reading("the interval of the mean of the errors, whose u it is", of_mean),),
-        corrected=Correction(
-            r"\text{the confidence interval of the mean of the measurement errors at a "
-            r"confidence level of 95 \% is determined as }\bar q\pm2u",
-            of_mean,
-        ),
+        corrected=paper.mend(INTERVAL, "interval of", "interval of the mean of", of_mean),
         note="Coverage by Student's t, for normal observations. If u is the standard deviation of "
         "single errors, the words are right, but u is not what the preceding formulas make it.",
         marks=(*marks, "inferred"),
-        cites=cites,
     )
 
 
@@ -163,11 +152,11 @@ def if_u_is_s(
     printed = tuple(zip(readings.values(), halves, distances, strict=True))
     intervals = ",\\ ".join(rf"{float(line.mean):g}\pm{half}^\circ" for line, half, _ in printed)
     away = ",\\ ".join(distances)
-    return Claim(
+    return ours(
         f"{table}, if u is s",
         rf"\bar q\pm\tfrac{{2u}}{{\sqrt n}}:\ {intervals},\quad|\bar q|\tfrac{{\sqrt n}}u={away}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 statement
                 for line, half, distance in printed
                 for statement in (
@@ -181,7 +170,7 @@ def if_u_is_s(
         "95 % of the errors, and these are the intervals of the means: all four differ from zero, "
         f"by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
         "uncertainties.",
-        marks=("ours", "consequence", "inferred"),
+        marks=("consequence", "inferred"),
     )
 
 
@@ -204,21 +193,18 @@ def table_row(
     )
 
 
-def adequacy_row(cites: tuple[str, ...]) -> Claim:
+def adequacy_row(paper: Transcription) -> Claim:
     """Say that no calculation decides whether the model is adequate."""
-    return Claim(
+    return paper.claim(
         ADEQUACY,
-        r"\text{the measured position functions of all variants are adequate to the kinematic "
-        r"model built}",
         NotCheckable("neither a criterion of adequacy nor the readings are in the text at hand"),
-        cites=cites,
     )
 
 
 def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]) -> Conjunction:
     """State that errors within the limits cannot scatter as the readings of these variants do."""
-    return Conjunction(
-        tuple(
+    return all_of(
+        *(
             less(readings[v].scatter_within(limit), readings[v].least_scatter)
             for v, limit in limits.items()
         )
@@ -236,7 +222,6 @@ def costs_of_interval(
         for cost in (
             Cost(
                 f"variant {variant}, share of single errors within mean ± 2u",
-                {},
                 "%",
                 printed=Rational(95, 100),
                 right=coverage_of_errors(line.count) / 100,
@@ -244,7 +229,6 @@ def costs_of_interval(
             ),
             Cost(
                 f"variant {variant}, half-width for 95 % of single errors",
-                {},
                 "°",
                 decimals=2,
                 printed=2 * line.uncertainty * pi / 180,

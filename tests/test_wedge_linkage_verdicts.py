@@ -13,12 +13,11 @@ from mechproof.arithmetic import balls
 from mechproof.codegen.forms import form_rows
 from mechproof.derivations.wedge_linkage import (
     boundaries,
-    budget,
     chain,
     mechanics,
     sizes,
-    substitution,
     symbols,
+    transfer,
 )
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
@@ -70,7 +69,7 @@ def test_the_rod_in_place_of_the_link_behind_the_clearance_is_refuted() -> None:
 
 
 def test_the_substituted_chain_has_no_value_where_the_roller_arm_is_upright() -> None:
-    hole = judgement(substitution.SUBSTITUTED)
+    hole = judgement(transfer.SUBSTITUTED)
     assert hole.verdict is Verdict.CONDITIONAL
     assert hole.evidence[1].at == {"tau": "1"}
 
@@ -122,7 +121,7 @@ def test_a_slope_of_the_wrong_sign_is_refuted() -> None:
 
 
 def test_another_budget_is_refuted() -> None:
-    says = budget.totals(sizes.FIRST_SET, ("10.2", "4.6"))
+    says = boundaries.totals(sizes.FIRST_SET, ("10.2", "4.6"))
     assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 

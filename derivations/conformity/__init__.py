@@ -5,32 +5,18 @@ probability to be accepted or rejected, or the density of what is measured times
 not to conform given that; the fourth share is what remains of the parts that do not conform.
 """
 
-from sympy import (
-    Expr,
-    Integral,
-    Interval,
-    Le,
-    Max,
-    Min,
-    Or,
-    S,
-    exp,
-    oo,
-    pi,
-    sqrt,
-    symbols,
-)
+from sympy import Expr, Integral, Interval, Le, Max, Min, Or, S, exp, oo, pi, sqrt, symbols
 
 from mechproof.record import (
     LENGTH,
     Accuracy,
     Argument,
-    Claim,
-    Conjunction,
     Equality,
     Paper,
     Quantity,
     Variable,
+    all_of,
+    ours,
 )
 
 from .._metrology import normal_between, normal_outside
@@ -155,21 +141,18 @@ def share(name: str, definition: Expr) -> Quantity:
 
 
 ROWS = (
-    Claim(
+    ours(
         "true deviation, given what is measured",
         r"f(y)\,f(m\mid y)=f(m)\,f(y\mid m)",
-        Conjunction(
-            (
-                Equality(
-                    (y - mu) ** 2 / sigma**2 + (m - y - bias) ** 2 / s**2,
-                    (m - MEASURED) ** 2 / VARIANCE + (y - GIVEN_MEAN) ** 2 / GIVEN_VARIANCE,
-                ),
-                Equality(sigma**2 * s**2, VARIANCE * GIVEN_VARIANCE),
-            )
+        all_of(
+            Equality(
+                (y - mu) ** 2 / sigma**2 + (m - y - bias) ** 2 / s**2,
+                (m - MEASURED) ** 2 / VARIANCE + (y - GIVEN_MEAN) ** 2 / GIVEN_VARIANCE,
+            ),
+            Equality(sigma**2 * s**2, VARIANCE * GIVEN_VARIANCE),
         ),
         note="Exponents and variances of the normal laws; by it a share of parts is an integral "
         "over the measured deviation as well.",
-        marks=("ours",),
         quantities=tuple(DEFINITIONS),
     ),
 )

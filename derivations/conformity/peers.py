@@ -1,7 +1,5 @@
 """Ways to compute the shares: the package's quadrature, simulation, Owen's T, other libraries."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable, Mapping
 from importlib import import_module

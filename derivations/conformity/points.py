@@ -5,8 +5,6 @@ Correlations of the true and the measured deviation run from 0 (huge errors) to 
 `WORKLOADS` is what is timed for N sets of parameters.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 

@@ -2,17 +2,39 @@
 
 from mechproof.record import OnePass, Paper, PublishedSizes
 
-from .aside import ASIDE
-from .consequences import CONSEQUENCES
 from .design import DESIGN_QUANTITIES, DESIGN_ROWS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
-from .peaks import PEAK_QUANTITIES
-from .peaks_proved import PEAK_ROWS
-from .position_rows import POSITION_CLAIMS, POSITION_ROWS
-from .ratio_rows import RATIO_ROWS
-from .readings import TABLE_CLAIMS, TYPE_A_ROWS
+from .peaks import PEAK_QUANTITIES, PEAK_ROWS
+from .readings import CONSEQUENCES, TABLE_CLAIMS, TYPE_A_ROWS
+from .rows import POSITION_CLAIMS, POSITION_ROWS, RATIO_ROWS
 from .symbols import PRINT, R1, R2, VARIABLES, VARIANTS, e
+
+ASIDE = {
+    "S1": "title, authors and dates",
+    "S2": "why such transmissions are used; no number",
+    "S3": "an application; no number",
+    "S4": "names what is studied",
+    "S8": "keywords",
+    "S9": "history",
+    "S10": "history",
+    "S11": "what others make",
+    "S12": "an application, by another work",
+    "S13": "the aim",
+    "S14": "caption of Fig. 1, with numbers of links that no formula uses",
+    "S15": "announces Fig. 2",
+    "S16": "caption of Fig. 2: names the links and the points, which the mechanics take over",
+    "S36": "caption of Fig. 3; the letters of its axes are lost, its curves are not at hand",
+    "S38": "announces the experiment",
+    "S39": "how the prototype was made",
+    "S41": "how the signal goes to the computer",
+    "S42": "caption of Fig. 5",
+    "S43": "how the data were taken; no number",
+    "S44": "caption of Fig. 6, which is not at hand",
+    "S46": "announces (13) to (16)",
+    "S57": "proposes the mechanism",
+}
+
 
 PAPER = Paper(
     system="elliptic_planetary",
@@ -43,8 +65,6 @@ PAPER = Paper(
     transcription="2",
     sentences=60,
     aside=ASIDE,
-    conventions=(
-        "Angles are positive in the direction of the carrier's rotation; distances on the line "
-        "A-C are positive from A towards C and B. Lengths in mm, angles in rad."
-    ),
+    conventions="Angles are positive in the direction of the carrier's rotation; distances on the "
+    "line A-C are positive from A towards C and B. Lengths in mm, angles in rad.",
 )

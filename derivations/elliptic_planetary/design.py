@@ -16,21 +16,14 @@ from mechproof.record import (
     Quantity,
     Scale,
     Singular,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import all_of, less
 from .kernels import ARGUMENTS, SOURCE
 from .mechanics import largest, non_uniformity, smallest
-from .symbols import (
-    R1,
-    R2,
-    e,
-    k,
-    largest_wanted,
-    non_uniformity_wanted,
-    quotient_wanted,
-    smallest_wanted,
-)
+from .symbols import *
 
 ONE = Integer(1)
 # With r = (1 + e)/(1 - e) the largest ratio is 1 + k*r and the smallest 1 + k/r.
@@ -69,12 +62,11 @@ def inverse_row(
     on: Part | None = None,
 ) -> Claim:
     """State that sizes so found have the ratios that are wanted."""
-    return Claim(
+    return ours(
         f"design, {number}",
         latex,
         all_of(*(Equality(found, wanted) for found, wanted in parts)),
         on=on,
-        marks=("ours",),
         quantities=quantities,
     )
 
@@ -116,7 +108,7 @@ DESIGN_ROWS = (
         (1 + RADII_OF_BOTH * (1 - OF_BOTH) / (1 + OF_BOTH), smallest_wanted),
         on=REACHED_BOTH,
     ),
-    Claim(
+    ours(
         "design, one eccentricity at most",
         r"\frac{\partial i_{\max}}{\partial e}>0,\ \frac{\partial i_{\min}}{\partial e}<0,\ "
         r"\frac{\partial}{\partial e}\frac{i_{\max}}{i_{\min}}>0,\ "
@@ -129,7 +121,6 @@ DESIGN_ROWS = (
         ),
         note="At e = 0 they are 1 + k, 1 + k, 1 and 0; as e nears 1 the largest ratio, the "
         "quotient and the non-uniformity pass every limit and the smallest ratio nears 1.",
-        marks=("ours",),
         quantities=(
             "eccentricity_of_largest_ratio",
             "eccentricity_of_smallest_ratio",

@@ -5,9 +5,8 @@ from sympy import Expr, Rational, S, Symbol, diff, pi
 from mechproof.record import Check, Cost, Finding, Weight
 
 from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval
-from .position_rows import DX_SUPPLIED, print_12
-from .ratio_rows import print_8
 from .readings import HALF_WIDTHS, LIMITS, READINGS
+from .rows import DX_SUPPLIED, print_8, print_12
 from .symbols import R1, R2, READER, VARIANTS, a1, b1, e, phi1, phi5
 
 DEGREE = pi / 180
@@ -39,7 +38,7 @@ FINDINGS = (
         "= R_1 φ_1/R_2, where the position goes on, so that the output makes one turn for one of "
         "the carrier in the mean, not 1 + R_1/R_2.",
         costs=tuple(
-            Cost(f"variant {variant}, {degrees}° of the carrier", place(variant, degrees), "°")
+            Cost(f"variant {variant}, {degrees}° of the carrier", "°", at=place(variant, degrees))
             for variant, degrees in ((1, 30), (2, 30), (2, 90), (1, 360))
         ),
         follows=("(12) gives the position function",),
@@ -71,7 +70,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "variant 3",
-                {},
                 "°",
                 decimals=2,
                 printed=READINGS[3].mean * DEGREE,
@@ -81,7 +79,6 @@ FINDINGS = (
             *(
                 Cost(
                     f"variant {variant}",
-                    {},
                     "°",
                     printed=READINGS[variant].implied_scatter * DEGREE,
                     right=LIMITS[variant] * DEGREE,
@@ -106,7 +103,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "half-width of variant 3",
-                {},
                 "°",
                 decimals=2,
                 printed=Rational(HALF_WIDTHS[3]) * DEGREE,
@@ -115,7 +111,6 @@ FINDINGS = (
             ),
             Cost(
                 "u of variant 3",
-                {},
                 "°",
                 decimals=2,
                 printed=READINGS[3].uncertainty * DEGREE,
@@ -142,10 +137,10 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",
-                place(variant, 90 * Rational(small, large)),
                 decimals=3,
                 printed=PRINTED_INTEGRAL,
                 right=RIGHT_INTEGRAL,
+                at=place(variant, 90 * Rational(small, large)),
             )
             for variant, (large, small, eccentricity) in list(VARIANTS.items())[:2]
         ),

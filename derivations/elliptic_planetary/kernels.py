@@ -23,7 +23,6 @@ from sympy import (
 from mechproof.record import (
     Accuracy,
     Argument,
-    Conjunction,
     EmittedForm,
     Equality,
     Form,
@@ -33,12 +32,13 @@ from mechproof.record import (
     Scale,
     Singular,
     Statement,
+    all_of,
 )
 
+from .._eccentric import on_branch
 from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
 from .mechanics import largest, position_closed, position_principal, smallest
-from .position_rows import print_12
-from .ratio_rows import print_8
+from .rows import print_8, print_12
 from .symbols import BRANCH, R1, R2, E, T, e, k, nearest, nu, phi1, phi5, turns, x
 
 ARGUMENTS = (
@@ -97,11 +97,8 @@ HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
 def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(floor)
     whole = phi1 + x + 2 * atan2(e * sin(x), 1 - e * cos(x))
-    at_turn = {x: x + 2 * pi * turns}
-    return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
+    return on_branch(code.output(x), whole, {x: x + 2 * pi * turns}, turns)
 
 
 # Fourier series. Cut after n terms, its error starts with slope 0 at x = 0, where it vanishes, and
@@ -129,12 +126,10 @@ def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
 
     def states(code: EmittedForm) -> Statement:
         form = code.output(x)
-        return Conjunction(
-            (
-                Equality(form.subs(x, 0), (1 + k) * phi1),
-                Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
-                *STEP_OF_SERIES,
-            )
+        return all_of(
+            Equality(form.subs(x, 0), (1 + k) * phi1),
+            Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
+            *STEP_OF_SERIES,
         )
 
     return states

@@ -18,23 +18,7 @@ from sympy import (
 )
 
 from .._linear import solve_linear
-from .symbols import (
-    R1,
-    R2,
-    a,
-    at_b,
-    at_c,
-    at_d,
-    e,
-    focal_radius,
-    k,
-    omega1,
-    phi1,
-    rho,
-    tau,
-    theta,
-    x,
-)
+from .symbols import *
 
 # Velocity plan on the line A-C at one instant. The carrier turns about A = E = 0, the satellite
 # rolls inside the fixed epicycle, so the point B at the coordinate R1 is at rest.

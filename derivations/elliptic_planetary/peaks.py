@@ -4,32 +4,44 @@ By c = cos(x) the derivative of either changes its sign once at most: the place 
 peak is the value there. Everything is written without differences of like numbers.
 """
 
-from sympy import Abs, Eq, Expr, Ge, Max, Or, Piecewise, Rational, atan2, cos, diff, pi, sin, sqrt
+from sympy import (
+    Abs,
+    Eq,
+    Expr,
+    Ge,
+    Interval,
+    Max,
+    Or,
+    Piecewise,
+    Rational,
+    atan2,
+    cos,
+    diff,
+    pi,
+    sin,
+    sqrt,
+)
 
 from mechproof.record import (
     SLOPES,
     Accuracy,
+    Equality,
     Form,
+    Part,
     Periodicity,
     Quantity,
     Scale,
     Singular,
+    all_of,
+    less,
+    ours,
 )
 
-from .kernels import (
-    ACCELERATION,
-    ARGUMENTS,
-    ENDS_OF_E,
-    EPS,
-    EPS_X,
-    LEAST,
-    LOW_WORD,
-    SINGULAR,
-    SOURCE,
-)
-from .symbols import R1, R2, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
+from .._eccentric import jerk_terms
+from . import kernels
+from .symbols import R1, R2, c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
 
-JERK = diff(ACCELERATION, x) * k
+JERK = diff(kernels.ACCELERATION, x) * k
 SPREAD = 1 + e**2 - 2 * e * cos(x)
 
 # Acceleration: it grows and falls with sin(x)/(square - 2 e c)**2, extreme where
@@ -76,29 +88,19 @@ ANGLE_OF_JERK = Piecewise((pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
 # of which the square in its denominator has 7.3. root_jerk 2: the largest jerk 21, the smallest 7.
 # The jerk itself is a difference, of whose terms it has the accuracy;
 # cos(x) is one itself, of the squares of the half angle's parts.
-SIZES = (R1 >= LEAST, R2 >= LEAST, R1 <= 10**90 * R2)
+SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**90 * R2)
 # Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
 EITHER_TERM = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    2
-    * e
-    * k**3
-    * (1 - e**2)
-    * (
-        Max(SPREAD, 4 * e * sin(x) ** 2) / SPREAD**3
-        + EPS_X
-        * Abs(sin(x))
-        * (SPREAD**2 + 12 * e * Abs(cos(x)) * SPREAD + 24 * e**2 * sin(x) ** 2)
-        / SPREAD**4
-    ),
+    2 * e * k**3 * (1 - e**2) * jerk_terms(e, x, kernels.EPS_X),
 )
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
-    ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), EPS))),
+    ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), kernels.EPS))),
 )
-OF_SIZES = f"extremes of the derivatives of {SOURCE}, equation (8)"
+OF_SIZES = f"extremes of the derivatives of {kernels.SOURCE}, equation (8)"
 
 
 def of_sizes(
@@ -108,13 +110,13 @@ def of_sizes(
     return Quantity(
         name,
         summary,
-        ARGUMENTS[1:],
+        kernels.ARGUMENTS[1:],
         value,
         (Form("quotient", value),),
         OF_SIZES,
         unit="rad" if name.startswith("angle") else "1",
         accuracy=accuracy,
-        singular=(*ENDS_OF_E, *singular),
+        singular=(*kernels.ENDS_OF_E, *singular),
         # At a threshold what is differentiated has a kink.
         slopes=None if singular else SLOPES,
     )
@@ -125,7 +127,7 @@ PEAK_QUANTITIES = (
     Quantity(
         "jerk",
         "Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.",
-        ARGUMENTS,
+        kernels.ARGUMENTS,
         JERK,
         (
             Form(
@@ -135,9 +137,9 @@ PEAK_QUANTITIES = (
             ),
             Form("1 + e**2 - 2 e cos x", JERK, key="direct"),
         ),
-        f"second derivative of {SOURCE}, equation (8)",
-        accuracy=Accuracy(24, EITHER_TERM, (*LOW_WORD, *SIZES, *NO_UNDERFLOW)),
-        singular=SINGULAR,
+        f"second derivative of {kernels.SOURCE}, equation (8)",
+        accuracy=Accuracy(24, EITHER_TERM, (*kernels.LOW_WORD, *SIZES, *NO_UNDERFLOW)),
+        singular=kernels.SINGULAR,
         periodicity=Periodicity(2 * pi / k),
     ),
     of_sizes(
@@ -171,5 +173,116 @@ PEAK_QUANTITIES = (
         ANGLE_OF_JERK,
         Accuracy(8, NEAR_THRESHOLD, SIZES),
         AT_THRESHOLD,
+    ),
+)
+
+
+# Why they are there -------------------------------------------------------------------------------
+
+FACTOR = 2 * e * k**2 * (1 - e**2)
+PROPER = Part("0 < e < 1", {e: Interval.open(0, 1)})
+BEYOND = Part("5 - 2 sqrt(6) < e < 1", {e: Interval.open(5 - 2 * sqrt(6), 1)})
+UP_TO_THRESHOLD = Part("1 + e^2 >= 10 e", {e: Interval.open(0, 1)}, (1 + e**2 >= 10 * e,))
+
+# By c = cos(x): what the derivatives have the sign of.
+turn_of_acceleration = 2 * e * c**2 + square * c - 4 * e
+jerk_by_c = turn_of_acceleration / (square - 2 * e * c) ** 3
+turn_of_jerk = (2 * e * c) ** 2 + 4 * square * (2 * e * c) + square**2 - 24 * e**2
+
+T2_ACCELERATION = (1 - e) ** 2 * peak_acceleration / (BOTH + 8 * e)
+T2_JERK = (
+    (1 - e) ** 2
+    * (square + 10 * e)
+    * (root_jerk + 2 * square - 2 * e)
+    / ((1 + e) ** 2 * (10 * e - square) * (root_jerk + 2 * square + 2 * e))
+)
+C_ACCELERATION = (root_acceleration - square) / (4 * e)
+C_JERK = (root_jerk - 2 * square) / (2 * e)
+
+
+def cosine_of(t_squared: Expr) -> Expr:
+    """Cosine of an angle by the square of the tangent of its half."""
+    return (1 - t_squared) / (1 + t_squared)
+
+
+PEAK_ROWS = (
+    ours(
+        "acceleration, where it turns",
+        r"\frac{d\varphi_3''}{dx}=-2e\left(\tfrac{R_1}{R_2}\right)^2(1-e^2)"
+        r"\frac{2e\cos^2x+(1+e^2)\cos x-4e}{(1+e^2-2e\cos x)^3},\ "
+        r"\cos x=\frac{-(1+e^2)+\sqrt{(1+e^2)^2+32e^2}}{4e}",
+        all_of(
+            Equality(diff(kernels.ACCELERATION, x), -FACTOR * jerk_by_c.subs(c, cos(x))),
+            less(turn_of_acceleration.subs(c, -1), 0 * e),
+            less(0 * e, turn_of_acceleration.subs(c, 1)),
+            Equality(diff(turn_of_acceleration, c, 2), 4 * e),
+            Equality(turn_of_acceleration.subs(c, C_ACCELERATION), 0 * e),
+            Equality(C_ACCELERATION, 8 * e / BOTH),
+            less(0 * e, 8 * e / BOTH),
+        ),
+        note="The numerator is convex in cos(x), below zero at -1 and above it at 1: it has one "
+        "root between. The acceleration is odd in x, so it is smallest there and largest as far "
+        "before x = 0.",
+        on=PROPER,
+        quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
+    ),
+    ours(
+        "acceleration, where it is extreme, without cancellation",
+        r"\mathrm{tg}^2\frac x2=\frac{1-\cos x}{1+\cos x}",
+        Equality(cosine_of(T2_ACCELERATION), C_ACCELERATION),
+        on=PROPER,
+        quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
+    ),
+    ours(
+        "acceleration, how large it is",
+        r"(\varphi_3'')^2\text{ at this }\cos x",
+        Equality(
+            LARGEST_ACCELERATION**2,
+            FACTOR**2 * (1 - C_ACCELERATION**2) / (square - 2 * e * C_ACCELERATION) ** 4,
+        ),
+        on=PROPER,
+        quantities=("largest_acceleration",),
+    ),
+    ours(
+        "jerk, where it turns",
+        r"\varphi_3'''=-2e\left(\tfrac{R_1}{R_2}\right)^3(1-e^2)\frac{2ec^2+(1+e^2)c-4e}"
+        r"{(1+e^2-2ec)^3},\ c=\cos x;\ \frac{d}{dc}\text{ of the quotient}=\frac{4e^2c^2"
+        r"+8e(1+e^2)c+(1+e^2)^2-24e^2}{(1+e^2-2ec)^4}",
+        all_of(
+            Equality(JERK, -k * FACTOR * jerk_by_c.subs(c, cos(x))),
+            Equality(diff(jerk_by_c, c), turn_of_jerk / (square - 2 * e * c) ** 4),
+            Equality(turn_of_jerk.subs(c, C_JERK), 0 * e),
+            less(0 * e, turn_of_jerk.subs(c, 1)),
+            less(0 * e, diff(turn_of_jerk, c)),
+            Equality(SMALLEST_JERK, -k * FACTOR * jerk_by_c.subs(c, 1)),
+        ),
+        note="The numerator rises from c = -1 to c = 1, where it is above zero: the jerk is "
+        "smallest there, at whole turns of x.",
+        on=PROPER,
+        quantities=("jerk", "smallest_jerk", "largest_jerk", "angle_of_largest_jerk"),
+    ),
+    ours(
+        "jerk, largest at half a turn",
+        r"e\le5-2\sqrt6:\ \max\varphi_3'''=2e\left(\tfrac{R_1}{R_2}\right)^3"
+        r"\frac{1-e}{(1+e)^3},\ x=\pi",
+        all_of(
+            Equality(turn_of_jerk.subs(c, -1), (square - 10 * e) * (1 + e) ** 2),
+            Equality(JERK_AT_HALF_TURN, -k * FACTOR * jerk_by_c.subs(c, -1)),
+        ),
+        note="There the numerator is nowhere below zero; it is zero at 1 + e^2 = 10 e, c = -1.",
+        on=UP_TO_THRESHOLD,
+        quantities=("largest_jerk", "angle_of_largest_jerk"),
+    ),
+    ours(
+        "jerk, largest before half a turn",
+        r"\cos x=\frac{-2(1+e^2)+\sqrt{3(1+e^2)^2+24e^2}}{2e},\ "
+        r"\mathrm{tg}^2\frac x2=\frac{1-\cos x}{1+\cos x},\text{ and the jerk there}",
+        all_of(
+            less(turn_of_jerk.subs(c, -1), 0 * e),
+            Equality(cosine_of(T2_JERK), C_JERK),
+            Equality(JERK_WITHIN, -k * FACTOR * jerk_by_c.subs(c, C_JERK)),
+        ),
+        on=BEYOND,
+        quantities=("largest_jerk", "angle_of_largest_jerk"),
     ),
 )

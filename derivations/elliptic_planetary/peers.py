@@ -1,7 +1,5 @@
 """Ways to get the numbers of paper 1 that are no formulas: joined branches, solvers, libraries."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from importlib.util import find_spec
 

@@ -1,7 +1,5 @@
 """The figures of paper 1, redrawn from the kernels."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

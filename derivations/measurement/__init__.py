@@ -2,15 +2,7 @@
 
 from sympy import Sum, sqrt
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    Claim,
-    Equality,
-    Equation,
-    Paper,
-    Quantity,
-)
+from mechproof.record import Accuracy, Argument, Equality, Equation, Paper, Quantity, ours
 
 from .._metrology import (
     TYPE_A_VARIABLES,
@@ -50,20 +42,18 @@ ROWS = (
         note="The type A standard uncertainty of the mean.",
         defines=(u_mean,),
     ),
-    Claim(
+    ours(
         "4.2.2, one pass",
         r"\sum(q_k-\bar q)^2=\sum q_k^2-\frac1n\left(\sum q_k\right)^2",
         Equality(ONE_PASS, VARIANCE),
         note="Rounded, two nearly equal sums are subtracted.",
-        marks=("ours",),
         quantities=("standard_deviation",),
     ),
-    Claim(
+    ours(
         "4.2.2, centred twice",
         r"\sum(q_k-\bar q)^2=\sum(q_k-\bar q-c)^2,\ c=\frac1n\sum(q_k-\bar q)",
         Equality(CENTRED_TWICE, VARIANCE),
         note="Exactly, c is 0; rounded, it takes the error of the mean out.",
-        marks=("ours",),
         quantities=("standard_deviation",),
     ),
 )

@@ -1,7 +1,5 @@
 """Ways to compute the standard deviation of readings."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -3,8 +3,6 @@
 `POINTS` gives each quantity its point sets by name, `WORKLOADS` what is timed for N readings.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import numpy as np

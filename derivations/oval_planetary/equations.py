@@ -1,70 +1,16 @@
 """The equations (1)-(11) of paper 2, read, and what is found beside each."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import sympy as sp
 
-from mechproof.record import ChainLink, Claim, Correction, Equality, Holds, Part, Reading, Row
+from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Reading, all_of, ours
 
-from .._relations import all_of
-from .mechanics import (
-    BD,
-    E_SERIES,
-    EC,
-    PLACES,
-    PRINT,
-    READER,
-    VC,
-    VD,
-    a,
-    cos_6,
-    driven_angle,
-    e,
-    e1,
-    e2,
-    focal_radius,
-    integrate,
-    mount,
-    omega_satellite,
-    oval_radius,
-    phi,
-    phi1,
-    phi3,
-    phi5,
-    phi6,
-    point_b,
-    point_d,
-    position_of_one,
-    ratio_by_inversion,
-    ratio_by_plan,
-    ratio_symbol,
-    rho,
-    rho5,
-    rho6,
-    roll,
-    roll_reduced,
-    rolling,
-    s,
-    satellite_velocity,
-    sB,
-    sC,
-    sD,
-    start,
-    sun_radius,
-    theta,
-    wheel_3_rate,
-)
-
+from . import mechanics
+from .symbols import *
 
 # What is printed, for claims and kernels.
-def read(number: str) -> Any:
-    """Return the right-hand side of an equation as printed."""
-    return READER.members(PRINT.equation(number))[1]
-
-
-print_2, print_5, print_7, print_10 = map(read, ("(2)", "(5)", "(7)", "(10)"))
+(_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(
+    mechanics.read, ("(2)", "(5)", "(7)", "(10)")
+)
 
 
 def print_radius(eccentricity: sp.Expr, angle: sp.Expr) -> sp.Expr:
@@ -78,24 +24,28 @@ def print_3_by_6(cosine: sp.Expr) -> sp.Expr:
 
 
 # (10) with the radii of two oval pairs.
-RATIO_OF_10 = print_10.subs({rho5: print_3_by_6(cos_6), rho6: oval_radius(e2, cos_6)})
+RATIO_OF_10 = print_10.subs(
+    {rho5: print_3_by_6(mechanics.cos_6), rho6: mechanics.oval_radius(e2, mechanics.cos_6)}
+)
 
 # The satellite turns about B: its velocity at D by its angular velocity.
-FROM_B_TO_D = satellite_velocity.subs({s: point_d, omega_satellite: rolling}) / rolling
+FROM_B_TO_D = (
+    mechanics.satellite_velocity.subs({s: mechanics.point_d, omega_satellite: mechanics.rolling})
+    / mechanics.rolling
+)
 oval = print_radius(e, phi)
 slope = sp.diff(oval, phi)
 
 # Positive where the curve bends towards its centre.
 bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
-mate_cosine, _ = roll(e, phi)
-mate = oval_radius(e, -mate_cosine)
+mate_cosine, _ = mechanics.roll(e, phi)
+mate = mechanics.oval_radius(e, -mate_cosine)
 
-EQUATION_ROWS: tuple[Row, ...] = (
+EQUATION_ROWS = (
     PRINT.equation(
         "(1)",
         defines=(ratio_symbol,),
         marks=("rebuilt",),
-        cites=("S18", "S19"),
         links={
             2: ChainLink(
                 note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
@@ -115,15 +65,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     PRINT.equation(
         "(2)",
-        derived={rho: focal_radius.subs(theta, 2 * phi)},
+        derived={rho: mechanics.focal_radius.subs(theta, 2 * phi)},
         note="At half the polar angle the radius of the oval is the focal radius of its ellipse.",
         marks=("rebuilt", "uncertain", "inferred"),
-        cites=("S20",),
     ),
-    Claim(
+    PRINT.claim(
         "(2), angle from the major semi-axis",
-        r"\varphi\text{ is the angle of rotation from the major semi-axis; }a\text{ is the major "
-        r"semi-axis and }e\text{ the eccentricity of the initial ellipse}",
         all_of(
             Equality(print_radius(e, sp.S.Zero), a + a * e),
             Holds(print_radius(e, phi) <= a + a * e),
@@ -131,40 +78,35 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The radius is largest at angle 0, a (1 + e), the largest focal distance of the "
         "ellipse; the major semi-axis of the oval itself is longer than a.",
         marks=("rebuilt",),
-        cites=("S21",),
     ),
-    Claim(
+    ours(
         "(2), convex",
         r"\rho^2+2\rho'^2-\rho\rho''\ge0",
         Holds(bend >= 0),
         note="The sign is that of 1 + 3 e cos(2 phi): beyond e = 1/3 the pitch curve has hollow "
         "flanks. The paper's e = 0.2 is convex.",
         holds_on=Part("e <= 1/3", {e: sp.Interval(0, sp.Rational(1, 3))}),
-        marks=("ours",),
     ),
     PRINT.equation(
         "(3)",
         defines=(rho5,),
-        links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
+        links={2: ChainLink(derived={rho5: mechanics.focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
-        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(4)",
         defines=(rho6,),
-        links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
+        links={2: ChainLink(derived={rho6: mechanics.focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
-        cites=("S22", "S23"),
     ),
     PRINT.equation(
         "(5)",
-        derived={phi6: integrate(sun_radius / (2 * a - sun_radius))},
+        derived={phi6: mechanics.integrate(mechanics.sun_radius / (2 * a - mechanics.sun_radius))},
         note="Seen from the carrier, wheel 5 turns at the ratio rho4/rho5; at the lower limit 0 "
         "the sun's major axis lies on the line of centres.",
         marks=("rebuilt", "uncertain", "inferred"),
-        cites=("S23", "S24"),
     ),
-    Claim(
+    ours(
         "(5), constant",
         r"\rho_4(0)+\rho_5\left(\tfrac\pi2-c\right)-2a"
         r"=\frac{2ae_1(1-e_1)\sin^2c}{1+e_1\cos2c}",
@@ -174,27 +116,26 @@ EQUATION_ROWS: tuple[Row, ...] = (
         ),
         note="By (3), (6) and axes that are 2a apart, the lost constant of (5) is 0 (or a number "
         "of half turns, which change no radius).",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "(5), closed form",
         r"\varphi_6=\varphi_1+\mathrm{arctg}\frac{e_1\sin2\varphi_1}{1-e_1\cos2\varphi_1}",
         derived={phi6: print_5},
         note="Over any number of turns; tan(phi6) = (1 + e1)/(1 - e1) tan(phi1).",
-        marks=("ours",),
         quantities=("position",),
     ),
-    Claim(
+    ours(
         "(5), double angle",
         r"\cos2\varphi_6=\frac{(1+e^2)\cos2\varphi_1-2e}{1+e^2-2e\cos2\varphi_1},\ "
         r"\sin2\varphi_6=\frac{(1-e^2)\sin2\varphi_1}{1+e^2-2e\cos2\varphi_1}",
         all_of(
             *(
                 Equality(one, two)
-                for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
+                for one, two in zip(
+                    mechanics.roll_reduced(e, phi1), mechanics.roll(e, phi1), strict=True
+                )
             )
         ),
-        marks=("ours",),
         quantities=("position", "ratio"),
     ),
     PRINT.equation(
@@ -202,31 +143,29 @@ EQUATION_ROWS: tuple[Row, ...] = (
         defines=(phi5,),
         note="How wheels 5 and 6 are mounted on their shaft.",
         marks=("rebuilt", "uncertain"),
-        cites=("S23",),
     ),
-    Claim(
+    ours(
         "(6), mesh with the sun",
         r"2a-\rho_4(\varphi_1)=\rho_5\left(\tfrac\pi2-\varphi_6\right)"
         r"=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
         all_of(
-            Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
+            Equality(print_3_by_6(mechanics.cos_6), 2 * a - mechanics.sun_radius),
             Equality(
                 print_radius(e1, sp.pi / 2 - phi6),
-                focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6}),
+                mechanics.focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6}),
             ),
         ),
         note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6). "
         "Nothing depends on the sign, which may be the bar of a fraction.",
-        marks=("ours", "rebuilt", "uncertain", "inferred"),
+        marks=("rebuilt", "uncertain", "inferred"),
     ),
     PRINT.equation(
         "(7)",
-        derived={BD: point_d - point_b},
+        derived={BD: mechanics.point_d - mechanics.point_b},
         readings=(Reading("the distance from D to B", Equality(print_7, -FROM_B_TO_D)),),
         note="In the order that is legible, here and in (10). The distance is signed, as either "
         "of the two radii may be the larger one.",
         marks=("rebuilt", "inferred"),
-        cites=("S25",),
     ),
     PRINT.equation(
         "(8)",
@@ -237,60 +176,59 @@ EQUATION_ROWS: tuple[Row, ...] = (
                 marks=("rebuilt", "inferred"),
             ),
             2: ChainLink(
-                derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
+                derived={EC: mechanics.focal_radius.subs(theta, 2 * phi) + mate},
                 note="Two congruent ovals mesh at this distance in every position.",
             ),
         },
         marks=("rebuilt", "inferred"),
-        cites=("S25",),
     ),
-    Claim(
+    ours(
         "(8), rolling",
         r"\rho\,d\varphi=\rho_{mate}\,d\chi",
-        Equality(print_radius(e, phi), mate * sp.diff(driven_angle(e, phi), phi)),
+        Equality(print_radius(e, phi), mate * sp.diff(mechanics.driven_angle(e, phi), phi)),
         note="The arcs are equal: congruent ovals roll without slip.",
-        marks=("ours",),
         quantities=("ratio",),
     ),
-    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred"), cites=("S25",)),
-    Claim(
+    PRINT.equation("(9)", derived=mechanics.PLACES, marks=("rebuilt", "inferred")),
+    ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
-        Equality(ratio_by_plan, ratio_by_inversion),
-        marks=("ours", "inferred"),
+        Equality(mechanics.ratio_by_plan, mechanics.ratio_by_inversion),
+        marks=("inferred",),
         quantities=("ratio",),
     ),
     PRINT.equation(
         "(10)",
-        derived={ratio_symbol: ratio_by_plan},
+        derived={ratio_symbol: mechanics.ratio_by_plan},
         readings=(
             Reading(
                 "the output counted against the carrier's direction of rotation",
                 all_of(
-                    Equality(print_10, -ratio_by_plan),
-                    Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
+                    Equality(print_10, -mechanics.ratio_by_plan),
+                    Equality(
+                        mechanics.integrate(RATIO_OF_10),
+                        -mechanics.position_of_one(mechanics.E_SERIES),
+                    ),
                 ),
             ),
         ),
         corrected=Correction(
             r"\varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
-            Equality(-print_10, ratio_by_plan),
+            Equality(-print_10, mechanics.ratio_by_plan),
         ),
         note="The text at hand does not say in which direction the output is counted. The "
         "integral of (10) has the sign of (10).",
         marks=("rebuilt", "inferred"),
-        cites=("S26",),
     ),
     PRINT.equation(
         "(11)",
         derived={
-            phi3: position_of_one(E_SERIES),
-            ratio_symbol: 1 - wheel_3_rate.subs(mount, sp.S.Zero),
+            phi3: mechanics.position_of_one(mechanics.E_SERIES),
+            ratio_symbol: 1 - mechanics.wheel_3_rate.subs(mount, sp.S.Zero),
         },
         note="From phi3(0) = 0, for two oval pairs, in whichever direction the output is counted; "
         "in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) counted with the "
         "carrier, E = (e1 + e2)/(1 + e1 e2). Fig. 2, which was built by it, is not at hand.",
         marks=("rebuilt", "inferred"),
-        cites=("S4", "S27", "S28", "S31"),
     ),
 )

@@ -1,7 +1,5 @@
 """What is wrong in paper 2: the causes, and what they cost at its own sizes."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, Weight
@@ -11,20 +9,14 @@ from .equations import print_10
 from .mechanics import (
     AXES_45,
     E_SERIES,
-    R4,
-    R5,
-    a,
-    e2,
     integrate,
     oval_radius,
-    phi1,
     position_45,
     position_of_one,
     ratio_of_one,
-    rho5,
-    rho6,
 )
 from .readings import READINGS
+from .symbols import R4, R5, a, e2, phi1, rho5, rho6
 from .variants import VARIANTS
 
 DEGREE = sp.pi / 180
@@ -61,7 +53,6 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"variant {variant}",
-                {},
                 "°",
                 decimals=2,
                 printed=abs(READINGS[variant].mean) * DEGREE,
@@ -105,10 +96,10 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"output of variant {variant}, 60° of the carrier",
-                place(variant, 60),
                 "°",
                 printed=AS_PRINTED,
                 right=position_45,
+                at=place(variant, 60),
             )
             for variant in (3, 4)
         ),
@@ -131,10 +122,10 @@ FINDINGS = (
         costs=tuple(
             Cost(
                 f"variant 1, {degrees}° of the carrier",
-                place(1, degrees),
                 "°",
                 printed=-WITH_THE_CARRIER,
                 right=WITH_THE_CARRIER,
+                at=place(1, degrees),
             )
             for degrees in (30, 60)
         ),

@@ -1,79 +1,43 @@
 """Forms, their proofs and the accuracy of the kernels of paper 2."""
 
-from __future__ import annotations
+from collections.abc import Callable
 
 import sympy as sp
 
-from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement
+from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
-from .._relations import all_of
+from .._eccentric import on_branch
 from .equations import print_radius
 from .mechanics import (
-    ACCELERATION,
     ACCELERATION_CYLINDRICAL,
     COS_4,
     GIVEN,
     POSITION,
-    R4,
-    R5,
-    RATIO,
     RATIO_CYLINDRICAL,
-    alpha,
-    alpha_double,
-    beta,
-    beta_double,
-    both,
     cos_6,
-    delta,
     driven_angle,
-    e1,
-    e2,
-    gamma,
-    gamma_double,
-    k,
-    lam,
-    less,
-    lever,
-    mount,
-    mount_counted,
-    mu,
-    nu,
     pair_ratio,
-    phi1,
-    phi6,
-    phi6_closed,
-    phi6_counted,
-    rho5,
-    rho6,
-    rise,
-    shift,
     sin_6,
-    swing,
     t,
-    tangent,
-    tau,
-    turns,
-    x,
-    xi,
-    y,
 )
+from .symbols import *
 
 # All coefficients divided by 1 - e2, and beta + gamma*t split into less + y. y has the sine of the
 # mounted wheel's angle as a factor and is large beside the rest as e2 -> 1; rounded once, it
 # enters both arguments of atan2, and what is left of it where it vanishes is one small angle.
-POSITION_FORM = sp.atan2(t * (y - swing), less + y + both * t**2)
-SPREAD_FORM = (less + y) ** 2 + both**2 * t**2
-WHEEL_3_FORM = both * (less + shift) * (1 + t**2) / SPREAD_FORM
+POSITION_FORM = sp.atan2(t * (y - swing), lesser + y + both * t**2)
+SPREAD_FORM = (lesser + y) ** 2 + both**2 * t**2
+WHEEL_3_FORM = both * (lesser + shift) * (1 + t**2) / SPREAD_FORM
 TILT = (
     y * (rise - shift * t),
-    less * rise * (1 - t**2),
-    (swing * (less + both) - 2 * less * shift) * t,
+    lesser * rise * (1 - t**2),
+    (swing * (lesser + both) - 2 * lesser * shift) * t,
 )
 ACCELERATION_FORM = 2 * WHEEL_3_FORM * sum(TILT) / SPREAD_FORM
 
 # Statements. The coefficients of the map are variables of their own, lambda, mu, nu, and the steps
 # are those of the paper: so neither proof has to deal with more than it is about.
-PARTS = {both: lam, less: mu - xi, shift: xi, rise: nu, swing: lam - mu + xi}
+PARTS = {both: lam, lesser: mu - xi, shift: xi, rise: nu, swing: lam - mu + xi}
 DOUBLE = {alpha_double: lam, beta_double: mu, gamma_double: nu}
 ANY_MAP = {alpha: lam, beta: mu, gamma: nu, delta: lam - mu}
 SCALED_MAP = {s: (1 - e2) * value for s, value in ANY_MAP.items()}
@@ -89,23 +53,21 @@ def of_parts(code: EmittedForm, *unused: sp.Symbol) -> tuple[Equality, ...]:
     step = {part: code.step(part) for part in PARTS if part not in unused}
     sums = {
         alpha: step[both],
-        beta: step[less] + step[shift],
+        beta: step[lesser] + step[shift],
         gamma: step[rise],
-        delta: step.get(swing, step[both] - step[less]) - step[shift],
+        delta: step.get(swing, step[both] - step[lesser]) - step[shift],
     }
     return tuple(Equality((1 - e2) * total, coefficient) for coefficient, total in sums.items())
 
 
-def ratio_by_parts(code: EmittedForm) -> Statement:
-    """State the ratio of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, RATIO.xreplace(SCALED_MAP)), *of_parts(code, swing))
+def by_parts(definition: sp.Expr, *unused: sp.Symbol) -> Callable[[EmittedForm], Statement]:
+    """Make the statement of a form in the parts, and of the parts."""
 
+    def states(code: EmittedForm) -> Statement:
+        form = code.output(*PARTS).xreplace(PARTS)
+        return all_of(Equality(form, definition.xreplace(SCALED_MAP)), *of_parts(code, *unused))
 
-def acceleration_by_parts(code: EmittedForm) -> Statement:
-    """State the acceleration of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, ACCELERATION.xreplace(SCALED_MAP)), *of_parts(code))
+    return states
 
 
 def position_by_parts(code: EmittedForm) -> Statement:
@@ -121,16 +83,14 @@ def of_double(code: EmittedForm) -> tuple[Equality, ...]:
     return tuple(Equality(code.step(step), coefficient) for step, coefficient in pairs)
 
 
-def ratio_by_map(code: EmittedForm) -> Statement:
-    """State the ratio of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, RATIO.xreplace(ANY_MAP)), *of_double(code))
+def by_map(definition: sp.Expr) -> Callable[[EmittedForm], Statement]:
+    """Make the statement of a form of any map, and of the coefficients."""
 
+    def states(code: EmittedForm) -> Statement:
+        form = code.output(*DOUBLE).xreplace(DOUBLE)
+        return all_of(Equality(form, definition.xreplace(ANY_MAP)), *of_double(code))
 
-def acceleration_by_map(code: EmittedForm) -> Statement:
-    """State the acceleration of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, ACCELERATION.xreplace(ANY_MAP)), *of_double(code))
+    return states
 
 
 def position_by_map(code: EmittedForm) -> Statement:
@@ -162,19 +122,15 @@ def through_pairs(code: EmittedForm) -> Statement:
 def over_branches(code: EmittedForm) -> Statement:
     """State each pair at its angle + pi*m, |angle| < pi/2, where its floor is m."""
     form = code.output(phi6_counted, mount_counted).xreplace({phi6_counted: phi6})
+    turned = sp.pi * turns
     of_second = phi1 - driven_angle(e2, phi6 + mount) + mount_counted
     return all_of(
-        on_branch(code.step(phi6_counted), driven_angle(e1, phi1), phi1, phi1),
-        on_branch(code.step(mount_counted), driven_angle(e2, mount), mount, mount),
-        on_branch(form, of_second, phi6, phi6 - mount),
+        on_branch(code.step(phi6_counted), driven_angle(e1, phi1), {phi1: phi1 + turned}, turns),
+        on_branch(
+            code.step(mount_counted), driven_angle(e2, mount), {mount: mount + turned}, turns
+        ),
+        on_branch(form, of_second, {phi6: phi6 - mount + turned}, turns),
     )
-
-
-def on_branch(form: sp.Expr, whole: sp.Expr, angle: sp.Symbol, value: sp.Expr) -> Equality:
-    """State that a form with one floor is a whole where an angle has a value and m half turns."""
-    (count,) = form.atoms(sp.floor)
-    at_turn = {angle: value + sp.pi * turns}
-    return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
 
 
 def as_printed(code: EmittedForm) -> Statement:
@@ -210,15 +166,15 @@ T, R, S, W, Z, VALUE = sp.symbols("t R S W Z value", real=True)
 OF_T = {t: T}
 STEPS = (
     (T, t),
-    *((step, GIVEN[step]) for step in (both, less, lever, rise, shift)),
+    *((step, GIVEN[step]) for step in (both, lesser, lever, rise, shift)),
     (y, GIVEN[y].xreplace(OF_T)),
     (S, SPREAD_FORM.xreplace(OF_T)),
 )
-WHEEL_3 = (W, both * (less + shift) * (1 + T**2) / S)
+WHEEL_3 = (W, both * (lesser + shift) * (1 + T**2) / S)
 CHANGE = rise * T - shift
 RATIO_SCALE = Scale(
     "the larger of 1 and W, and what the roundings of y make of it",
-    sp.Max(1, W) + sp.Abs(W * (less + y) * CHANGE / S) + EPS * W * CHANGE**2 / S,
+    sp.Max(1, W) + sp.Abs(W * (lesser + y) * CHANGE / S) + EPS * W * CHANGE**2 / S,
     (*STEPS, WHEEL_3),
 )
 POSITION_SCALE = Scale(
@@ -236,12 +192,12 @@ ACCELERATION_SCALE = Scale(
         * sp.Max(
             sp.Abs(Z),
             sp.Abs(y * (rise - shift * T)),
-            less * sp.Abs(rise) * (1 + T**2),
-            swing * (less + both) * sp.Abs(T),
-            2 * less * shift * sp.Abs(T),
+            lesser * sp.Abs(rise) * (1 + T**2),
+            swing * (lesser + both) * sp.Abs(T),
+            2 * lesser * shift * sp.Abs(T),
             sp.Abs(y * (rise + shift * T)) / 2,
         )
-        + sp.Abs((rise - shift * T - 4 * (less + y) * Z / S) * CHANGE)
+        + sp.Abs((rise - shift * T - 4 * (lesser + y) * Z / S) * CHANGE)
     ),
     (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
 )

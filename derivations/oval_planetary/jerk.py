@@ -1,23 +1,11 @@
 """The jerk of paper 2: forms, their proofs and accuracy."""
 
-from __future__ import annotations
-
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    EmittedForm,
-    Equality,
-    Form,
-    Periodicity,
-    Quantity,
-    Scale,
-    Statement,
-)
+from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
-from .._relations import all_of
+from .._eccentric import jerk_terms
 from .forms import (
-    ANY_MAP,
     CHANGE,
     DOUBLE,
     EPS_X,
@@ -26,8 +14,6 @@ from .forms import (
     NO_UNDERFLOW_OF_LEAD,
     OF_T,
     OF_X,
-    PARTS,
-    SCALED_MAP,
     SPREAD_FORM,
     STEPS,
     TILT,
@@ -37,52 +23,23 @@ from .forms import (
     T,
     W,
     Z,
-    of_double,
-    of_parts,
+    by_map,
+    by_parts,
 )
 from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
-from .mechanics import (
-    ACCELERATION,
-    ACCELERATION_CYLINDRICAL,
-    GIVEN,
-    R4,
-    R5,
-    both,
-    e2,
-    k,
-    less,
-    phi1,
-    ratio_of_map,
-    rise,
-    shift,
-    swing,
-    t,
-    x,
-    y,
-)
+from .mechanics import ACCELERATION, ACCELERATION_CYLINDRICAL, GIVEN, ratio_of_map, t
+from .symbols import R4, R5, both, e2, k, lesser, phi1, rise, shift, swing, x, y
 
 JERK = sp.diff(ACCELERATION, phi1)
 JERK_CYLINDRICAL = sp.diff(ACCELERATION_CYLINDRICAL, x) * 2 * k
 
 # Z, the sum of TILT, is z0*(1 - t**2) + z1*t; dZ/dphi1 - 2*t*Z = z1*(1 - t**2) - 4*z0*t.
 BEND = (
-    (swing * (less + both) + rise**2) * (1 - t**2),
-    -shift * (shift + 2 * less) * (1 - t**2),
-    -4 * rise * (less + shift) * t,
+    (swing * (lesser + both) + rise**2) * (1 - t**2),
+    -shift * (shift + 2 * lesser) * (1 - t**2),
+    -4 * rise * (lesser + shift) * t,
 )
 FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
-
-
-def by_parts(code: EmittedForm) -> Statement:
-    """State the jerk of the parts, and the parts."""
-    form = code.output(*PARTS).xreplace(PARTS)
-    return all_of(Equality(form, JERK.xreplace(SCALED_MAP)), *of_parts(code))
-
-
-def by_map(code: EmittedForm) -> Statement:
-    """State the jerk of any map, and the coefficients."""
-    form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return all_of(Equality(form, JERK.xreplace(ANY_MAP)), *of_double(code))
 
 
 # Accuracy. Both are differences, of whose terms they have the accuracy: some 30 operations, with
@@ -94,11 +51,11 @@ TERMS = Scale(
     * (
         2
         * (
-            (swing * (less + both) + rise**2 + shift * (shift + 2 * less)) * (1 + T**2)
-            + 4 * sp.Abs(rise * T) * (less + shift)
+            (swing * (lesser + both) + rise**2 + shift * (shift + 2 * lesser)) * (1 + T**2)
+            + 4 * sp.Abs(rise * T) * (lesser + shift)
         )
         + 8 * Z**2 / S
-        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(less + y)) / S
+        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(lesser + y)) / S
     ),
     (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
 )
@@ -109,17 +66,7 @@ NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
 SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
 TERMS_CYLINDRICAL = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    8
-    * e2
-    * k**3
-    * (1 - e2**2)
-    * (
-        sp.Max(SPREAD, 4 * e2 * sp.sin(x) ** 2) / SPREAD**3
-        + EPS_X
-        * sp.Abs(sp.sin(x))
-        * (SPREAD**2 + 12 * e2 * sp.Abs(sp.cos(x)) * SPREAD + 24 * e2**2 * sp.sin(x) ** 2)
-        / SPREAD**4
-    ),
+    8 * e2 * k**3 * (1 - e2**2) * jerk_terms(e2, x, EPS_X),
     OF_X,
 )
 
@@ -130,12 +77,12 @@ JERK_QUANTITIES = (
         OF_OVALS,
         JERK,
         (
-            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts),
+            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts(JERK)),
             Form(
                 "double angles",
                 sp.diff(ratio_of_map(*DOUBLE), phi1, 2),
                 key="direct",
-                states=by_map,
+                states=by_map(JERK),
             ),
         ),
         f"{SOURCE}, second derivative of (10)",

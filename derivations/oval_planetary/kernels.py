@@ -1,7 +1,5 @@
 """What can be computed of paper 2: ratio, position and acceleration, and every form of them."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -15,81 +13,36 @@ from mechproof.record import (
     Quantity,
     Singular,
     Statement,
+    all_of,
 )
 
-from .._relations import all_of
-from .charts import (
-    NEGATED,
-    PLAIN,
-    SMOOTH,
-    STEEP,
-)
+from .._eccentric import on_branch
+from . import forms
+from .charts import NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
-from .forms import (
-    ACCELERATION_FORM,
-    ACCURACY,
-    BRANCHES,
-    DOUBLE,
-    LEAD,
-    PLAIN_PRODUCT,
-    POSITION_FORM,
-    PRINTED_RADII,
-    WHEEL_3_FORM,
-    acceleration_by_map,
-    acceleration_by_parts,
-    as_printed,
-    over_branches,
-    position_by_map,
-    position_by_parts,
-    ratio_by_map,
-    ratio_by_parts,
-    through_pairs,
-)
 from .mechanics import (
     ACCELERATION,
     ACCELERATION_CYLINDRICAL,
     POSITION,
     POSITION_CYLINDRICAL,
-    R4,
-    R5,
     RATIO,
     RATIO_CYLINDRICAL,
-    a,
-    alpha_double,
-    beta_double,
     count_branches,
     driven_angle,
-    e1,
-    e2,
-    gamma_double,
-    k,
     lead,
-    m,
-    mount,
-    mount_counted,
-    nearest,
-    phi1,
-    phi6_closed,
-    phi6_counted,
     ratio_of_map,
-    rho5,
-    rho6,
     t,
-    turns,
-    x,
 )
+from .symbols import *
 
 BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
 
 
 def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(sp.floor)
     whole = phi1 - driven_angle(e2, x / 2)
-    at_turn = {x: x + 2 * sp.pi * turns}
     return all_of(
-        Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
+        on_branch(code.output(x), whole, {x: x + 2 * sp.pi * turns}, turns),
         Equality(whole, POSITION_CYLINDRICAL),
     )
 
@@ -168,25 +121,27 @@ QUANTITIES = (
         OF_OVALS,
         RATIO,
         (
-            Form("quotient in tan(phi1)", 1 - WHEEL_3_FORM, states=ratio_by_parts),
+            Form(
+                "quotient in tan(phi1)", 1 - forms.WHEEL_3_FORM, states=forms.by_parts(RATIO, swing)
+            ),
             Form(
                 "printed (3)-(6), (10)",
-                -print_10.subs(PRINTED_RADII).subs(a, 1),
+                -print_10.subs(forms.PRINTED_RADII).subs(a, 1),
                 key="printed",
-                states=as_printed,
+                states=forms.as_printed,
                 source=f"{SOURCE}, equations (3)-(6) and (10)",
                 note="the print with its sign reversed, wheel 6 at its mounted angle; proved to be "
                 "the speed of wheel 3, which the row on any mount has for the map",
             ),
             Form(
                 "double angles",
-                ratio_of_map(*DOUBLE),
+                ratio_of_map(*forms.DOUBLE),
                 key="direct",
-                states=ratio_by_map,
+                states=forms.by_map(RATIO),
             ),
         ),
         f"{SOURCE}, equation (10)",
-        accuracy=ACCURACY["ratio"],
+        accuracy=forms.ACCURACY["ratio"],
         singular=SINGULAR_OVALS,
         periodicity=Periodicity(sp.pi),
     ),
@@ -196,20 +151,22 @@ QUANTITIES = (
         OF_OVALS,
         POSITION,
         (
-            Form("one arctangent of tan(phi1)", POSITION_FORM, states=position_by_parts),
+            Form(
+                "one arctangent of tan(phi1)", forms.POSITION_FORM, states=forms.position_by_parts
+            ),
             Form(
                 "leads by atan2, 1 - e cos 2 phi",
                 phi1 - phi6_closed - lead(e2, phi6_closed + mount) + lead(e2, mount),
                 key="atan2",
-                states=through_pairs,
+                states=forms.through_pairs,
                 note="proved for each pair; the rows on any mount put the pairs in series",
             ),
             Form(
                 "tan/arctan + floor",
                 phi1 - count_branches(e2, phi6_counted + mount) + mount_counted,
                 key="floor",
-                states=over_branches,
-                on=BRANCHES,
+                states=forms.over_branches,
+                on=forms.BRANCHES,
                 note="proved to be that by atan2, for each angle beside pi m; the computed floor "
                 "and tangent disagree at the ends",
             ),
@@ -220,7 +177,7 @@ QUANTITIES = (
                     beta_double + gamma_double * t + alpha_double * t**2,
                 ),
                 key="unsplit",
-                states=position_by_map,
+                states=forms.position_by_map,
             ),
         ),
         f"{SOURCE}, integral (11)",
@@ -228,7 +185,7 @@ QUANTITIES = (
         # Beyond, a step in 1 - e that cancels is not known well enough; both parts of the slope are
         # rounded, and up to there they cancel by no more than a few of 4 eps.
         slopes=Accuracy(16, within=(e1 <= FLAT, e2 <= FLAT)),
-        accuracy=ACCURACY["position"],
+        accuracy=forms.ACCURACY["position"],
         singular=SINGULAR_OVALS,
         period=sp.pi,
         periodicity=Periodicity(sp.pi),
@@ -241,19 +198,19 @@ QUANTITIES = (
         (
             Form(
                 "quotient in tan(phi1)",
-                ACCELERATION_FORM,
+                forms.ACCELERATION_FORM,
                 ("low_product",),
-                states=acceleration_by_parts,
+                states=forms.by_parts(ACCELERATION),
             ),
             Form(
                 "double angles",
-                sp.diff(ratio_of_map(*DOUBLE), phi1),
+                sp.diff(ratio_of_map(*forms.DOUBLE), phi1),
                 key="direct",
-                states=acceleration_by_map,
+                states=forms.by_map(ACCELERATION),
             ),
         ),
         f"{SOURCE}, derivative of (10)",
-        accuracy=ACCURACY["acceleration"],
+        accuracy=forms.ACCURACY["acceleration"],
         singular=SINGULAR_OVALS,
         periodicity=Periodicity(sp.pi),
     ),
@@ -280,7 +237,7 @@ QUANTITIES = (
             Form("half-angle sine", 1 - k * (1 - e2) * (1 + e2) / HALF_ANGLE, key="half_angle"),
         ),
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
-        accuracy=ACCURACY["ratio_cylindrical"],
+        accuracy=forms.ACCURACY["ratio_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         periodicity=Periodicity(sp.pi / k),
     ),
@@ -294,7 +251,7 @@ QUANTITIES = (
                 "half-angle atan",
                 POSITION_CYLINDRICAL,
                 ("positive_atan2", "half_angle_tangent"),
-                when=PLAIN_PRODUCT,
+                when=forms.PLAIN_PRODUCT,
                 charts=PLAIN,
                 mirrors=NEGATED,
             ),
@@ -303,7 +260,7 @@ QUANTITIES = (
                 POSITION_CYLINDRICAL,
                 ("positive_atan2", "low_word", "half_angle_tangent"),
             ),
-            Form("atan2, 1 - e cos x", (1 - k) * phi1 - LEAD, key="atan2"),
+            Form("atan2, 1 - e cos x", (1 - k) * phi1 - forms.LEAD, key="atan2"),
             Form(
                 "atan2, no cancellation",
                 (1 - k) * phi1 - sp.atan2(e2 * sp.sin(x), nearest + 2 * e2 * sp.sin(x / 2) ** 2),
@@ -321,7 +278,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, integral (11), pair 4-5 cylindrical",
         unit="rad",
-        accuracy=ACCURACY["position_cylindrical"],
+        accuracy=forms.ACCURACY["position_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         period=sp.pi,
         periodicity=Periodicity(sp.pi / k, sp.pi * (1 - k) / k),
@@ -341,7 +298,7 @@ QUANTITIES = (
             Form("1 + e**2 - 2 e cos x", ACCELERATION_CYLINDRICAL, key="direct"),
         ),
         f"{SOURCE}, derivative of (10), pair 4-5 cylindrical",
-        accuracy=ACCURACY["acceleration_cylindrical"],
+        accuracy=forms.ACCURACY["acceleration_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         periodicity=Periodicity(sp.pi / k),
     ),

@@ -1,7 +1,5 @@
 """Ways to get the numbers of paper 2 that are no formulas: branches joined, integrals, solvers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any

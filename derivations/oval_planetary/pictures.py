@@ -1,7 +1,5 @@
 """The figures of paper 2, redrawn from the kernels."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

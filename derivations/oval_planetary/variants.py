@@ -1,50 +1,38 @@
 """The variants of paper 2, the motions they make, and what is said of motions."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
-    Claim,
     Correction,
-    Datum,
     Definition,
     Distinct,
     Equality,
     Holds,
     Part,
     Reading,
-    Row,
+    all_of,
+    less,
+    ours,
 )
 
 from .._readings import millimetre
-from .._relations import all_of, less
 from .equations import print_5
 from .mechanics import (
     AXES_45,
     E_SERIES,
-    R4,
-    R5,
-    e1,
-    e2,
     integrate,
-    mount,
     oval_radius,
     pair_ratio,
-    phi1,
-    phi6,
     position_45,
     position_of_one,
     ratio_45,
     ratio_by_plan,
     ratio_of_one,
-    rho3,
-    rho6,
     satellite_against_carrier,
-    span,
     wheel_3_rate,
 )
 from .pairs import advances
+from .symbols import PRINT, R4, R5, e1, e2, mount, phi1, phi6, rho3, rho6, span
 
 VARIANTS = {
     1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},
@@ -75,42 +63,22 @@ def reverses(ratio: sp.Expr, backward: sp.Expr, forward: sp.Expr) -> tuple[Holds
     return less(ratio.subs(phi1, backward), sp.S.Zero), less(sp.S.Zero, ratio.subs(phi1, forward))
 
 
-def variant_row(number: int, printed: str, pair_45: dict[sp.Symbol, sp.Expr]) -> Datum:
-    """List the sizes of a variant as printed."""
-    sizes = (Definition(s, v if s == e1 else v * millimetre) for s, v in pair_45.items())
-    return Datum(
-        f"variant {number}, sizes",
-        rf"{printed},\ e_2=0.2",
-        all_of(*sizes, Definition(e2, VARIANTS[number][e2])),
-        note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at hand, "
-        "by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
-        cites=("S30",),
-    )
-
-
-ONE_WAY_PRINT = (
-    r"\text{non-circular wheels in mechanisms with fixed axes of rotation allow to obtain only "
-    r"one-way non-uniform rotation}"
-)
 OF_PAIR_36 = sp.Rational("0.2")
-PRINT_OF_KINDS = (
-    r"\text{{changing the sizes of the gears allows to obtain various kinds of motion: {}}}"
-)
-KINDS = ("S3", "S32", "S34", "S52", "S55")
 
-VARIANT_ROWS: tuple[Row, ...] = (
+VARIANT_ROWS = (
     *(
-        variant_row(number, printed, {s: v for s, v in VARIANTS[number].items() if s != e2})
-        for number, printed in (
-            (1, r"e_1=0.2"),
-            (2, r"R_5=R_4=25~\mathrm{mm}"),
-            (3, r"R_5=20,\ R_4=30~\mathrm{mm}"),
-            (4, r"R_5=18,\ R_4=32~\mathrm{mm}"),
+        PRINT.datum(
+            f"variant {number}, sizes",
+            all_of(
+                *(Definition(s, v if s in (e1, e2) else v * millimetre) for s, v in sizes.items())
+            ),
+            note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at "
+            "hand, by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
         )
+        for number, sizes in VARIANTS.items()
     ),
-    Claim(
+    PRINT.claim(
         "variant 1, reciprocating",
-        PRINT_OF_KINDS.format("reciprocating rotation (variants 1 and 2)"),
         all_of(
             Equality(position_1, integrate(1 - wheel_3_rate.subs(mount, 0)).subs(VARIANTS[1])),
             advances(position_1, sp.pi, sp.S.Zero),
@@ -119,22 +87,18 @@ VARIANT_ROWS: tuple[Row, ...] = (
         note="E = 5/13: the output swings through 2 arcsin(5/13), twice in each turn of the "
         "carrier.",
         marks=("inferred",),
-        cites=KINDS,
     ),
-    Claim(
+    PRINT.claim(
         "variant 2, reciprocating",
-        PRINT_OF_KINDS.format("reciprocating rotation (variants 1 and 2)"),
         all_of(
             advances(with_cylinders(position_45, 2), sp.pi, sp.S.Zero),
             *reverses(with_cylinders(ratio_45, 2), sp.S.Zero, sp.pi / 2),
         ),
         note="R4 = R5: no drift; the amplitude is arcsin(0.2).",
         marks=("inferred",),
-        cites=KINDS,
     ),
-    Claim(
+    PRINT.claim(
         "variant 3, intermittent",
-        PRINT_OF_KINDS.format("intermittent (variant 3)"),
         all_of(
             Holds(with_cylinders(ratio_45, 3) <= 0),
             Equality(with_cylinders(ratio_45, 3).subs(phi1, DWELL_3), sp.S.Zero),
@@ -143,22 +107,18 @@ VARIANT_ROWS: tuple[Row, ...] = (
         ),
         note="30/20 = (1 + 0.2)/(1 - 0.2) exactly: a double zero at every odd multiple of pi/3.",
         marks=("inferred",),
-        cites=KINDS,
     ),
-    Claim(
+    PRINT.claim(
         "variant 4, one-way",
-        PRINT_OF_KINDS.format("one-way non-uniform rotation (variant 4)"),
         all_of(
             Holds(with_cylinders(ratio_45, 4) < 0),
             Distinct(with_cylinders(ratio_45, 4), with_cylinders(ratio_45, 4).subs(phi1, 0)),
         ),
         note="32/18 > 3/2; the output turns against the carrier.",
         marks=("inferred",),
-        cites=KINDS,
     ),
-    Claim(
+    PRINT.claim(
         "special case, angle of wheel 6",
-        r"\text{the functions of the radii of these wheels are replaced by numerical values}",
         Equality(print_5.subs(e1, 0), integrate(satellite_against_carrier.subs(AXES_45))),
         readings=(
             Reading(
@@ -173,9 +133,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
         note="The text at hand says nothing about (5) in this case. Left as printed, with e1 = 0, "
         "it would turn wheel 6 by phi1; wheels that do not slip turn it by (R4/R5) phi1.",
         marks=("rebuilt", "inferred"),
-        cites=("S29",),
     ),
-    Claim(
+    ours(
         "special case, kinds of motion",
         r"\text{the kinds of variants 3 and 4 do not depend on how fast wheel 6 turns}",
         all_of(
@@ -186,31 +145,25 @@ VARIANT_ROWS: tuple[Row, ...] = (
         note="The sign is that of rho5 - rho6, whatever the angle of wheel 6. But variant 3 rests "
         "where phi6 is an odd multiple of pi/2: three times in a turn of the carrier if wheel 6 "
         "turns by 1.5 phi1, twice if it turns by phi1.",
-        marks=("ours", "inferred"),
+        marks=("inferred",),
     ),
-    Claim(
+    PRINT.claim(
         "fixed axes",
-        ONE_WAY_PRINT,
         Holds(-rho3 / (span - rho3) < 0),
         note="External mesh, any pitch curves with 0 < rho < L; the ratio of a train of pairs is "
         "a product of factors of constant sign.",
         on=Part("the radius is shorter than the distance of the axes", where=(rho3 < span,)),
-        cites=("S14",),
     ),
-    Claim(
+    PRINT.claim(
         "fixed axes, internal mesh",
-        ONE_WAY_PRINT,
         Holds(rho3 / (rho3 - span) > 0),
         note="At the point of contact the ring has the radius rho > L and its wheel rho - L; "
         "where the wheel drives, the ratio is the inverse.",
         on=Part("the radius exceeds the distance of the axes", where=(span < rho3,)),
-        cites=("S14",),
     ),
-    Claim(
+    PRINT.claim(
         "fixed axes, non-uniform",
-        ONE_WAY_PRINT,
         less(pair_ratio(OF_PAIR_36, -sp.S.One), pair_ratio(OF_PAIR_36, sp.S.One)),
         note="One pair of ovals with e = 0.2 gives it: its ratio ranges from 2/3 to 3/2.",
-        cites=("S14",),
     ),
 )

@@ -5,9 +5,8 @@ from sympy import Rational, S, sqrt
 from mechproof.record import Check, Cost, Finding, Paper, PublishedSizes, Weight
 
 from .algorithm import ALGORITHM_ROWS, wheels_rejected
-from .claims import CLAIM_ROWS
+from .claims import CLAIM_ROWS, EXAMPLE_ROWS
 from .design import DESIGN_ROWS, PARAMETER_ROWS
-from .example import EXAMPLE_ROWS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .mechanics import (
@@ -17,7 +16,6 @@ from .mechanics import (
     K_PRINTED,
     NORMAL_SHARE,
     NOTATION,
-    PRINT,
     PRINTED_SIZES,
     RECOMMENDED_UM,
     TEETH,
@@ -25,16 +23,11 @@ from .mechanics import (
     TOLERANCE_UM,
     VARIABLES,
     WHEEL,
-    E_true,
-    K_m,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    e_tip,
     gauge_spread,
     rejected_by,
     tip_spread,
 )
+from .symbols import PRINT, E_true, K_m, dh, dh_gauge, ds_gauge, e_tip
 
 MICROMETRE = Rational(1, 1000)
 LAWS = f"normal laws, centred, K = {K_PRINTED}"
@@ -60,19 +53,18 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
-                {},
                 "%",
                 2,
                 rejected_by(8, 0),
                 rejected_by(8, 0, geometry="involute"),
             ),
-            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
+            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", "µm", at=TIP_6),
             Cost(
                 "measured thickness for it",
-                TIP_6,
                 "µm",
                 printed=(e_tip + dh_gauge) * K_m,
                 right=(dh_gauge - e_tip / 2) * K_m,
+                at=TIP_6,
             ),
         ),
         follows=("Table 1, columns 4 to 6",),
@@ -96,7 +88,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, perfect gauge, {LAWS}",
-                {},
                 "%",
                 2,
                 printed=rejected_by(7, 0),
@@ -121,7 +112,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
-                {},
                 "µm",
                 2,
                 *RECOMMENDED_SPREADS,
@@ -145,7 +135,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "thickest good tooth, from nominal",
-                {},
                 "µm",
                 0,
                 DECREASE_UM * MICROMETRE,
@@ -168,7 +157,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "spread of the tip circle's mean over the wheel, IT6",
-                {},
                 "µm",
                 printed=SPREAD_6 / sqrt(TEETH),
                 right=SPREAD_6,
@@ -190,7 +178,6 @@ FINDINGS = (
             Cost(
                 "wrongly rejected, tip of IT6, perfect gauge, steps as printed, a tip deviation "
                 "for each tooth",
-                {},
                 "%",
                 2,
                 printed=rejected_by(6, 0),
@@ -213,7 +200,6 @@ FINDINGS = (
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
-                {},
                 "%",
                 printed=rejected_by(6, Rational(GAUGE_UM, 2), 3),
                 right=rejected_by(6, GAUGE_UM, 2),

@@ -1,11 +1,8 @@
 """Rows of paper 3 on the steps of the flow chart."""
 
-from __future__ import annotations
-
 from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
 from mechproof.record import (
-    Claim,
     Completion,
     Completions,
     Correction,
@@ -14,43 +11,28 @@ from mechproof.record import (
     Equality,
     PrintedNumber,
     Reading,
+    all_of,
+    less,
+    not_above,
+    ours,
 )
 
-from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
     GRADES,
     NORMAL_SHARE,
-    PRINT,
     RANGE,
     TEETH,
     TIP_DIAMETER,
     TOLERANCE_UNIT,
-    E_measured,
-    E_true,
-    K,
-    K_m,
-    alpha,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    ds_height,
-    e_tip,
     error_variance,
-    f_measured,
-    f_true,
     height_deviation,
     height_towards_tip,
     influence,
     reading,
     rejected_by,
-    rightly_accepted,
-    rightly_rejected,
-    sigma_tip,
-    wrongly_accepted,
-    wrongly_rejected,
-    z,
 )
+from .symbols import *
 
 SHARES_OF_TOOTH = {
     rightly_accepted: f_true * f_measured,
@@ -95,19 +77,15 @@ ALGORITHM_ROWS = (
         "step 1",
         defines=(K,),
         note="Printed in words: the ratio of the tolerance field to the standard deviation.",
-        cites=("S28",),
     ),
     PRINT.equation(
         "step 2",
         defines=(f_true,),
         note="For the sign of E_cs see 'smallest deviation, smallest prescribed decrease'.",
         marks=("rebuilt",),
-        cites=("S29", "S30"),
     ),
-    Claim(
+    PRINT.claim(
         "step 3, a new tip deviation for each tooth",
-        r"\text{rows tied to the numbers of the teeth of the wheel; column 4: random deviations of "
-        r"the diameter of the tooth tips}",
         Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
         corrected=Correction(
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
@@ -116,9 +94,8 @@ ALGORITHM_ROWS = (
         note="Compared is the variance of the mean tip deviation over the z teeth of a wheel. A "
         "wheel has one tip circle, so that its deviation is common to all teeth and does not "
         "average out. Shares over the teeth of many wheels are the same either way.",
-        cites=("S26", "S32"),
     ),
-    Claim(
+    ours(
         "step 3, IT grades",
         r"120<d_a=156\le180~\mathrm{mm},\quad\mathrm{IT}6=25,\ \mathrm{IT}7=40,\ "
         r"\mathrm{IT}8=63~\mu\mathrm{m}",
@@ -132,11 +109,10 @@ ALGORITHM_ROWS = (
         ),
         note="ISO 286-1: 10, 16 and 25 i, i = 0.45 ∛D + 0.001 D, D = √(120·180) mm; "
         "d_a = m (z + 2), addendum of one module, as the height to the constant chord shows.",
-        marks=("ours", "calibrated"),
+        marks=("calibrated",),
     ),
-    Claim(
+    PRINT.claim(
         "steps 4 and 7, spread of the gauge",
-        r"\text{the errors of the gauge, interval measure of uncertainty }50~\mu\mathrm{m}",
         Completions(
             "which interval it is and how many standard deviations it spans",
             Completion(
@@ -152,7 +128,6 @@ ALGORITHM_ROWS = (
         "this one without. Tip of IT6, steps as printed, normal laws, centred. Nor does the text "
         "at hand say how a standard deviation follows from an IT grade.",
         marks=("calibrated",),
-        cites=("S33", "S38"),
     ),
     PRINT.equation(
         "step 5",
@@ -167,38 +142,33 @@ ALGORITHM_ROWS = (
             r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}",
             HALF_OF_THE_DEVIATION,
         ),
-        note=(
-            "The gauge stands on the tip circle, so that half the deviation of the diameter "
-            "counts, whichever way heights are counted, which the text at hand does not say: the "
-            "step fails with heights counted towards the tip (plus) and towards the centre "
-            "(minus). The correction is proved with both. The charge rests on the words 'diameter "
-            "of the tooth tips', in step 3 and column 4, not on a subscript."
-        ),
+        note="The gauge stands on the tip circle, so that half the deviation of the diameter "
+        "counts, whichever way heights are counted, which the text at hand does not say: the "
+        "step fails with heights counted towards the tip (plus) and towards the centre "
+        "(minus). The correction is proved with both. The charge rests on the words 'diameter "
+        "of the tooth tips', in step 3 and column 4, not on a subscript.",
         marks=("rebuilt",),
     ),
-    Claim(
+    ours(
         "step 5, half the deviation",
         r"\Delta h=-\tfrac12e_{dau}+\Delta h_c",
         HALF_OF_THE_DEVIATION.parts[1],
         note="With heights counted towards the centre, as (1) and steps 6 and 8 have them, which "
         "are proved with K_m > 0; counted towards the tip, the sign is plus.",
-        marks=("ours",),
     ),
-    Claim(
+    ours(
         "steps 5 and 6, variance",
         r"D_{\text{printed}}-D_{\text{geometry}}=3\,\mathrm{tg}^2\alpha\,\sigma_d^2",
         Equality(
             error_variance(K_m, K_m) - error_variance(-influence / 2, influence),
             3 * tan(alpha) ** 2 * sigma_tip**2,
         ),
-        note=(
-            "The printed steps make the tip's part of the variance four times too large. The sign "
-            "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
-            "bias."
-        ),
-        marks=("ours", "consequence"),
+        note="The printed steps make the tip's part of the variance four times too large. The sign "
+        "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
+        "bias.",
+        marks=("consequence",),
     ),
-    Claim(
+    ours(
         "letters of two meanings",
         r"\Delta h_c,\ \Delta S_c\text{: from the tip circle and the height (text), errors of the "
         r"gauge (chart)}",
@@ -208,7 +178,6 @@ ALGORITHM_ROWS = (
         ),
         note="With the meanings of the text, step 5 would count the tip diameter twice, and step "
         "8 the height.",
-        marks=("ours",),
     ),
     PRINT.equation(
         "step 8",
@@ -225,30 +194,21 @@ ALGORITHM_ROWS = (
         note="Acceptance limits equal to the tolerance limits: no guard band.",
         marks=("rebuilt",),
     ),
-    Claim(
+    PRINT.claim(
         "step 10",
-        r"\text{rightly accepted }(f_u=1,f_0=1)\text{, wrongly accepted }(f_u=0,f_0=1)"
-        r"\text{, rightly rejected }(f_u=0,f_0=0)\text{, wrongly rejected }(f_u=1,f_0=0)",
         all_of(*(Definition(share, of_tooth) for share, of_tooth in SHARES_OF_TOOTH.items())),
         note="Wrongly accepted is the consumer's risk of JCGM 106, wrongly rejected the "
         "producer's.",
     ),
-    Claim(
+    PRINT.claim(
         "step 10, per cent of parts",
-        r"\text{the per cent of parts: rightly accepted, wrongly accepted, rightly rejected, "
-        r"wrongly rejected}",
         Equality(rejected_by(6, 0), wheels_rejected(6)),
         readings=(Reading("every tooth is a part, and the four shares are all teeth", ALL_TEETH),),
-        corrected=Correction(
-            r"\text{the per cent of teeth: rightly accepted, wrongly accepted, rightly rejected, "
-            r"wrongly rejected}",
-            ALL_TEETH,
-        ),
+        corrected=PRINT.mend("step 10, per cent of parts", "parts", "teeth", ALL_TEETH),
         note="Compared are the shares wrongly rejected. The blocks count teeth; the part that is "
         "sorted is a wheel, and a good wheel is rejected as soon as one of its teeth is. Perfect "
         "gauge, tip of IT6, steps as printed, K = 6, normal laws, centred; each tooth by itself, "
         "as in step 3.",
         marks=("calibrated",),
-        cites=("S20",),
     ),
 )

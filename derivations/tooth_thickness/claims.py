@@ -1,41 +1,113 @@
-"""Rows of paper 3 on what it concludes, (a) to (e), and what follows for its numbers."""
-
-from __future__ import annotations
+"""What paper 3 shows in Table 1 and concludes, (a) to (e), and what follows for its numbers."""
 
 from sympy import Interval, Rational, S, diff, pi, sqrt
 
 from mechproof.record import (
-    Claim,
     Correction,
+    Definition,
     Equality,
     NotCheckable,
     Part,
     PrintedNumber,
     Statement,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
-    POSITIVE,
+    NORMAL_SHARE,
     PRINTED_INFLUENCE,
     RECOMMENDED_UM,
     VARIANCE_BY_SLOPE,
-    above,
-    below,
     chance_to_accept,
     crossover,
     error_variance,
-    gauge_um,
+    height_towards_tip,
+    reading,
     rejected_by,
-    sigma,
-    sigma_height,
-    sigma_thickness,
-    sigma_tip,
     tip_spread,
-    width,
 )
+from .symbols import *
+
+# The example of Table 1 ---------------------------------------------------------------------------
+
+CAPTION = ("S27",)
+
+EXAMPLE_ROWS = (
+    PRINT.datum(
+        "Table 1, accuracy degree",
+        Definition(degree, S(6)),
+        note="A datum; no formula of the paper uses it. Its digit is damaged; Figs. 4 and 5 have "
+        "6H.",
+        marks=("uncertain",),
+    ),
+    PRINT.datum(
+        "Table 1, kind of mating",
+        Definition(clearance, S.Zero),
+        note="A datum; no formula of the paper uses it. That H requires no guaranteed clearance "
+        "is taken from GOST 1643-81, by which the paper sets the requirements.",
+        marks=("inferred",),
+    ),
+    PRINT.datum(
+        "Table 1, ratio of tolerance and standard deviation",
+        defines=(K,),
+        note="A datum, the normal level of accuracy of the technology.",
+    ),
+    PRINT.datum(
+        "Table 1, grade of the tip diameter",
+        Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
+        note="A datum; the 25 µm are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
+        marks=("calibrated",),
+    ),
+    PRINT.datum(
+        "Table 1, interval of the gauge",
+        Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
+        note="A datum; for which interval may be meant see 'steps 4 and 7, spread of the gauge'.",
+    ),
+    PRINT.claim(
+        "Table 1, 50 of 50",
+        all_of(
+            PrintedNumber("100", 100 * Rational(50, 50)),
+            PrintedNumber("100", 100 * NORMAL_SHARE),
+        ),
+        note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which is "
+        "99.73 % for a normal law in the middle of the field. For what 50 teeth can show of it "
+        "see 'Table 1, 50 of 50, what it shows'.",
+        marks=("calibrated",),
+    ),
+    ours(
+        "Table 1, 50 of 50, what it shows",
+        r"50\text{ of }50\text{ are to be expected in 87 \% of wheels at }K=6\text{, and not rare "
+        r"(5 \%) with }94.2~\%\text{ of good teeth}",
+        all_of(
+            PrintedNumber("87", 100 * NORMAL_SHARE**50),
+            less(Rational(1, 20), Rational("0.942") ** 50),
+            less(Rational("0.941") ** 50, Rational(1, 20)),
+        ),
+        note="The one-sided 95 % bound of Clopper and Pearson lies between 94.1 and 94.2 % of "
+        "good teeth. Normal law, centred.",
+        marks=("consequence",),
+    ),
+    PRINT.claim(
+        "Table 1, columns 4 to 6",
+        Equality(e_tip + dh_gauge, height_towards_tip),
+        corrected=Correction(
+            r"(6)=\tfrac12\,(4)+(5)", Equality(e_tip / 2 + dh_gauge, height_towards_tip)
+        ),
+        note="The sum (6) = (4) + (5) of step 5, column 4 being that of the diameter.",
+    ),
+    PRINT.claim(
+        "Table 1, column 9",
+        Equality(E_true + K_m * dh + ds_gauge, reading),
+        note="True deviation, error of thickness from the shift, error of the gauge; as in step 8.",
+    ),
+)
+
+
+# The conclusions ----------------------------------------------------------------------------------
 
 AS_PRINTED, BY_GEOMETRY = "printed", "involute"
 # Per cent of good teeth rejected by grade, as printed and by the geometry: with a perfect gauge,
@@ -71,10 +143,8 @@ def write(shares: dict[int, tuple[str, str]]) -> str:
 
 
 CLAIM_ROWS = (
-    Claim(
+    PRINT.claim(
         "(e)",
-        r"\text{with zero limit error of the instrument the indices are estimated only from the IT "
-        r"grade of the tip circle}",
         all_of(
             Equality(
                 error_variance(PRINTED_INFLUENCE, PRINTED_INFLUENCE).subs(
@@ -89,19 +159,15 @@ CLAIM_ROWS = (
         "printed, and the share of wrongly rejected teeth rises with the grade. The law of the "
         f"teeth themselves stays the same. {LAWS}",
         marks=("calibrated",),
-        cites=("S34",),
     ),
-    Claim(
+    PRINT.claim(
         "(a), curves of Figs. 4 and 5",
-        r"\text{wrongly rejected, rightly accepted against the limit error of the gauge: 1 IT6, "
-        r"2 IT7}",
         NotCheckable(
             "the curves are lost in the scan, and the text at hand has neither the laws nor the "
             "multiple of the limit error"
         ),
-        cites=("S41", "S42"),
     ),
-    Claim(
+    ours(
         "(a), rise with the limit error",
         r"\frac{\partial}{\partial w}\tfrac12\left[\mathrm{erf}\frac{q_1}w"
         r"+\mathrm{erf}\frac{q_2}w\right]<0",
@@ -110,16 +176,13 @@ CLAIM_ROWS = (
             "the expected reading of the tooth lies inside the limits",
             {above: POSITIVE, below: POSITIVE},
         ),
-        note=(
-            "The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
-            "limits falls as the normal error grows. With a centred gauge this holds for every "
-            "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
-            "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
-            "teeth more often the more it scatters."
-        ),
-        marks=("ours",),
+        note="The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
+        "limits falls as the normal error grows. With a centred gauge this holds for every "
+        "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
+        "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
+        "teeth more often the more it scatters.",
     ),
-    Claim(
+    ours(
         "(a), order of the curves",
         r"\text{curve 2 (IT7) lies above curve 1 (IT6) in Fig. 4, below it in Fig. 5}",
         less(
@@ -127,12 +190,9 @@ CLAIM_ROWS = (
             VARIANCE_BY_SLOPE.subs(sigma_tip, GRADES[7][1] * sigma / GRADES[6][1]),
         ),
         note="The total error of IT7 has the larger variance at every limit error of the gauge.",
-        marks=("ours",),
     ),
-    Claim(
+    PRINT.claim(
         "(d)",
-        r"\text{for gear wheels of degrees 6 and 7 the IT grades 6 and 7 of the tip diameter can "
-        r"be recommended, and not 8}",
         less(tip_spread(7), tip_spread(8, BY_GEOMETRY)),
         corrected=Correction(
             r"\text{for gear wheels of degrees 6 and 7 the IT grades 7 and 8 of the tip diameter "
@@ -143,30 +203,24 @@ CLAIM_ROWS = (
         "does by the printed steps. The text at hand has no limit; any that admits IT7 by the "
         "printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
-        cites=("S46",),
     ),
-    Claim(
+    PRINT.claim(
         "(d), literature",
-        r"\text{recommendations in the technical literature on the IT grade of the diameter of the "
-        r"tooth tips need correction}",
         NotCheckable(
             "the text at hand says neither which share of good teeth may be rejected nor what the "
             "literature recommends for degrees other than 6 and 7"
         ),
-        cites=("S45",),
     ),
-    Claim(
+    ours(
         "(d), good teeth rejected, perfect gauge",
         write(PERFECT),
         table(PERFECT, 0),
         note="By the steps as printed, and by the geometry with half the deviation of the "
         f"diameter. {LAWS}",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "(b)",
-        r"\text{the limit error of the instrument has a stronger influence on the defectiveness "
-        r"than the accuracy of the tip diameter}",
         less(crossover(6, BY_GEOMETRY), gauge_um),
         on=Part(
             "the gauge is no coarser than that of Table 1", {gauge_um: Interval.Lopen(0, GAUGE_UM)}
@@ -179,9 +233,8 @@ CLAIM_ROWS = (
         "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 µm"
         ", is above the crossover, the gauge recommended in (c), 2 µm, below it.",
         marks=("calibrated",),
-        cites=("S47",),
     ),
-    Claim(
+    ours(
         "(b), crossovers",
         r"\text{the instrument has the stronger influence only from a limit error of }"
         + r"\text{, of }".join(
@@ -197,33 +250,27 @@ CLAIM_ROWS = (
         ),
         note="The limit error, 2 or 3 sigma, of a gauge that disturbs the measurement as much as "
         "the tip does, by the geometry; the printed steps give about twice as much.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "(c)",
-        r"\text{instruments with an interval measure of uncertainty of at most }"
-        r"U=\pm2~\mu\mathrm{m}\text{ can be recommended}",
         NotCheckable(
             "the text at hand has neither the share that is still allowed nor the tolerances of "
             "degrees 7 and 8"
         ),
         note="For what that gauge does to the wheel of degree 6 see '(c), good teeth rejected "
         "with the recommended gauge'.",
-        cites=("S49",),
     ),
-    Claim(
+    PRINT.claim(
         "(c), degrees 6, 7 and 8",
-        r"\text{the requirements on the accuracy of gear-tooth measuring instruments at the 6th, "
-        r"7th and 8th degrees of accuracy are made concrete}",
         NotCheckable("the text at hand has a single U, for no named degree"),
-        cites=("S48",),
     ),
-    Claim(
+    ours(
         "(c), good teeth rejected with the recommended gauge",
         write(RECOMMENDED),
         table(RECOMMENDED, RECOMMENDED_UM),
         note="By the steps as printed, and by the geometry with half the deviation of the "
         f"diameter. U = 2 sigma = 2 µm. {LAWS}",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
 )

@@ -1,85 +1,66 @@
 """Rows of paper 3 on design data, smallest deviation, measuring base, controlled parameters."""
 
-from __future__ import annotations
-
 from sympy import Rational, S, atan, cos, diff, pi, tan
 
 from mechproof.record import (
-    Claim,
-    Correction,
     Definition,
     Distinct,
     Equality,
     NotCheckable,
     PrintedNumber,
     Reading,
+    all_of,
+    less,
+    not_above,
+    ours,
 )
 
 from .._metrology import normal_between
-from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
     HEIGHTS_TO_0_1_MM,
     MODULE,
     NORMAL_SHARE,
-    PRINT,
     TEETH,
     THREE_SIGMA,
     TOLERANCE_UM,
-    E_cs,
-    E_true,
-    T_c,
     accepted_by,
-    alpha,
     at_angle,
     chord_height,
-    dh,
-    dh_gauge,
-    ds_gauge,
-    e_tip,
     good_but_rejected,
     height_change,
     height_deviation,
-    incline,
     involute_chord,
     involute_distance,
-    m,
     measurement_spread,
-    millimetre,
     nominal_height,
     of_wheel,
-    place,
     rack_chord,
     rack_height,
     reading,
-    s_c,
     side_clearance,
     thickness_change,
-    tilt,
     tip_radius,
     tip_spread,
 )
+from .symbols import *
 
 DESIGN_ROWS = (
-    PRINT.claim(
-        "data, pitch diameter", says=PrintedNumber("150", MODULE * S(TEETH)), cites=("S23",)
-    ),
+    PRINT.claim("data, pitch diameter", PrintedNumber("150", MODULE * S(TEETH))),
     PRINT.datum(
         "data, constant chord",
-        says=Definition(s_c, Rational("4.161") * millimetre),
+        Definition(s_c, Rational("4.161") * millimetre),
         note="A datum. The profile angle, which is not in the text at hand, was fitted to it: 20°"
         ", see 'data, profile angle'.",
         marks=("fitted",),
-        cites=("S23",),
     ),
     PRINT.claim(
         "data, height to the constant chord",
-        says=PrintedNumber("2.243", at_angle(rack_height, 20)),
+        PrintedNumber("2.243", at_angle(rack_height, 20)),
         note="By the 20° from the constant chord, with an addendum of one module.",
         marks=("calibrated",),
-        cites=("S23",),
     ),
-    Claim(
+    ours(
         "data, profile angle",
         r"4.161\text{ and }2.243\text{, rounded, leave }19.99^\circ<\alpha<20.01^\circ",
         all_of(
@@ -93,25 +74,19 @@ DESIGN_ROWS = (
             less(Rational("4.1615"), at_angle(rack_chord, "19.99")),
             less(at_angle(rack_height, "20.01"), Rational("2.2425")),
         ),
-        note=(
-            "Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
-            "is already too long, at 20.01° the height is too small."
-        ),
-        marks=("ours",),
+        note="Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
+        "is already too long, at 20.01° the height is too small.",
     ),
-    Claim(
+    ours(
         "constant chord",
         r"\bar S_c=\frac{\pi m}2\cos^2\alpha",
         Equality(rack_chord, involute_chord),
-        note=(
-            "The chord along which the rack touches both flanks at once, by the rack (foot of the "
-            "perpendicular from the pitch point) and by the involute; the number of teeth "
-            "cancels."
-        ),
-        marks=("ours",),
+        note="The chord along which the rack touches both flanks at once, by the rack (foot of the "
+        "perpendicular from the pitch point) and by the involute; the number of teeth "
+        "cancels.",
         quantities=("constant_chord",),
     ),
-    Claim(
+    ours(
         "height to the constant chord",
         r"\bar h_c=m\left(1-\frac\pi8\sin2\alpha\right)",
         all_of(
@@ -119,20 +94,16 @@ DESIGN_ROWS = (
             Equality(rack_height, nominal_height),
         ),
         note="By the rack and by the involute, with an addendum of one module.",
-        marks=("ours",),
         quantities=("chord_height",),
     ),
     PRINT.datum(
         "data, smallest deviation",
         defines=(E_cs,),
         note="A datum; for its sign see 'smallest deviation, smallest prescribed decrease'.",
-        cites=("S23",),
     ),
-    PRINT.datum("data, tolerance", defines=(T_c,), note="A datum.", cites=("S23",)),
-    Claim(
+    PRINT.datum("data, tolerance", defines=(T_c,), note="A datum."),
+    PRINT.claim(
         "smallest deviation, smallest prescribed decrease",
-        r"E_{cs}\text{ is the smallest prescribed decrease of the constant chord; good: }"
-        r"E_{cs}-T_c<E_{csu}<E_{cs}",
         not_above(E_cs, -(E_cs - T_c * place)),
         readings=(
             Reading(
@@ -140,59 +111,46 @@ DESIGN_ROWS = (
                 not_above(E_cs, -(-E_cs - T_c * place)),
             ),
         ),
-        corrected=Correction(
-            r"E_{cs}\text{ is the smallest prescribed decrease of the constant chord; good: }"
-            r"-E_{cs}-T_c<E_{csu}<-E_{cs}",
+        corrected=PRINT.mend(
+            "smallest deviation, smallest prescribed decrease",
+            "E_{cs}-T_c<E_{csu}<",
+            "-E_{cs}-T_c<E_{csu}<-",
             not_above(E_cs, -(-E_cs - T_c * place)),
         ),
-        note=(
-            "E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
-            "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
-            "simulate a decrease instead of a deviation does not help: step 2 would then admit "
-            "only decreases below E_cs."
-        ),
+        note="E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
+        "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
+        "simulate a decrease instead of a deviation does not help: step 2 would then admit "
+        "only decreases below E_cs.",
         marks=("rebuilt",),
-        cites=("S25",),
     ),
-    Claim(
+    PRINT.claim(
         "smallest deviation, guaranteed side clearance",
-        r"E_{cs}\text{ determines the guaranteed side clearance}",
         Equality(diff(side_clearance, E_cs), cos(alpha)),
         note="As a decrease it gives E_cs cos(alpha) along the normal; the mating wheel and the "
         "centre distance contribute to the clearance, too.",
-        cites=("S24",),
     ),
-    Claim(
+    PRINT.claim(
         "smallest deviation, kind of mating",
-        r"\text{which in turn determines the kind of mating}",
         NotCheckable(
             "which clearance belongs to which kind of mating: that stands in the tables of the "
             "standard cited as [2], of which the text at hand has no number"
         ),
-        cites=("S24",),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, nominal tip diameter",
-        r"\text{the measuring base for determining the height is the nominal diameter of the tip "
-        r"circle}",
         Equality(tip_radius - rack_height, involute_distance),
         note="Measured from the nominal tip circle, with the outer cylinder as base, the height "
         "leads to the constant chord of the involute.",
-        cites=("S8", "S9"),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, tip diameter not nominal",
-        r"\text{if the diameter of the tip circle differs from the nominal value, the height is "
-        r"determined with an error}",
         Equality(tip_radius + e_tip / 2 - rack_height - involute_distance, e_tip / 2),
         note="The line of a gauge that stands on the actual tip circle and is set to the nominal "
         "height, compared with the constant chord of the involute: it is off by half the "
         "deviation of the diameter, towards the tip if the circle is larger.",
-        cites=("S9",),
     ),
-    Claim(
+    PRINT.claim(
         "measuring base, thickness",
-        r"\text{this leads to an error of measurement of the tooth thickness}",
         all_of(
             *(
                 not_above(*(side.subs(tilt, tilt * way) for side in sides))
@@ -206,7 +164,6 @@ DESIGN_ROWS = (
         note="On the involute of this wheel the thickness is off by at least half as much; deeper "
         "is thicker, so that a larger tip diameter makes the tooth measure thinner.",
         marks=("calibrated",),
-        cites=("S9",),
     ),
 )
 
@@ -214,10 +171,8 @@ GAUGE_LIMIT = Rational(GAUGE_UM, 2)
 SHARE = good_but_rejected(tip_spread(6))
 
 PARAMETER_ROWS = (
-    Claim(
+    PRINT.claim(
         "controlled parameters",
-        r"\text{IT grade of the tip diameter, accuracy degree, expectation of the deviations of "
-        r"the thickness, expectation of the error of the instrument}",
         all_of(
             less(measurement_spread(6, S.Zero), measurement_spread(7, S.Zero)),
             Distinct(good_but_rejected(tip_spread(6), tolerance=TOLERANCE_UM + 1), SHARE),
@@ -232,7 +187,7 @@ PARAMETER_ROWS = (
         "laws, tip of IT6.",
         marks=("calibrated",),
     ),
-    Claim(
+    ours(
         "controlled parameters, mean error",
         r"\mathrm E\,(E_{cs0}-E_{csu})=\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
         Equality(
@@ -242,6 +197,6 @@ PARAMETER_ROWS = (
         note="How the expectations of tip diameter, height and thickness shift the mean "
         "indication: where they are not zero the sign in step 5 matters, and the printed steps "
         "give K_m (mu_h + mu_d) + mu_S.",
-        marks=("ours", "consequence"),
+        marks=("consequence",),
     ),
 )

@@ -1,56 +1,24 @@
 """What can be computed of paper 3: chords, their changes along the flank, errors of thickness."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from sympy import Abs, Eq, Expr, Rational, S, cos, pi, sin, tan
 
 from mechproof.record import Argument, Form, Part, Quantity, Singular
 
-from .bounds import (
-    ACCURACY,
-    HEIGHT_BOUND,
-    HEIGHT_CURVATURE,
-    MODEL_BOUND,
-    TAYLOR,
-    THICKNESS_CURVATURE,
-    TWENTY_DEGREES,
-    by_height,
-    first_order,
-    within_a_hundredth,
-)
-from .charts import (
-    DEPTH_NEGATED,
-    DEPTHS,
-    ERRORS,
-    ERRORS_NEGATED,
-    FLANK_CHARTS,
-    RACK,
-    SHALLOW,
-)
+from . import bounds
 from .mechanics import (
     PRINTED_INFLUENCE,
-    K_m,
-    alpha,
     chord,
     chord_distance,
     chord_half,
     chord_height,
-    dh,
-    dh_gauge,
-    e_tip,
     half_tooth,
     height_change,
     linearisation_bound,
-    m,
-    r_b,
-    t_c,
     thickness_change,
-    tilt,
-    y_c,
-    z,
 )
+from .symbols import K_m, alpha, dh, dh_gauge, e_tip, m, r_b, t_c, tilt, y_c, z
 
 MODULE = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
@@ -126,10 +94,10 @@ QUANTITIES = (
         (MODULE, ANGLE),
         chord,
         # 4.161 mm of the paper is for a module of 3 mm.
-        (Form("squared cosine", chord, charts=RACK), handbook("1.387")),
+        (Form("squared cosine", chord, charts=bounds.RACK), handbook("1.387")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
-        accuracy=ACCURACY["constant_chord"],
+        accuracy=bounds.ACCURACY["constant_chord"],
     ),
     Quantity(
         "chord_height",
@@ -137,10 +105,10 @@ QUANTITIES = (
         (MODULE, ANGLE),
         chord_height,
         # So is 2.243 mm.
-        (Form("double angle", chord_height, charts=RACK), handbook("0.7476")),
+        (Form("double angle", chord_height, charts=bounds.RACK), handbook("0.7476")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
-        accuracy=ACCURACY["chord_height"],
+        accuracy=bounds.ACCURACY["chord_height"],
     ),
     Quantity(
         "height_change",
@@ -148,7 +116,7 @@ QUANTITIES = (
         FLANK,
         height_change,
         (
-            Form(SHIPPED, height_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
+            Form(SHIPPED, height_change, ("cosine_minus_one",), charts=bounds.FLANK_CHARTS),
             Form(
                 "difference of two distances",
                 r_b * (distance(alpha) - distance(alpha + tilt)),
@@ -158,14 +126,14 @@ QUANTITIES = (
                 "first order in the tilt",
                 -r_b * t_c * cos(alpha) * tilt,
                 key="first_order",
-                bound=HEIGHT_BOUND,
-                states=first_order(height_change, HEIGHT_CURVATURE),
-                note=TAYLOR,
+                bound=bounds.HEIGHT_BOUND,
+                states=bounds.first_order(height_change, bounds.HEIGHT_CURVATURE),
+                note=bounds.TAYLOR,
             ),
         ),
         f"{SOURCE}, step 6, on the involute",
         unit="mm",
-        accuracy=ACCURACY["height_change"],
+        accuracy=bounds.ACCURACY["height_change"],
         singular=ALONG_THE_FLANK,
         workloads=ONE_WHEEL,
     ),
@@ -175,7 +143,7 @@ QUANTITIES = (
         FLANK,
         thickness_change,
         (
-            Form(SHIPPED, thickness_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
+            Form(SHIPPED, thickness_change, ("cosine_minus_one",), charts=bounds.FLANK_CHARTS),
             Form(
                 "difference of two chords",
                 2 * r_b * (half_chord(alpha + tilt) - half_chord(alpha)),
@@ -186,17 +154,17 @@ QUANTITIES = (
                 "first order in the tilt",
                 -2 * r_b * t_c * sin(alpha) * tilt,
                 key="first_order",
-                bound=2 * HEIGHT_BOUND,
-                states=first_order(thickness_change, THICKNESS_CURVATURE),
-                note=TAYLOR,
+                bound=2 * bounds.HEIGHT_BOUND,
+                states=bounds.first_order(thickness_change, bounds.THICKNESS_CURVATURE),
+                note=bounds.TAYLOR,
             ),
             Form(
                 "2 tan(alpha) times the height",
                 K_m * height_change,
                 ("cosine_minus_one",),
                 key="by_height",
-                bound=MODEL_BOUND,
-                states=by_height,
+                bound=bounds.MODEL_BOUND,
+                states=bounds.by_height,
                 source=f"{SOURCE}, step 6 with the exact derivative",
                 note="the derivative of what is missing is proved; |sin(tilt)| <= |tilt|, "
                 "integrated",
@@ -204,7 +172,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, step 6, on the involute",
         unit="mm",
-        accuracy=ACCURACY["thickness_change"],
+        accuracy=bounds.ACCURACY["thickness_change"],
         singular=ALONG_THE_FLANK,
         workloads=ONE_WHEEL,
     ),
@@ -214,13 +182,13 @@ QUANTITIES = (
         (replace(HEIGHT, usual=(0, 0.1, 10)), ANGLE),
         LINEAR,
         (
-            Form("tangent", LINEAR, charts=DEPTHS),
+            Form("tangent", LINEAR, charts=bounds.DEPTHS),
             Form(
                 "printed (1)",
                 PRINTED_INFLUENCE * dh,
                 key="printed",
-                states=within_a_hundredth,
-                holds_on=TWENTY_DEGREES,
+                states=bounds.within_a_hundredth,
+                holds_on=bounds.TWENTY_DEGREES,
                 source=f"{SOURCE}, equation (1)",
                 note="judged, as (1), to a hundredth of Delta_h; 2*tan(20 deg) = 0.7279, and it is "
                 "not meant for other angles",
@@ -228,7 +196,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, equation (1) with the exact derivative",
         unit="mm",
-        accuracy=ACCURACY["thickness_change_linear"],
+        accuracy=bounds.ACCURACY["thickness_change_linear"],
         singular=(Singular(Eq(dh, 0)),),
     ),
     Quantity(
@@ -240,13 +208,13 @@ QUANTITIES = (
             Form(
                 "Taylor's remainder",
                 linearisation_bound,
-                charts=(SHALLOW,),
-                mirrors=DEPTH_NEGATED,
+                charts=(bounds.SHALLOW,),
+                mirrors=bounds.DEPTH_NEGATED,
             ),
         ),
         f"{SOURCE}, step 6, second derivative on the involute",
         unit="mm",
-        accuracy=ACCURACY["linearisation_bound"],
+        accuracy=bounds.ACCURACY["linearisation_bound"],
         on=ABOVE_BASE_CIRCLE,
         singular=(Singular(Eq(dh, 0)),),
         workloads=(("N depths, one wheel", ("dh",)),),
@@ -257,7 +225,7 @@ QUANTITIES = (
         (TIP, GAUGE, ANGLE),
         ERROR,
         (
-            Form("tangent", ERROR, charts=ERRORS, mirrors=ERRORS_NEGATED),
+            Form("tangent", ERROR, charts=bounds.ERRORS, mirrors=bounds.ERRORS_NEGATED),
             Form(
                 "printed (1), steps 5 and 6",
                 PRINTED_INFLUENCE * (e_tip + dh_gauge),
@@ -269,7 +237,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, steps 5 and 6 corrected",
         unit="mm",
-        accuracy=ACCURACY["thickness_error"],
+        accuracy=bounds.ACCURACY["thickness_error"],
         singular=(Singular(Eq(dh_gauge, e_tip / 2)),),
         workloads=(("N errors, one wheel", ("e_tip", "height_error")),),
     ),

@@ -1,7 +1,5 @@
 """The figures of paper 3, redrawn from exact shares and from its simulation."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from functools import partial

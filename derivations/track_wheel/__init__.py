@@ -2,24 +2,39 @@
 
 Part one propagates the errors of machining, (1)-(7); part two turns and shifts the frame of
 the part, (8)-(15); part three is the track and what the displacement does to it, (16)-(18),
-Table 1 and the figures. Rows marked `ours` are not printed in the paper.
+Table 1 and the figures. Rows of `ours` are not printed in the paper.
 """
+
+from collections.abc import Mapping
 
 from sympy import Abs, Le, Rational
 
 from mechproof.record import Paper
 
-from .aside import ASIDE
-from .consequences import CONSEQUENCES
-from .curve_rows import CURVE_ROWS
+from .curve_rows import CURVE_ROWS, FIGURE_ROWS
 from .design import DESIGN_ROWS
 from .error_rows import ERROR_ROWS
-from .figures import FIGURE_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
 from .kernels import QUANTITIES
 from .symbols import NOTATION, PRINT, TABLE_1, VARIABLES, amplitude, radius, thermal
-from .table import TABLE_ROWS
+from .table import CONSEQUENCES, TABLE_ROWS
+
+PURPOSE = "says what the method is for"
+MOTIVE = "says why the subject matters, without a number"
+SCHEME = "describes the gear or the set-up"
+TEXTS: Mapping[str, tuple[str, ...]] = {
+    "title, authors, keywords": ("S1", "S7"),
+    MOTIVE: ("S2", "S11", "S12"),
+    SCHEME: ("S8", "S9", "S10", "S50"),
+    PURPOSE: ("S13", "S24"),
+    "tells of the method, which the rows of its formulas judge": ("S4", "S14"),
+    "a principle for any part, before a formula is given": ("S15",),
+    "leads over to the matrices: blanks may be turned, too": ("S29",),
+    "recommends the methods; costs are in none of the formulas": ("S68",),
+}
+ASIDE = {name: reason for reason, names in TEXTS.items() for name in names}
+
 
 PAPER = Paper(
     system="track_wheel",

@@ -5,33 +5,14 @@ about X_0. Then y_13 is the distance of a point from the vertical plane of the a
 that rises; the worst offset e is the other way, and the largest y_13 is the radius rho of a crest.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
-from mechproof.record import Claim, Equality, Part, Row
+from mechproof.record import Equality, Part, all_of, less, not_above, ours
 
-from .._relations import all_of, less, not_above
-from .symbols import (
-    PRINTED_15,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    eccentricity,
-    farther,
-    gamma,
-    nearer,
-    planar_error,
-    radius_vector,
-    spatial_error,
-    thickness,
-    tilt_tangent,
-)
+from .symbols import *
 
 a, b, c = SHIFT
 _, y, z = SURFACE_POINT
-MARKS = ("ours",)
 ZERO = sp.S.Zero
 SINE, VERSINE = (
     2 * tilt_tangent / (1 + tilt_tangent**2),
@@ -74,8 +55,8 @@ IN_SPACE = Part(
     ),
 )
 
-DESIGN_ROWS: tuple[Row, ...] = (
-    Claim(
+DESIGN_ROWS = (
+    ours(
         "design, tilt and offset",
         r"\Delta y_0=-(e+y_{13}(1-\cos\alpha)+z_{13}\sin\alpha),\ "
         r"\Delta z_0=y_{13}\sin\alpha-z_{13}(1-\cos\alpha)",
@@ -91,10 +72,9 @@ DESIGN_ROWS: tuple[Row, ...] = (
         ),
         note="By (15), for a tilt about X_0 and an offset against the side that rises; beta and "
         "gamma are 0.",
-        marks=MARKS,
         quantities=("planar_error", "spatial_error"),
     ),
-    Claim(
+    ours(
         "design, worst point",
         r"|\Delta y_0|\text{ and }\Delta y_0^2+\Delta z_0^2\text{ are largest at }y_{13}=\rho,\ "
         r"\alpha\le\tfrac\pi2",
@@ -105,10 +85,9 @@ DESIGN_ROWS: tuple[Row, ...] = (
         ),
         note="With t = tan(alpha/2) from 0 to 1, y_13 = rho - d = f - rho, d and f not negative. "
         "An offset in another direction adds no more than e in the plane, and nothing across it.",
-        marks=MARKS,
         quantities=("planar_error", "spatial_error"),
     ),
-    Claim(
+    ours(
         "design, one tilt at most",
         r"\frac{\partial}{\partial t}|\Delta y_0|>0,\ "
         r"\frac{\partial}{\partial t}(\Delta y_0^2+\Delta z_0^2)>0\text{ at }y_{13}=\rho",
@@ -117,24 +96,21 @@ DESIGN_ROWS: tuple[Row, ...] = (
             less(ZERO * tilt_tangent, sp.diff(squared(radius_vector), tilt_tangent)),
         ),
         note="t = tan(alpha/2), above 0 and up to 1; without a tilt both errors are e.",
-        marks=MARKS,
         quantities=("planar_error", "spatial_error"),
     ),
-    Claim(
+    ours(
         "design, tilt for an error in the plane",
         r"\tan\tfrac\alpha2=\frac g{H_s+\sqrt{H_s^2+g(2\rho-g)}},\ g=\Delta_\Sigma^{XY}-e",
         Equality(inwards(radius_vector).subs(tilt_tangent, PLANAR_ROOT), planar_error),
         on=IN_PLANE,
-        marks=MARKS,
         quantities=("planar_error",),
     ),
-    Claim(
+    ours(
         "design, tilt for an error in space",
         r"\tan\tfrac\alpha2=\frac g{2eH_s+\sqrt{4e^2H_s^2+g(4(\rho^2+H_s^2+e\rho)-g)}},\ "
         r"g=(\Delta_\Sigma^{XYZ})^2-e^2",
         Equality(squared(radius_vector).subs(tilt_tangent, SPATIAL_ROOT), spatial_error**2),
         on=IN_SPACE,
-        marks=MARKS,
         quantities=("spatial_error",),
     ),
 )

@@ -1,19 +1,16 @@
 """Part one: what is printed of errors of machining, (1)-(7)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
-    Claim,
-    Conjunction,
     Correction,
     Definition,
     Equality,
-    Holds,
     NotCheckable,
     Reading,
-    Row,
+    all_of,
+    less,
+    ours,
     sum_distinct,
 )
 
@@ -28,29 +25,7 @@ from .mechanics import (
     propagate,
     propagate_groups,
 )
-from .symbols import (
-    AT_TIME,
-    PRINT,
-    PRINTED_5,
-    correlations,
-    correlations_t,
-    dummy,
-    elastics,
-    elastics_t,
-    error,
-    half_width,
-    i,
-    influences,
-    j,
-    mountings,
-    mountings_t,
-    offset,
-    output,
-    scatter,
-    sigma,
-    thermal,
-    total,
-)
+from .symbols import *
 
 LATEX_CORRECTED_GROUPS = (
     r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"
@@ -63,86 +38,60 @@ LATEX_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
 )
 
 
-ERROR_ROWS: tuple[Row, ...] = (
+ERROR_ROWS = (
     PRINT.equation(
         "(1)",
         defines=(output,),
         note="Names the output and its parameters; everything that follows uses f to first order.",
-        cites=("S16",),
     ),
-    PRINT.equation(
-        "(2)",
-        defines=(error,),
-        note="X_0 is the nominal value of the same parameter.",
-        cites=("S17", "S18"),
-    ),
-    Claim(
+    PRINT.equation("(2)", defines=(error,), note="X_0 is the nominal value of the same parameter."),
+    PRINT.claim(
         "after (3), K",
-        r"K\text{: coefficient of relative scatter of the output parameter; }K_i\text{: ratio of "
-        r"the scatter field of the error under the normal law to the actual scatter field}",
         Definition(scatter, 6 * sigma / total),
         note="The ratio is printed for the inputs and read in the same way for the output; the "
         "field under the normal law is taken to be six standard deviations.",
         marks=("inferred",),
-        cites=("S20", "S21"),
     ),
-    Claim(
+    ours(
         "after (3), K of a uniform law",
         r"K_i=\sqrt3",
-        Conjunction(
-            (
-                Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
-                Equality(
-                    6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
-                    sp.sqrt(3) * (2 * half_width),
-                ),
-            )
+        all_of(
+            Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
+            Equality(
+                6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
+                sp.sqrt(3) * (2 * half_width),
+            ),
         ),
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
-        marks=("ours",),
     ),
-    Claim(
+    PRINT.claim(
         "after (3), K for a reliability",
-        r"K\text{ corrects the total error for a given guaranteed reliability}",
         Definition(scatter, 6 * sigma / (2 * half_width)),
         note="Chosen by whoever uses (3); h is half the field that the reliability requires. By "
         "the normal law K = 1 for 99.73 % and K = 3/1.96 for 95 %.",
-        cites=("S20",),
     ),
     PRINT.equation(
         "(3)",
         derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
-        corrected=Correction(PRINT.prints["(3)"].replace("k", "j")),
+        corrected=PRINT.mend("(3)", "k", "j"),
         note="The inner sum runs over k, while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so that j is meant.",
-        cites=("S19",),
     ),
-    Claim(
+    ours(
         "(3), coefficients that fit together",
         r"R_{ij}=-1\ (i\ne j,\ n=3)",
-        Holds(
-            sp.Lt(
-                sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)),
-                0,
-                evaluate=False,
-            )
-        ),
+        less(sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)), 0),
         note="That each R_ij lies between -1 and 1 is not enough: three unit errors with all R_ij "
         "= -1 make the radicand negative. The matrix of the R_ij must be positive semidefinite.",
-        marks=("ours",),
     ),
     PRINT.equation(
         "(4)",
         derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
         note="Holds at each instant t; the left side is then a function of t, too.",
-        cites=("S22",),
     ),
-    Claim(
+    PRINT.claim(
         "after (4), S_i = 1",
-        r"\text{If the independence of the elementary errors is accepted and their change in time"
-        r" is not considered (the end value of the errors is estimated), then }S_i=1\text{ may be"
-        r" taken in calculations}",
         Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         readings=(
             Reading(
@@ -155,22 +104,17 @@ ERROR_ROWS: tuple[Row, ...] = (
             Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
         ),
         note="Independence removes the terms with R_ij from (3), but leaves every S_i as it is.",
-        cites=("S23",),
     ),
     PRINT.equation(
         "(5)",
         derived={total: propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)},
         note="True under both stated premises together: independent errors and S_i = 1.",
-        cites=("S23",),
     ),
-    Claim(
+    PRINT.claim(
         "after (5), usual conditions",
-        r"\text{By the recommendation of [5], formula (5) may be used for machining blanks on"
-        r" metal-cutting machine tools in usual production conditions}",
         NotCheckable("the recommendation of [5], its correlations and sensitivities"),
         note="(5) needs independent errors, each with S_i = 1. Whether those of usual production "
         "are of this kind would have to be looked up in [5].",
-        cites=("S3", "S25"),
     ),
     PRINT.equation(
         "(6)",
@@ -181,29 +125,23 @@ ERROR_ROWS: tuple[Row, ...] = (
         "square; as in (5), every sensitivity is one. This is for a random Delta_T; a systematic "
         "one stands outside the root, as in the next row. The transcription does not say which of "
         "the two it is.",
-        cites=("S26", "S27"),
     ),
-    Claim(
+    ours(
         "(6), systematic temperature error",
         LATEX_GROUPS_AND_THERMAL,
         derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
         note="For a systematic Delta_T: the root of (6) ends before it, and the error is added as "
         "it is. The same goes for (7).",
-        marks=("ours",),
     ),
-    Claim(
+    PRINT.claim(
         "after (6), shift along the axes",
-        r"\text{formulas of the total error of machining, which characterise the shift of the blank"
-        r" along the coordinate axes of the machine}",
         NotCheckable("how the single total of (6) becomes a shift a, b, c along three axes"),
         note="(6) and (7) give one length, without a direction; (15) takes a, b, c as given.",
-        cites=("S5", "S26", "S62"),
     ),
     PRINT.equation(
         "(7)",
         derived={AT_TIME[total]: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
         note="Like (6), at each instant t; the K_i are printed without t and left so.",
-        cites=("S28",),
     ),
 )

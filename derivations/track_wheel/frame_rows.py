@@ -1,20 +1,8 @@
 """Part two: what is printed of the frame of the part, (8)-(15)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Claim,
-    Conjunction,
-    Correction,
-    Distinct,
-    Equality,
-    Equation,
-    Reading,
-    Row,
-)
+from mechproof.record import ChainLink, Distinct, Equality, Equation, Reading, all_of
 
 from .mechanics import (
     FROM_ORIGIN,
@@ -34,24 +22,7 @@ from .mechanics import (
     turn_about_fixed_axes,
     turn_by_vector,
 )
-from .symbols import (
-    ANGLES,
-    ELEMENTS,
-    MACHINE_POINT,
-    MATRIX_A,
-    MATRIX_K,
-    PART_POINT,
-    POSITION_ERROR,
-    PRINT,
-    PRINTED_A,
-    PRINTED_K,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    gamma,
-    parameter,
-)
+from .symbols import *
 
 
 def coordinate_row(number: str, row: int) -> Equation:
@@ -68,7 +39,7 @@ def coordinate_row(number: str, row: int) -> Equation:
 
 ALONG_LINE = PRINTED_K.subs({angle: parameter * angle for angle in ANGLES}, simultaneous=True)
 
-FRAME_ROWS: tuple[Row, ...] = (
+FRAME_ROWS = (
     PRINT.equation(
         "(8)",
         links={
@@ -78,29 +49,20 @@ FRAME_ROWS: tuple[Row, ...] = (
                 "frame sees.",
             )
         },
-        cites=("S32",),
     ),
-    Claim(
+    PRINT.claim(
         "before (8), direction",
-        r"\text{At a turn by the angle }\alpha\text{ about the axis }x_{10}\text{ in the positive"
-        r" direction (counter-clockwise)}",
-        Conjunction(
-            (
-                Equality(PRINTED_A, project(turn_about_fixed_axes([(0, alpha)]))),
-                Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
-            )
+        all_of(
+            Equality(PRINTED_A, project(turn_about_fixed_axes([(0, alpha)]))),
+            Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
         ),
         note="A clockwise turn gives another matrix, so that the printed direction is the right "
         "one.",
-        cites=("S32",),
     ),
-    Claim(
+    PRINT.claim(
         "after (8), elements",
-        r"\text{The elements are the projections of the unit vectors of }x_{10}y_{10}z_{10}"
-        r"\text{ on the axes of }x_{1i}y_{1i}z_{1i}",
         Equality(PRINTED_A, project(TURNED_BY_ALPHA)),
         note="The row is an axis of the turned frame, the column a unit vector of the fixed one.",
-        cites=("S33",),
     ),
     coordinate_row("(9)", 0),
     coordinate_row("(10)", 1),
@@ -112,7 +74,6 @@ FRAME_ROWS: tuple[Row, ...] = (
             **dict(zip(PART_POINT, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha), strict=True)),
         },
         note="Compared with the vector from O_1 to N, turned backwards.",
-        cites=("S34",),
     ),
     PRINT.equation(
         "(13)",
@@ -121,74 +82,51 @@ FRAME_ROWS: tuple[Row, ...] = (
             **dict(zip(MACHINE_POINT, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT), strict=True)),
         },
         note="Compared with the shift plus the components along the turned unit vectors.",
-        cites=("S35",),
     ),
-    Claim(
+    PRINT.claim(
         "before (14), B and C",
-        r"\text{B and C can be obtained if the system is turned by }\beta\text{ about the axis }"
-        r"y_{10}\text{ and by }\gamma\text{ about the axis }z_{10}\text{ in the positive "
-        r"direction}",
-        Conjunction(
-            (
-                Equality(PRINTED_K.subs({beta: 0, gamma: 0}), see_from_turned_frame(0, alpha)),
-                Equality(PRINTED_K.subs({alpha: 0, gamma: 0}), MATRIX_B),
-                Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
-            )
+        all_of(
+            Equality(PRINTED_K.subs({beta: 0, gamma: 0}), see_from_turned_frame(0, alpha)),
+            Equality(PRINTED_K.subs({alpha: 0, gamma: 0}), MATRIX_B),
+            Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
         ),
         note="The transcription does not have B and C; K with the other two angles set to zero "
         "shows that they are the matrices of these turns.",
-        cites=("S36",),
     ),
-    Claim(
+    PRINT.claim(
         "before (14), product",
-        r"\text{the matrix }K\text{ of the resulting transformation may be represented by the"
-        r" product of the matrices }A,B,C",
         Equality(product_of("ABC"), PRINTED_K),
         readings=(
             Reading(
                 "the first turn stands on the right: K = CBA",
-                Conjunction(
-                    (
-                        Equality(product_of("CBA"), PRINTED_K),
-                        Equality(product_of("ABC"), project(turn_about_fixed_axes(IN_ORDER))),
-                    )
+                all_of(
+                    Equality(product_of("CBA"), PRINTED_K),
+                    Equality(product_of("ABC"), project(turn_about_fixed_axes(IN_ORDER))),
                 ),
             ),
         ),
-        corrected=Correction(
-            r"\text{the matrix }K\text{ of the resulting transformation may be represented by the"
-            r" product of the matrices }C,B,A",
-            Equality(product_of("CBA"), PRINTED_K),
+        corrected=PRINT.mend(
+            "before (14), product", "A,B,C", "C,B,A", Equality(product_of("CBA"), PRINTED_K)
         ),
         note="ABC is the matrix of turns about x_10, y_10 and z_10, which stay fixed.",
-        cites=("S37",),
     ),
     PRINT.equation(
         "(14)",
         derived={MATRIX_K: project(TURNED_PART)},
         note="Compared with the projections of a triad that is turned about its own axes x_10, "
         "y_11 and z_12, as the names of the frames suggest.",
-        cites=("S30", "S37"),
     ),
-    Claim(
+    PRINT.claim(
         "frames, any point",
-        r"\text{one can determine the coordinates of any point of the part in the system }"
-        r"x_{1i}y_{1i}z_{1i}\text{ by its coordinates in the system }X_0Y_0Z_0\text{ and vice "
-        r"versa}",
-        Conjunction(
-            (
-                Equality(PRINTED_K.T * (PRINTED_K * FROM_ORIGIN) + SHIFT, MACHINE_POINT),
-                Equality(PRINTED_K * PRINTED_K.T, IDENTITY),
-            )
+        all_of(
+            Equality(PRINTED_K.T * (PRINTED_K * FROM_ORIGIN) + SHIFT, MACHINE_POINT),
+            Equality(PRINTED_K * PRINTED_K.T, IDENTITY),
         ),
         note="The matrix (14) gives the coordinates of every point in the part, its transpose "
         "gives them back.",
-        cites=("S31", "S38", "S63"),
     ),
-    Claim(
+    PRINT.claim(
         "frames, rotation vector",
-        r"\text{the coordinates }\alpha,\beta,\gamma\text{ (angles) of the rotation vector }"
-        r"\vec\varphi",
         Equality(PRINTED_K, turn_by_vector()),
         readings=(
             Reading(
@@ -202,7 +140,6 @@ FRAME_ROWS: tuple[Row, ...] = (
         note="They are the angles of three successive turns; they serve as a rotation vector only "
         "to first order, which with the angles of Table 1 is off by less than 0.1 µm at the "
         "distance R + A from O_1, see 'Consequences, first order'.",
-        cites=("S31",),
     ),
     PRINT.equation(
         "(15)",
@@ -218,6 +155,5 @@ FRAME_ROWS: tuple[Row, ...] = (
         },
         note="Where the point is after the displacement, minus where it should be: the same three "
         "numbers serve as its coordinates in the part and as its nominal place from O_1.",
-        cites=("S5", "S39", "S40", "S41", "S63", "S64"),
     ),
 )

@@ -1,7 +1,5 @@
 """What can be computed of paper 5: poses, the track and its points, sums of elementary errors."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from mechproof.record import (
@@ -20,26 +18,7 @@ from mechproof.record import (
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .kernels_of_poses import POSES, SOURCE, turns
 from .mechanics import CORRECTED_5, CROSS, SQUARES
-from .symbols import (
-    PRINTED_16,
-    THETA,
-    amplitude,
-    correlations,
-    i,
-    influences,
-    j,
-    k_thermal,
-    n,
-    periods,
-    phi,
-    printed_radius,
-    radius,
-    scatter,
-    scatters,
-    share,
-    thickness,
-    tolerances,
-)
+from .symbols import *
 
 # The track --------------------------------------------------------------------------------------
 

@@ -1,7 +1,5 @@
 """What can be computed of poses: the turn, the position errors and their first-order model."""
 
-from __future__ import annotations
-
 import itertools
 
 import sympy as sp
@@ -10,7 +8,6 @@ from mechproof.record import (
     Accuracy,
     Argument,
     Chart,
-    Conjunction,
     EmittedForm,
     Equality,
     Form,
@@ -18,6 +15,7 @@ from mechproof.record import (
     Scale,
     Singular,
     Statement,
+    all_of,
 )
 
 from .mechanics import (
@@ -29,24 +27,7 @@ from .mechanics import (
     first_order_remainder,
     see_from_turned_frame,
 )
-from .symbols import (
-    ANGLES,
-    AXIS,
-    POSITION_ERROR,
-    PRINTED_15,
-    PRINTED_K,
-    SHIFT,
-    SURFACE_POINT,
-    alpha,
-    beta,
-    error_x,
-    error_y,
-    error_z,
-    gamma,
-    parameter,
-    scale,
-    w,
-)
+from .symbols import *
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)
@@ -92,17 +73,15 @@ def by_taylor(code: EmittedForm) -> Statement:
     whole = slow_down(DISPLACEMENT)
     slope = whole.diff(parameter).subs(parameter, 0)
     factors = tuple(zip(FACTORS.values(), ANGLES, GENERATORS, strict=True))
-    return Conjunction(
-        (
-            Equality(code.output(), whole.subs(parameter, 0) + slope),
-            *(Equality(factor.diff(angle), g * factor) for factor, angle, g in factors),
-            *(Equality(factor.T * factor, IDENTITY) for factor, _, _ in factors),
-            *(
-                Equality(g.T * g, IDENTITY - axis * axis.T)
-                for g, axis in zip(GENERATORS, UNIT_VECTORS, strict=True)
-            ),
-            Equality(slow_down(ROTATION).diff(parameter, 2), second_derivative()),
-        )
+    return all_of(
+        Equality(code.output(), whole.subs(parameter, 0) + slope),
+        *(Equality(factor.diff(angle), g * factor) for factor, angle, g in factors),
+        *(Equality(factor.T * factor, IDENTITY) for factor, _, _ in factors),
+        *(
+            Equality(g.T * g, IDENTITY - axis * axis.T)
+            for g, axis in zip(GENERATORS, UNIT_VECTORS, strict=True)
+        ),
+        Equality(slow_down(ROTATION).diff(parameter, 2), second_derivative()),
     )
 
 

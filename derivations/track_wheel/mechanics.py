@@ -1,48 +1,10 @@
 """The mechanics of paper 5: sums of errors by their variances, turns of the frame, the track."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import sympy as sp
 
-from .symbols import (
-    ANGLES,
-    AT_TIME,
-    MACHINE_POINT,
-    PRINTED_A,
-    SHIFT,
-    alpha,
-    amplitude,
-    beta,
-    elastic,
-    form,
-    gamma,
-    i,
-    influences,
-    j,
-    k_elastic,
-    k_form,
-    k_mounting,
-    k_setting,
-    k_thermal,
-    k_wear,
-    mounting,
-    n,
-    n_delta,
-    n_y,
-    phi,
-    radius,
-    scatter,
-    scatters,
-    scatters_t,
-    setting,
-    thermal,
-    thickness,
-    tolerances,
-    tolerances_t,
-    wear,
-)
+from .symbols import *
 
 # Part one: total scatter fields, as printed in (3)-(7) and by adding variances ------------------
 

@@ -1,7 +1,5 @@
 """Ways to get turns, displacements and sums of errors from libraries."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any

@@ -1,7 +1,5 @@
 """The figures of paper 5 as far as its printed data go."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 

@@ -4,8 +4,6 @@ Sums: sizes far apart, zeros, correlations near one, squares beyond the doubles.
 to the axis of the turn, where the displacement nearly vanishes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 

@@ -4,8 +4,6 @@ Letters that the paper uses twice are kept apart: K (scatter coefficient) and th
 A (amplitude) and the matrix A, z (number of periods) and the coordinate.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,6 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.transcription import Transcription
-from mechproof.latex import Reader
 from mechproof.record import LENGTH, NUMBER, Dimension, PublishedSizes, Scope, Variable
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))
@@ -172,14 +169,7 @@ NOTATION = replace(
         Scope(("(14)", "(15)"), {"K": MATRIX_K}),
     ),
 )
-READER = Reader(VARIABLES, NOTATION)
-
-
-def read(number: str) -> tuple[Any, ...]:
-    """Read the members of a printed equation."""
-    return READER.members(PRINT.equation(number))
-
-
+read = PRINT.reader(VARIABLES, NOTATION)
 (_, PRINTED_5), (_, PRINTED_17) = map(read, ("(5)", "(17)"))
 (*_, PRINTED_A), (_, PRINTED_K) = read("(8)"), read("(14)")
 PRINTED_15 = read("(15)")[1].subs(MATRIX_K, PRINTED_K).doit()

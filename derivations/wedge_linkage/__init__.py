@@ -5,15 +5,13 @@ import sympy as sp
 from mechproof.record import Check, Cost, Finding, Paper, Weight
 
 from . import chain, conditioning, mechanics, proofs, sizes
-from .boundaries import upright_at, upright_wedge
-from .budget import BUDGET_ROWS
+from .boundaries import BUDGET_ROWS, upright_at, upright_wedge
 from .group_rows import GROUP_ROWS
 from .kernels import QUANTITIES
 from .sizes import FIRST_SET, SECOND_SET, SIZE_ROWS, limits
-from .substitution import SUBSTITUTED, SUBSTITUTION_ROWS
 from .symbols import PRINT, alpha_KL, error, l_KL, own_error, stage_ratio
 from .tolerances import RANGE_ROWS
-from .transfer import TRANSFER_ROWS
+from .transfer import SUBSTITUTED, SUBSTITUTION_ROWS, TRANSFER_ROWS
 
 UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 
@@ -27,7 +25,6 @@ FINDINGS = (
         costs=(
             Cost(
                 "x_1 of the gap",
-                {},
                 "mm",
                 printed=upright_at(FIRST_SET),
                 right=upright_at(SECOND_SET),
@@ -88,8 +85,6 @@ PAPER = Paper(
     transcription="2",
     sentences=52,
     aside=ASIDE,
-    conventions=(
-        "Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
-        "positive counter-clockwise; x to the right, y upwards."
-    ),
+    conventions="Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
+    "positive counter-clockwise; x to the right, y upwards.",
 )

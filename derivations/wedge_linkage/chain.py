@@ -15,34 +15,7 @@ from sympy import Max, Piecewise, cos, sin, sqrt
 from mechproof.record import LENGTH, Variable
 
 from .mechanics import half_3, lever_slopes, roller_slopes
-from .symbols import (
-    PRINTED_R,
-    R,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    phi3,
-    phi7,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_4,
-    print_7,
-    print_8,
-    print_10,
-    radicand,
-    reach,
-    x1,
-    x5,
-)
+from .symbols import *
 
 SIZES = (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM)
 

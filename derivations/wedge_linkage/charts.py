@@ -1,29 +1,12 @@
 """Coordinates over which the rounding errors of the stages of paper 4 are bounded."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from sympy import Expr, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart
 
-from .symbols import (
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    phi3,
-    phi7,
-    x1,
-    x5,
-)
+from .symbols import *
 
 # All lengths are shares of one that is the largest.
 LARGEST, PART = Symbol("R", positive=True), Symbol("l_AB/arm", positive=True)

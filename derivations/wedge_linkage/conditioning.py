@@ -1,7 +1,5 @@
 """Arguments of the kernels of paper 4, and how their accuracy is conditioned."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import sympy as sp
@@ -11,23 +9,7 @@ from mechproof.record import LENGTH, Accuracy, Argument, Scale, Singular, Variab
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .chain import MEANT, SIZES, chain_slope
-from .symbols import (
-    MEANING,
-    PRINTED_R,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    guide_square,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    radicand,
-    x1,
-    x5,
-)
+from .symbols import *
 
 # Arguments -------------------------------------------------------------------------------------
 

@@ -1,26 +1,12 @@
 """What can be computed of paper 4: the chain, its derivatives; every form of them."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Abs, Eq, Le, sqrt
 
 from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Singular
 
 from .._sizes import LARGEST
-from .chain import (
-    BY_ATAN2,
-    IN_PRINT,
-    MEANT,
-    POSITION,
-    POSITION_FORM,
-    SENSITIVITIES,
-    SENSITIVITY_FORMS,
-    SIZES,
-    VELOCITY,
-    VELOCITY_FORM,
-    in_chain,
-)
+from . import chain
 from .conditioning import (
     ANGLES,
     AT_REST,
@@ -52,11 +38,11 @@ from .symbols import guide_square, l_GH, l_KL, x1
 
 CLOSED = Part(
     "the linkage closes",
-    where=(guide_square >= 0, l_KL - MEANT.offset >= 0, l_KL + MEANT.offset >= 0),
+    where=(guide_square >= 0, l_KL - chain.MEANT.offset >= 0, l_KL + chain.MEANT.offset >= 0),
 )
 MOVING = Part(
     "the linkage closes and is at no dead centre",
-    where=(guide_square > 0, l_KL - MEANT.offset > 0, l_KL + MEANT.offset > 0),
+    where=(guide_square > 0, l_KL - chain.MEANT.offset > 0, l_KL + chain.MEANT.offset > 0),
 )
 OPEN = Part(f"{MOVABLE.text}; {UPWARD.text}", UPWARD.within, MOVABLE.where)
 IN_CASES = Part(f"{BEFORE_PIVOT.text}; {NOT_UPRIGHT.text}", NOT_UPRIGHT.within, BEFORE_PIVOT.where)
@@ -65,23 +51,23 @@ RANGE = f"{SHORT_GUIDE} or {LOW_ROLLER}"
 ALONG_CHAIN = (
     AT_REST,
     Singular(
-        Eq(MEANT.travel, l_GH),
+        Eq(chain.MEANT.travel, l_GH),
         "the start of contact: derivatives jump, here they are those in contact",
     ),
-    Singular(Eq(MEANT.offset, 0)),
+    Singular(Eq(chain.MEANT.offset, 0)),
     PIVOT,
 )
-POSITION_ALONG_CHAIN = (AT_REST, Singular(Eq(MEANT.travel, l_GH)), *ALONG_CHAIN[2:])
+POSITION_ALONG_CHAIN = (AT_REST, Singular(Eq(chain.MEANT.travel, l_GH)), *ALONG_CHAIN[2:])
 
 
 # A clearance is squared nowhere.
 LINKED = (
-    *moderate(x1, *(size for size in SIZES if size not in (*ANGLES, l_GH))),
+    *moderate(x1, *(size for size in chain.SIZES if size not in (*ANGLES, l_GH))),
     Le(l_GH, LARGEST),
     CLOSING,
-    beside(l_KL + MEANT.offset, "roller_condition"),
+    beside(l_KL + chain.MEANT.offset, "roller_condition"),
 )
-PUSHING = (beside(Abs(MEANT.travel - l_GH), "run_condition"), *LINKED)
+PUSHING = (beside(Abs(chain.MEANT.travel - l_GH), "run_condition"), *LINKED)
 OF_ROLLER = f"{OF_GUIDE}, roller_condition of KL_x + l_KL in contact"
 LINK_EDGES = f"{CONDITIONING}: {OF_ROLLER}"
 ALL_EDGES = f"{CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"
@@ -91,9 +77,9 @@ def conditioned_in_contact(
     ulp: float, value: sp.Basic, within: tuple[sp.Basic, ...] = ()
 ) -> Accuracy:
     """Bound the error by the conditioning in contact of a value of the chain, or a norm."""
-    in_contact = sp.Matrix([value]).subs(MEANT.engaged, 1)
+    in_contact = sp.Matrix([value]).subs(chain.MEANT.engaged, 1)
     # No one reads these long sums, and SymPy would take a second to tidy them.
-    parts = [condition(part, (x1, *SIZES), tidy=False) for part in in_contact]
+    parts = [condition(part, (x1, *chain.SIZES), tidy=False) for part in in_contact]
     size = parts[0] if len(parts) == 1 else sqrt(sp.Add(*(part**2 for part in parts)))
     norm = "" if len(parts) == 1 else "norm over the entries (each keeps its own) of "
     scale = Scale(f"{norm}{CONDITION}, in contact", size)
@@ -106,7 +92,7 @@ def conditioned_in_contact(
 CHAIN_ULP = 8
 CHAIN_LOADS = (
     ("N inputs, one linkage", ("x1",)),
-    ("one input, N linkages", tuple(map(str, SIZES))),
+    ("one input, N linkages", tuple(map(str, chain.SIZES))),
 )
 
 
@@ -117,15 +103,15 @@ def differentiate(
     return Quantity(
         name,
         summary,
-        arguments(x1, *SIZES),
+        arguments(x1, *chain.SIZES),
         value,
         (
             Form("half-angle chain", form, states=slopes_in_contact(value), on=REACHED),
             Form(
                 "product of slopes",
-                in_chain(value, BY_ATAN2),
+                chain.in_chain(value, chain.BY_ATAN2),
                 key="slopes",
-                states=by_stages(BY_ATAN2, as_meant, value),
+                states=by_stages(chain.BY_ATAN2, as_meant, value),
                 on=OPEN,
                 note="stage by stage, at the angles of the chain with atan2",
             ),
@@ -147,31 +133,31 @@ QUANTITIES = (
     Quantity(
         "position",
         "Compute the displacement y9 of the wedge, the whole chain.",
-        arguments(x1, *SIZES),
-        POSITION,
+        arguments(x1, *chain.SIZES),
+        chain.POSITION,
         (
-            Form("half-angle chain", POSITION_FORM, states=position_in_contact, on=REACHED),
+            Form("half-angle chain", chain.POSITION_FORM, states=position_in_contact, on=REACHED),
             Form(
                 "printed chain",
-                in_chain(POSITION, IN_PRINT),
+                chain.in_chain(chain.POSITION, chain.IN_PRINT),
                 key="printed",
-                states=by_stages(IN_PRINT, by_quadrants, POSITION),
+                states=by_stages(chain.IN_PRINT, by_quadrants, chain.POSITION),
                 on=IN_CASES,
                 source=CHAIN_SOURCE,
                 note="stage by stage; R = 0 is in neither case: NaN",
             ),
             Form(
                 "chain with atan2",
-                in_chain(POSITION, BY_ATAN2),
+                chain.in_chain(chain.POSITION, chain.BY_ATAN2),
                 key="atan2",
-                states=by_stages(BY_ATAN2, as_meant, POSITION),
+                states=by_stages(chain.BY_ATAN2, as_meant, chain.POSITION),
                 on=OPEN,
                 note="stage by stage",
             ),
         ),
         CHAIN_SOURCE,
         unit="mm",
-        accuracy=conditioned_in_contact(CHAIN_ULP, POSITION, LINKED),
+        accuracy=conditioned_in_contact(CHAIN_ULP, chain.POSITION, LINKED),
         slopes=Accuracy(4, within=PUSHING),
         on=CLOSED,
         singular=POSITION_ALONG_CHAIN,
@@ -181,14 +167,14 @@ QUANTITIES = (
     differentiate(
         "velocity",
         "Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.",
-        VELOCITY,
-        VELOCITY_FORM,
+        chain.VELOCITY,
+        chain.VELOCITY_FORM,
     ),
     differentiate(
         "sensitivities",
         "Compute the derivatives of y9 by the sizes, in the order of the arguments.",
-        SENSITIVITIES,
-        sp.ImmutableDenseMatrix([SENSITIVITY_FORMS[size] for size in SIZES]),
+        chain.SENSITIVITIES,
+        sp.ImmutableDenseMatrix([chain.SENSITIVITY_FORMS[size] for size in chain.SIZES]),
         unit="mm per mm or mm per rad",
     ),
 )

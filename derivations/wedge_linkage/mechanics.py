@@ -3,8 +3,6 @@
 Slopes and half-angle forms of their solutions, and what the symbols are given by.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 import sympy as sp
@@ -13,72 +11,7 @@ from sympy import cos, pi, sin, sqrt
 from mechproof.record import ANGLE, LENGTH, Part, Variable
 
 from .._linear import solve_linear
-from .symbols import (
-    AB,
-    BC,
-    CD,
-    DE,
-    EF,
-    FG,
-    HI,
-    IK,
-    KL,
-    LM,
-    MN,
-    NOT_NEGATIVE,
-    NP,
-    POSITIVE,
-    PRINT,
-    PRINTED_Q,
-    PRINTED_R,
-    Q,
-    alpha_1,
-    alpha_2,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    apart,
-    combinations,
-    crossing_place,
-    dBC,
-    dFG,
-    dHI,
-    dPN,
-    elements,
-    error,
-    guide_square,
-    height,
-    height_square,
-    kappa,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_EF,
-    l_FG,
-    l_GH,
-    l_HI,
-    l_IK,
-    l_KL,
-    l_LM,
-    l_MN,
-    l_NP,
-    millimetre,
-    overlap,
-    own_error,
-    phi3,
-    phi7,
-    radicand,
-    reach,
-    sigma,
-    stage_ratio,
-    tau,
-    tolerances,
-    x1,
-    x5,
-    x5_driven,
-    y9,
-)
+from .symbols import *
 
 
 def turn(angle: sp.Expr) -> sp.Matrix:

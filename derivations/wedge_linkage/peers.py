@@ -1,7 +1,5 @@
 """Derivatives of the chain by central differences of its kernel."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from types import MappingProxyType
 

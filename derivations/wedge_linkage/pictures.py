@@ -1,7 +1,5 @@
 """The figures of paper 4, redrawn from the kernels for both reconstructed sets of sizes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache, partial
 from typing import Any
@@ -16,7 +14,7 @@ from mechproof.tolerance import certified_range, corner_range
 
 from . import boundaries
 from .boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV
-from .sizes import LEGIBLE, Signs
+from .sizes import ANGLES, LEGIBLE, Signs
 
 SETS = {number: WedgeLinkage.published_sizes(number) for number in (1, 2)}
 START, CROSSING, PRINTED_DEVIATION = map(
@@ -66,7 +64,7 @@ def crossing(number: int) -> float:
 
 def legible_sizes() -> Any:
     """Return the digits as they are legible, of what has none the nominal size."""
-    legible = {str(symbol): float(digits) for symbol, _, digits, *_ in LEGIBLE}
+    legible = {str(size): float(digits) for size, digits in LEGIBLE.items() if size not in ANGLES}
     return {name: legible.get(name, size.nominal) for name, size in SETS[1].items()}
 
 

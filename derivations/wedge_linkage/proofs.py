@@ -9,16 +9,7 @@ from collections.abc import Callable
 import sympy as sp
 from sympy import cos, sin
 
-from mechproof.record import (
-    LENGTH,
-    Conjunction,
-    EmittedForm,
-    Equality,
-    Holds,
-    Part,
-    Statement,
-    Variable,
-)
+from mechproof.record import LENGTH, EmittedForm, Equality, Holds, Part, Statement, Variable, all_of
 
 from .chain import (
     DIRECTION,
@@ -49,26 +40,7 @@ from .mechanics import (
     roller_slopes,
     sine_of_tau,
 )
-from .symbols import (
-    POSITIVE,
-    PRINTED_Q,
-    PRINTED_R,
-    Q,
-    R,
-    alpha_KL,
-    alpha_LM,
-    kappa,
-    l_BC,
-    l_GH,
-    l_KL,
-    phi3,
-    phi7,
-    print_10,
-    reach,
-    tau,
-    x1,
-    x5,
-)
+from .symbols import *
 
 excess = sp.Symbol("excess", nonnegative=True)
 lack = sp.Symbol("lack", positive=True)
@@ -117,7 +89,7 @@ def push_by(pushed: sp.Basic) -> tuple[Equality, Equality]:
 
 def by_pushing(code: EmittedForm) -> Statement:
     """State a form of the clearance."""
-    return Conjunction(push_by(code.output()))
+    return all_of(*push_by(code.output()))
 
 
 def list_cases(value: sp.Basic, condition: sp.Basic = sp.true) -> list[tuple[sp.Expr, sp.Basic]]:
@@ -166,7 +138,7 @@ def from_projection(direction: InR) -> Callable[[EmittedForm], Statement]:
     """Make the statement of a form of the roller lever's angle, written in R."""
 
     def states(code: EmittedForm) -> Statement:
-        return Conjunction(direction(code.output().subs(x5, l_KL * cos(alpha_KL) - R)))
+        return all_of(*direction(code.output().subs(x5, l_KL * cos(alpha_KL) - R)))
 
     return states
 
@@ -201,7 +173,7 @@ def by_stages(
                 Equality(form.subs(MEANT.engaged, 0), definition * 0),
                 Equality(code.step(extended), LINKS[extended]),
             ]
-        return Conjunction(tuple(parts))
+        return all_of(*parts)
 
     return states
 
@@ -229,9 +201,7 @@ def of_link(definition: sp.Basic) -> sp.Basic:
 
 def position_in_contact(code: EmittedForm) -> Statement:
     """State the position; no push, no displacement."""
-    return Conjunction(
-        (*up_to_push(code), Equality(code.output(push).subs(push, x5), of_link(POSITION)))
-    )
+    return all_of(*up_to_push(code), Equality(code.output(push).subs(push, x5), of_link(POSITION)))
 
 
 def slopes_in_contact(definition: sp.Basic) -> Callable[[EmittedForm], Statement]:
@@ -246,15 +216,13 @@ def slopes_in_contact(definition: sp.Basic) -> Callable[[EmittedForm], Statement
         form = code.output(push, gain, guide_length, cos_lever).subs(
             {push: x5, guide_length: reach, cos_lever: COS_LEVER}
         )
-        return Conjunction(
-            (
-                *up_to_push(code),
-                Equality(code.step(cos_lever), COS_LEVER.subs(reach, LINKS[extended])),
-                Equality(before, definition * 0),
-                Equality(slope, of_link(SLOPE)),
-                # Equal entries, those of l_AB and l_CD, are stated once.
-                *dict.fromkeys(map(_equal_by_slope, sp.Matrix([form]), sp.Matrix([definition]))),
-            )
+        return all_of(
+            *up_to_push(code),
+            Equality(code.step(cos_lever), COS_LEVER.subs(reach, LINKS[extended])),
+            Equality(before, definition * 0),
+            Equality(slope, of_link(SLOPE)),
+            # Equal entries, those of l_AB and l_CD, are stated once.
+            *dict.fromkeys(map(_equal_by_slope, sp.Matrix([form]), sp.Matrix([definition]))),
         )
 
     return states

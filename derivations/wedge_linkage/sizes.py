@@ -1,6 +1,6 @@
 """Sizes of paper 4, legible and reconstructed, and the rows on its table of sizes."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import sympy as sp
 from sympy import Rational, pi
@@ -8,34 +8,17 @@ from sympy import Rational, pi
 from mechproof.record import (
     ANGLE,
     LENGTH,
-    Claim,
-    Conjunction,
-    Datum,
     Definition,
     Holds,
     PublishedSizes,
     Toleranced,
     Variable,
+    all_of,
+    less,
+    ours,
 )
 
-from .symbols import (
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_EF,
-    l_GH,
-    l_IK,
-    l_KL,
-    l_LM,
-    l_MN,
-    millimetre,
-    radicand,
-    x1,
-)
+from .symbols import *
 
 Signs = Mapping[sp.Symbol, int]
 
@@ -134,38 +117,21 @@ VARIABLES = tuple(
     for which, symbol in zip(("upper", "lower"), pair, strict=True)
 )
 
-# Symbol, what is printed of it, the value taken for the row, is it uncertain?
-LEGIBLE = (
-    (l_AB, r"l_{AB}=6.25", "6.25", "", False),
-    (l_BC, r"l_{BC}=19.75_{-1.22}", "19.75", "Digits uncertain, upper deviation lost.", True),
-    (l_CD, r"l_{CD}=38_{-2.06}", "38", "Upper deviation lost.", True),
-    (
-        l_DE,
-        r"l_{DE}=70.833\ (83)^{+0.92}_{-1.05}",
-        "70.833",
-        "The text layer has two strings, 70,833 and 83; the latter may be the tail of 70,83.",
-        True,
-    ),
-    (l_EF, r"l_{EF}=4\pm0.3", "4", "Digits uncertain; without influence.", True),
-    (l_GH, r"l_{GH'}=2^{+1.03}_{-0.72}", "2", "The primes vary from place to place.", True),
-    (l_KL, r"l_{KL}=60\pm0.2", "60", "", False),
-    (
-        l_LM,
-        r"l_{LM}=145^{+0.1}_{\;\;0.1}",
-        "145",
-        "The sign of the lower deviation is lost; it is read as -0.1.",
-        True,
-    ),
-)
-LEGIBLE_ANGLES = (
-    (alpha_DE, r"\alpha_{DE}=283.06^{\circ\,+0.62}_{\;\;-1.10}", "283.06"),
-    (alpha_KL, r"\alpha_{KL}=65^{\circ\,+0.24}_{\;\;-0.25}", "65"),
-    (alpha_LM, r"\alpha_{LM}=123.48^\circ", "123.48"),
-)
-LOST = (
-    (l_IK, r"l_{IK}=z1_{-0.3}", "Digits and upper deviation lost; without influence."),
-    (l_MN, r"l_{MN}=\dots^{+0.00}_{-0.17}", "Digits lost; without influence."),
-)
+# What is legible of each size, and what is said of those of which not all is.
+LEGIBLE = {
+    **{l_AB: "6.25", l_BC: "19.75", l_CD: "38", l_DE: "70.833", l_EF: "4", l_GH: "2"},
+    **{l_KL: "60", l_LM: "145", alpha_DE: "283.06", alpha_KL: "65", alpha_LM: "123.48"},
+}
+REMARKS = {
+    l_BC: "Digits uncertain, upper deviation lost.",
+    l_CD: "Upper deviation lost.",
+    l_DE: "The text layer has two strings, 70,833 and 83; the latter may be the tail of 70,83.",
+    l_EF: "Digits uncertain; without influence.",
+    l_GH: "The primes vary from place to place.",
+    l_LM: "The sign of the lower deviation is lost; it is read as -0.1.",
+    l_IK: "Digits and upper deviation lost; without influence.",
+    l_MN: "Digits lost; without influence.",
+}
 
 
 def measured(size: sp.Symbol, text: str) -> sp.Expr:
@@ -173,49 +139,34 @@ def measured(size: sp.Symbol, text: str) -> sp.Expr:
     return Rational(text) * (unit(size) if size in ANGLES else millimetre)
 
 
-def define_deviations(size: sp.Symbol) -> tuple[Definition, ...]:
-    """Introduce the limit deviations of a size, as far as they are legible."""
-    texts = zip(DEVIATION_SYMBOLS.get(size, ()), DEVIATIONS.get(size, ()), strict=True)
-    return tuple(Definition(symbol, measured(size, text)) for symbol, text in texts if text)
-
-
-def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: bool) -> Datum:
-    """Record a size of the table, as far as it is legible."""
-    return Datum(
-        f"sizes, {symbol}",
-        latex,
-        Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
-        note=note or "A datum.",
-        marks=("uncertain",) if uncertain else (),
-        cites=("S33",),
-    )
+def define(size: sp.Symbol) -> Iterator[Definition]:
+    """Introduce a size and its limit deviations, as far as they are legible."""
+    symbols = (size, *DEVIATION_SYMBOLS.get(size, ()))
+    texts = (LEGIBLE.get(size, ""), *DEVIATIONS.get(size, ()))
+    for symbol, text in zip(symbols, texts, strict=True):
+        if text:
+            yield Definition(symbol, measured(size, text))
 
 
 SIZE_ROWS = (
-    *(datum_row(*row) for row in LEGIBLE),
-    *(datum_row(*row, "", False) for row in LEGIBLE_ANGLES),
     *(
-        Datum(
-            f"sizes, {symbol}",
-            latex,
-            Conjunction(define_deviations(symbol)),
-            note=note,
-            marks=("uncertain",),
-            cites=("S33",),
+        PRINT.datum(
+            f"sizes, {size}",
+            all_of(*define(size)),
+            note=REMARKS.get(size, "A datum."),
+            marks=("uncertain",) if size in REMARKS else (),
         )
-        for symbol, latex, note in LOST
+        for size in (*LEGIBLE, l_IK, l_MN)
     ),
-    Claim(
+    ours(
         "sizes, end of the legible ones",
         r"Q\text{ of the legible sizes ends between }x_1=-4.66\text{ and }-4.65",
-        Conjunction(
-            (
-                Holds(sp.Lt(radicand_of("-4.66", "19.75"), 0, evaluate=False)),
-                Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
-            )
+        all_of(
+            less(radicand_of("-4.66", "19.75"), sp.S.Zero),
+            Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
         ),
         note="A remark on the transcription, not on the print: as the curve of Fig. 4 goes on to "
         "-40 mm, some digit of the table must be another one.",
-        marks=("ours", "uncertain"),
+        marks=("uncertain",),
     ),
 )

@@ -1,13 +1,11 @@
 """What can be computed of paper 4 stage by stage; every form of it."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, sin, sqrt
 
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Singular
 
-from . import charts
+from . import charts, proofs
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER, guide_sum
 from .conditioning import (
     AT_REST,
@@ -24,42 +22,7 @@ from .conditioning import (
     turns,
 )
 from .mechanics import BEFORE_PIVOT, MOVABLE
-from .proofs import (
-    NOT_UPRIGHT,
-    UPWARD,
-    by_pushing,
-    by_quadrants,
-    from_projection,
-    same_lever,
-    upwards,
-)
-from .symbols import (
-    MEANING,
-    PRINTED_R,
-    R,
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    guide_square,
-    height_square,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    phi3,
-    phi7,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_10,
-    radicand,
-    x1,
-    x5,
-)
+from .symbols import *
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
 DRIVEN_RUN = Argument(
@@ -150,7 +113,7 @@ STAGES = (
                 "printed (1)",
                 print_1,
                 key="printed",
-                states=same_lever,
+                states=proofs.same_lever,
                 on=MOVABLE,
                 holds_on=BEFORE_PIVOT,
                 source=f"{BAZUEV} (1)",
@@ -160,7 +123,7 @@ STAGES = (
                 "(1) with atan2",
                 sp.atan2(print_1_top, print_1_bottom),
                 key="atan2",
-                states=same_lever,
+                states=proofs.same_lever,
                 on=MOVABLE,
             ),
         ),
@@ -199,12 +162,12 @@ STAGES = (
         (RUN, *arguments(l_GH)),
         PUSHED,
         (
-            Form("maximum", Max(0, x5 - l_GH), states=by_pushing, charts=charts.CLEARANCE),
+            Form("maximum", Max(0, x5 - l_GH), states=proofs.by_pushing, charts=charts.CLEARANCE),
             Form(
                 "printed (4)",
                 PUSHED_IN_PRINT,
                 key="printed",
-                states=by_pushing,
+                states=proofs.by_pushing,
                 source=f"{BAZUEV} (4)",
             ),
         ),
@@ -233,16 +196,16 @@ STAGES = (
             Form(
                 "half-angle atan",
                 ROLLER_FORM,
-                states=from_projection(upwards),
-                on=UPWARD,
+                states=proofs.from_projection(proofs.upwards),
+                on=proofs.UPWARD,
                 charts=charts.ROLLER,
             ),
             Form(
                 "printed (7), (8)",
                 DIRECTION_IN_PRINT.subs(R, PRINTED_R),
                 key="printed",
-                states=from_projection(by_quadrants),
-                on=NOT_UPRIGHT,
+                states=proofs.from_projection(proofs.by_quadrants),
+                on=proofs.NOT_UPRIGHT,
                 source=f"{BAZUEV}s (7) and (8)",
                 note="R = 0 is in neither case: NaN",
             ),
@@ -250,8 +213,8 @@ STAGES = (
                 "(7) or else (8)",
                 DIRECTION_OR_ELSE.subs(R, PRINTED_R),
                 key="or_else",
-                states=from_projection(by_quadrants),
-                on=NOT_UPRIGHT,
+                states=proofs.from_projection(proofs.by_quadrants),
+                on=proofs.NOT_UPRIGHT,
                 note="at R = 0 the quotient is infinite and (8) off by pi",
             ),
             Form("atan2", ROLLER, key="atan2"),
@@ -259,8 +222,8 @@ STAGES = (
                 "arccosine",
                 sp.acos(cos(alpha_KL) - x5 / l_KL) - alpha_KL,
                 key="arccosine",
-                states=from_projection(upwards),
-                on=UPWARD,
+                states=proofs.from_projection(proofs.upwards),
+                on=proofs.UPWARD,
             ),
         ),
         f"{BAZUEV}s (7) and (8)",

@@ -4,15 +4,11 @@ Conventions: x to the right, y upwards; angles from Ox, positive counter-clockwi
 varphi_i are displacements and rotations from the position x1 = 0; lengths in mm, angles in rad.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
 from mechproof.document.transcription import Transcription
-from mechproof.latex import Reader
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))
 x1, x5, x5_driven, y9, phi3, phi7 = PRINT.symbols("x1 x5 x5' y9 varphi3 varphi7")
@@ -45,14 +41,7 @@ NAMES = {
     x5: "x_{5'}",
 }
 MEANING = {variable.symbol: variable.meaning for variable in PRINT.variables}
-READER = Reader(PRINT.variables, PRINT.notation)
-
-
-def read(number: str) -> tuple[Any, ...]:
-    """Read the members of a printed equation."""
-    return READER.members(PRINT.equation(number))
-
-
+read = PRINT.reader()
 (_, PRINTED_Q), (_, PRINTED_R) = read("(1), Q"), read("(7) and (8), R")
 # From the link 5' on the chain is a function of one displacement, which the kernels call x5.
 PRINTED_R = PRINTED_R.subs(x5_driven, x5)

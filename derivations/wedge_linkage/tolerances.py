@@ -1,21 +1,20 @@
 """Rows of paper 4 on the range of its transfer function and on its conclusions."""
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import Rational
 
 from mechproof.record import (
     Claim,
     Conjunction,
-    Datum,
     Definition,
     Equality,
     NotCheckable,
     Part,
+    all_of,
+    less,
+    ours,
 )
 
-from .._relations import less
 from .boundaries import (
     BOUNDARY_II,
     BOUNDARY_III,
@@ -28,31 +27,13 @@ from .boundaries import (
 )
 from .mechanics import displacement, lever_cosine, lever_sine, rod, wedge
 from .sizes import FIRST_SET, SECOND_SET, SETS
-from .symbols import (
-    combinations,
-    crossing_place,
-    error,
-    l_EF,
-    l_IK,
-    l_MN,
-    millimetre,
-    own_error,
-    print_1,
-    print_3,
-    print_4,
-    print_7,
-    print_8,
-    print_10,
-    stage_ratio,
-    tau,
-    tolerances,
-)
+from .symbols import *
 
 
 def no_influence(size: sp.Symbol) -> Conjunction:
     """State that no solution of a group, all lengths kept in, changes with the size."""
     outputs = (rod, displacement[tau], wedge, lever_cosine, lever_sine)
-    return Conjunction(tuple(Equality(sp.diff(output, size), sp.S.Zero) for output in outputs))
+    return all_of(*(Equality(sp.diff(output, size), sp.S.Zero) for output in outputs))
 
 
 LOST = "digits of l_BC, l_CD and l_DE, and the upper deviations of the first two, are lost"
@@ -62,35 +43,29 @@ HOW = (
 )
 
 RANGE_ROWS = (
-    Datum(
+    PRINT.datum(
         "11 sizes with tolerances",
-        r"11\text{ sizes with tolerances}",
         Definition(tolerances, sp.Integer(11)),
         note="The table of sizes has as many with a tolerance.",
-        cites=("S35",),
     ),
-    Datum(
+    PRINT.datum(
         "combinations",
-        r"2^{11}\text{ combinations}",
         Definition(combinations, 2**tolerances),
         note='Two limits for each size; the text layer has lost the exponent, "211".',
         marks=("rebuilt", "uncertain"),
-        cites=("S34", "S35"),
     ),
-    Claim(
+    ours(
         "sizes that matter",
         r"\text{eight of the eleven sizes with tolerances influence }y_9",
-        Conjunction(
-            (
-                *(no_influence(size) for size in (l_EF, l_IK, l_MN)),
-                *(influence(size) for size in BOUNDARY_II),
-            )
+        all_of(
+            *(no_influence(size) for size in (l_EF, l_IK, l_MN)),
+            *(influence(size) for size in BOUNDARY_II),
         ),
         note="Three have no influence; each of the other eight has, at x1 = -40 mm. So at most "
         "2^8 of the 2^11 curves differ.",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "boundaries, directions of the arms",
         r"\varphi_3<90^\circ,\quad270^\circ<\alpha_{DE}<\alpha_{DE}+\varphi_3<360^\circ,\quad "
         r"\alpha_{KL}+\varphi_7<180^\circ,\quad90^\circ<\alpha_{LM}<\alpha_{LM}+\varphi_7<270^\circ",
@@ -100,16 +75,13 @@ RANGE_ROWS = (
         "curve has the seven other sizes at the signs of II, or of III. Which alpha_KL gives the "
         "outermost curve depends on varphi7 by 'two directions of KL', so that it changes at one "
         "x1.",
-        marks=("ours", "calibrated"),
+        marks=("calibrated",),
     ),
-    Claim(
+    PRINT.claim(
         "boundary II",
-        r"\text{upper boundary: }+l_{BC},-l_{CD},-l_{DE},+l_{GH'},+l_{KL},-l_{LM},"
-        r"+\alpha_{DE},+\alpha_{KL}",
         NotCheckable(f"{LOST}; on [-40, -37] they decide the sign of alpha_KL"),
         note="For the other seven signs, and for all eight from -37 mm on, see the next row.",
         marks=("uncertain",),
-        cites=("S36", "S39", "S40"),
     ),
     Claim(
         "boundary II, from -37 mm on",
@@ -120,50 +92,39 @@ RANGE_ROWS = (
         "0.03 mm.",
         marks=("calibrated", "uncertain", "ours"),
     ),
-    Claim(
+    PRINT.claim(
         "boundary III",
-        r"\text{lower boundary on }[-29.4,0]\text{: }-l_{BC},+l_{CD},+l_{DE},-l_{GH'},-l_{KL},"
-        r"+l_{LM},-\alpha_{DE},-\alpha_{KL}",
         in_all(lambda table: extreme(table, BOUNDARY_III, "-29.35", (-29, -5))),
         note=f"{HOW} at x1 = -29.35 mm, up to where -29.4 may be rounded, which holds from there "
         "to 0.",
         marks=("calibrated",),
-        cites=("S41",),
     ),
-    Claim(
+    PRINT.claim(
         "boundary IV",
-        r"\text{lower boundary on }[-40,-29.4]\text{: }-l_{BC},+l_{CD},+l_{DE},-[l_{GH'}],-l_{KL},"
-        r"+l_{LM}\text{ for one choice of what is lost}",
         in_all(lambda table: extreme(table, BOUNDARY_IV, "-29.45", (-40, -35))),
         note=f"{HOW} at x1 = -29.45 mm, from where -29.4 may be rounded, which holds from there to "
         "-40. For the sign and the term that are lost -alpha_DE and +alpha_KL are taken: by the "
         "sensitivities no other choice gives the lowest curve. IV then differs from III in "
         "alpha_KL alone.",
         marks=("rebuilt", "calibrated", "uncertain"),
-        cites=("S42",),
     ),
-    Datum(
+    PRINT.datum(
         "crossing",
-        r"x_1=-29.4\text{ is the crossing of curves III and IV}",
         Definition(crossing_place, Rational("-29.4") * millimetre),
         note="A datum: the sets of sizes were fitted to it and cannot confirm it.",
         marks=("fitted",),
-        cites=("S43",),
     ),
-    Claim(
+    PRINT.claim(
         "sizes without influence",
-        r"\text{a change of }l_{EF},\ l_{IK},\ [l_{MN}]\text{ does not influence }y_9(x_1)",
-        Conjunction(tuple(map(no_influence, (l_EF, l_IK, l_MN)))),
+        all_of(*map(no_influence, (l_EF, l_IK, l_MN))),
         note="They are kept in the vector equations and cancel there. The glyph of the third "
         "would fit l_LM, too.",
         marks=("uncertain",),
-        cites=("S44",),
     ),
-    Claim(
+    PRINT.claim(
         "reason for no influence",
-        r"\text{confirmed by the absence of these quantities in the corresponding equations}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 Equality(printed, printed.subs(size, 2 * size))
                 for printed in (print_1, print_3, print_4, print_7, print_8, print_10)
                 for size in (l_EF, l_IK, l_MN)
@@ -172,29 +133,24 @@ RANGE_ROWS = (
         note="The transfer functions (1), (3), (4), (7), (8), (10). In (2) l_EF stands on both "
         "sides and cancels.",
         marks=("uncertain",),
-        cites=("S44",),
     ),
-    Claim(
+    PRINT.claim(
         "largest spread",
-        r"\text{at }x_1=-40~\mathrm{mm}\text{ the largest spread is observed}",
         NotCheckable(f"the curves of Fig. 4, and {LOST}"),
         note="Between the boundaries as printed, the spread is largest there with the first and "
         "the third set of reconstructed sizes, and at -32 mm with the second.",
-        cites=("S45",),
     ),
-    Claim(
+    PRINT.claim(
         "deviation at -40",
-        r"\text{the range of spread reaches }\pm10\,\%\text{ of the position at the nominal sizes}",
         NotCheckable(LOST),
         note="For what the reconstructed sizes give see 'deviation at -40, reconstructed sizes'.",
-        cites=("S6", "S7", "S46", "S48"),
     ),
-    Claim(
+    ours(
         "deviation at -40, reconstructed sizes",
         r"\text{II and IV deviate by }10.6\text{ and }9.5\ (9.9\text{ and }9.7;\ 9.8\text{ and }"
         r"8.8)~\%",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 deviations_round(table, -40, BOUNDARY_IV, numbers)
                 for table, numbers in zip(
                     SETS, (("10.6", "9.5"), ("9.9", "9.7"), ("9.8", "8.8")), strict=True
@@ -202,47 +158,40 @@ RANGE_ROWS = (
             )
         ),
         note="With the first set of reconstructed sizes (second; third).",
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    ours(
         "deviation nearer the start",
         r"\text{upper and lower boundary deviate from the nominal position by 10.9 and 9.7 \% "
         r"(10.6 and 10.7 \%) at }-37~\mathrm{mm}\text{, by 11.3 and 10.0 \% (12.7 and 13.3 \%) "
         r"at }-25~\mathrm{mm}\text{, by 14 and 12 \% (15 and 14 \%) at }-10~\mathrm{mm}\text{, "
         r"by 23 and 19 \% (both sets) at }-5~\mathrm{mm}",
-        Conjunction(
-            (
-                deviations_round(FIRST_SET, -37, BOUNDARY_IV, ("10.9", "9.7")),
-                deviations_round(SECOND_SET, -37, BOUNDARY_IV, ("10.6", "10.7")),
-                deviations_round(FIRST_SET, -25, BOUNDARY_III, ("11.3", "10.0")),
-                deviations_round(SECOND_SET, -25, BOUNDARY_III, ("12.7", "13.3")),
-                deviations_round(FIRST_SET, -10, BOUNDARY_III, ("14", "12")),
-                deviations_round(SECOND_SET, -10, BOUNDARY_III, ("15", "14")),
-                deviations_round(FIRST_SET, -5, BOUNDARY_III, ("23", "19")),
-                deviations_round(SECOND_SET, -5, BOUNDARY_III, ("23", "19")),
-            )
+        all_of(
+            deviations_round(FIRST_SET, -37, BOUNDARY_IV, ("10.9", "9.7")),
+            deviations_round(SECOND_SET, -37, BOUNDARY_IV, ("10.6", "10.7")),
+            deviations_round(FIRST_SET, -25, BOUNDARY_III, ("11.3", "10.0")),
+            deviations_round(SECOND_SET, -25, BOUNDARY_III, ("12.7", "13.3")),
+            deviations_round(FIRST_SET, -10, BOUNDARY_III, ("14", "12")),
+            deviations_round(SECOND_SET, -10, BOUNDARY_III, ("15", "14")),
+            deviations_round(FIRST_SET, -5, BOUNDARY_III, ("23", "19")),
+            deviations_round(SECOND_SET, -5, BOUNDARY_III, ("23", "19")),
         ),
         note="With the first set of reconstructed sizes (second). Relative to the nominal "
         "position the deviation is not largest at -40 mm: it grows towards the start of contact, "
         'where the nominal position vanishes. So "reaches 10 %" is to be read of -40 mm alone.',
-        marks=("ours", "consequence", "calibrated"),
+        marks=("consequence", "calibrated"),
     ),
-    Claim(
+    PRINT.claim(
         "all links contribute",
-        r"\text{deviations of the sizes of all intermediate links contribute to the error of the "
-        r"position of the output link}",
-        Conjunction(tuple(map(influence, BOUNDARY_II))),
+        all_of(*map(influence, BOUNDARY_II)),
         note="The accelerating lever contributes by BC, CD, DE and alpha_DE, the rod and the link "
         "5' by the clearance between them, the lever with rollers by KL, LM and alpha_KL: these "
         "are all sizes with a tolerance but those that the paper itself excepts, see 'sizes "
         "without influence'.",
         marks=("calibrated",),
-        cites=("S52",),
     ),
-    Claim(
+    PRINT.claim(
         "more links, larger effect",
-        r"\text{the accumulating, multiplicative effect is the larger, "
-        r"the more links the chain has}",
         less(error, stage_ratio * error + own_error),
         holds_on=Part(
             "a further stage with a ratio above 1", {stage_ratio: sp.Interval.open(1, sp.oo)}
@@ -250,6 +199,5 @@ RANGE_ROWS = (
         note="A further stage of ratio k turns an error Delta into k Delta + delta, in amounts, "
         "delta >= 0 being its own. A stage that reduces may pass on less than it takes in, as "
         "lever and rod of this mechanism do at -40 mm, see 'ratios of the stages at -40'.",
-        cites=("S52",),
     ),
 )

@@ -155,6 +155,17 @@ def test_labels_name_what_they_stand_in() -> None:
     assert "label" not in one.latex.string
 
 
+def test_a_tag_may_have_a_sign_that_begins_comments() -> None:
+    (one,) = find(r"$$a=1\tag*{95 \% interval}$$ % a comment")
+    assert one.name == "95 % interval"
+
+
+def test_what_a_display_cites_is_no_part_of_it() -> None:
+    first, second = find(r"$$a=1\cite{S6,S48}$$ $$b=2$$")
+    assert (first.cites, first.latex.string) == (("S6", "S48"), "a=1")
+    assert second.cites == ()
+
+
 def test_macros_in_a_circle_are_told() -> None:
     (one,) = find(r"\newcommand{\x}{\x+1}" + E % r"a=\x")
     assert "circle" in one.fault

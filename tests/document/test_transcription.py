@@ -13,7 +13,7 @@ from mechproof.document.block import BlockError
 from mechproof.document.transcription import Transcription
 from mechproof.pipeline.verification import judge_derivations
 from mechproof.proof.verdict import State, Verdict
-from mechproof.record import ANGLE, Claim, Equation
+from mechproof.record import ANGLE, Claim, Correction, Equation, Variable
 
 PAPER = r"""
 %% mechproof
@@ -25,7 +25,7 @@ PAPER = r"""
 %% where e<R_1
 %% end
 \begin{equation}x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1\tag{1}\label{place}\end{equation}
-\[e\ge0\tag*{the domain}\]
+\[e\ge0\tag*{the domain}\label{domain}\cite{S6,S48}\cite{S9}\]
 """
 MODULE = """
 from pathlib import Path
@@ -99,7 +99,30 @@ def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
     assert isinstance(row, Equation)
     assert row == Equation("(1)", r"x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1", note="both")
     assert paper.equation("place").printed_latex == row.printed_latex
-    assert paper.claim("the domain") == Claim("the domain", r"e\ge0")
+    cites = ("S6", "S48", "S9")
+    assert paper.claim("the domain") == Claim("the domain", r"e\ge0", cites=cites)
+    assert paper.claim("domain", cites=()) == Claim("domain", r"e\ge0")
+    assert paper.find("(1)") == row.printed_latex
+
+
+def test_members_of_displays_are_read_in_letters_of_the_block_or_given_ones(write: Write) -> None:
+    paper = write(PAPER.replace(r"e\ge0", r"e=\lambda"))
+    e, half = paper.symbols("e lambda")
+    assert paper.reader()("the domain") == (e, half)
+    other = sp.Symbol("other")
+    read = paper.reader(
+        [Variable(other, "", latex=("e",)), Variable(half, "", latex=(r"\lambda",))]
+    )
+    assert read("the domain") == (other, half)
+    with pytest.raises(ValueError, match=r"it has no display \(2\)$"):
+        read("(2)")
+
+
+def test_a_correction_is_a_print_with_something_else_in_it(write: Write) -> None:
+    paper = write(PAPER)
+    assert paper.mend("the domain", "0", "1") == Correction(r"e\ge1")
+    with pytest.raises(ValueError, match=r"display the domain has no 2$"):
+        paper.mend("the domain", "2", "1")
 
 
 def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
@@ -172,6 +195,21 @@ def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:
     (ledger,) = judge_derivations([module], use_cache=False)
     numbers = [judged.number for judged in ledger.judgements]
     assert sorted(numbers) == ["(1)", "(2), as meant", "(3)", "(5)"]
+
+
+def test_a_statement_of_a_whole_display_judges_all_its_signs(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(CRANK + r"\[r=2~\mathrm{mm},\ \varphi=3\tag*{sizes}\]")
+    module = tmp_path / "crank.py"
+    names = {}
+    for row in ("", 'PRINT.datum("sizes", Definition(r, 2 * r)),'):
+        text = MODULE.replace("LENGTH,", "LENGTH, Definition,").replace("rows=(", f"rows=({row}")
+        module.write_text(text)
+        (ledger,) = judge_derivations([module], use_cache=False)
+        names[row] = [one.number for one in ledger.paper.rows if one.number.startswith("sizes")]
+    assert list(names.values()) == [
+        ["sizes, first equals sign", "sizes, second equals sign"],
+        ["sizes"],
+    ]
 
 
 def test_a_print_that_cannot_be_read_is_an_error_of_the_derivation(tmp_path: Path) -> None:

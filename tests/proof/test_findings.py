@@ -119,14 +119,14 @@ def test_a_follower_may_hold_the_matrix_of_its_cause_as_a_whole() -> None:
 
 
 def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
-    cost = Cost("sum", {}, "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
+    cost = Cost("sum", "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
     first, *_ = find(Finding("(1)", "", (cost,)))
     assert tuple(map(str, first.costs)) == ("sum: as read 1 mm, as guessed 2 mm",)
 
 
 def test_a_convention_is_wrong_only_when_read_literally() -> None:
     found = find(
-        Finding("turned", "", (Cost("here", {phi: sp.pi / 6}, "°"),)), others=(CONVENTION,)
+        Finding("turned", "", (Cost("here", "°", at={phi: sp.pi / 6}),)), others=(CONVENTION,)
     )
     (cost,) = next(finding.costs for finding in found if finding.number == "turned")
     assert str(cost) == "here: read literally 30.0°, right -30.0°, off by 60.0°"
@@ -134,10 +134,10 @@ def test_a_convention_is_wrong_only_when_read_literally() -> None:
 
 def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
     at = {phi: sp.pi / 6, r: sp.Integer(10)}
-    turned = Cost("as angles", {phi: sp.pi / 6}, "°", 2, printed=phi, right=2 * phi)
+    turned = Cost("as angles", "°", 2, printed=phi, right=2 * phi, at={phi: sp.pi / 6})
     first, *_, last = find(
-        Finding("(1)", "", (Cost("30°", at, "mm", 3), turned)),
-        Finding("number", "", (Cost("here", {}),)),
+        Finding("(1)", "", (Cost("30°", "mm", 3, at=at), turned)),
+        Finding("number", "", (Cost("here"),)),
     )
     assert tuple(map(str, first.costs)) == (
         "30°: printed 8.660 mm, right 5.000 mm, off by 3.660 mm",
@@ -168,15 +168,15 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
             r"'\(2\)' does not hold what '\(1\)' corrects",
         ),
         (
-            Finding("(1)", "", (Cost("nowhere", {r: sp.Integer(1)}),)),
+            Finding("(1)", "", (Cost("nowhere", at={r: sp.Integer(1)}),)),
             "nowhere: no size is given for .'phi'",
         ),
         (Finding("(1)", "", mend="(4)"), r"mend = '\(4\)': it is REFUTED"),
         (Finding("(1)", "", mend="(9)"), r"mend = '\(9\)': it is no row"),
         (Finding("(1)", "", check=Check("{0}", (1 / r,))), "no size"),
-        (Finding("(1)", "", (Cost("x", {}, "km"),)), "unit = 'km'"),
-        (Finding("(3)", "", (Cost("x", {}, "", printed=1 / r, right=r),)), "no size"),
-        (Finding("(3)", "", (Cost("x", {r: sp.S.Zero}, "", 1, 1 / r, r),)), "no value there"),
+        (Finding("(1)", "", (Cost("x", "km"),)), "unit = 'km'"),
+        (Finding("(3)", "", (Cost("x", "", printed=1 / r, right=r),)), "no size"),
+        (Finding("(3)", "", (Cost("x", "", 1, 1 / r, r, at={r: sp.S.Zero}),)), "no value there"),
     ],
 )
 def test_what_is_no_finding_is_refused(finding: Finding, message: str) -> None:

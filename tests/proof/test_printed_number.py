@@ -6,7 +6,7 @@ import sympy as sp
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
-from mechproof.record import PrintedNumber
+from mechproof.record import PrintedNumber, rounded
 
 ANYWHERE = Domain({}, (), {})
 DUST = sp.Rational(1, 10**40)
@@ -62,3 +62,12 @@ def test_an_undefined_value_is_not_proved(value):
 def test_a_value_on_the_rounding_boundary_that_balls_cannot_separate_stays_open():
     value = sp.Rational("0.15") + sp.Add(sp.sin(1) ** 2, sp.cos(1) ** 2, -1, evaluate=False)
     assert decide(PrintedNumber("0.1", value), ANYWHERE).verdict is Verdict.UNDECIDED
+
+
+def test_numbers_and_values_go_in_pairs():
+    assert rounded(("3", "2.7"), (sp.pi, sp.E)) == (
+        PrintedNumber("3", sp.pi),
+        PrintedNumber("2.7", sp.E),
+    )
+    with pytest.raises(ValueError, match="shorter"):
+        rounded(("3", "2.7"), (sp.pi,))

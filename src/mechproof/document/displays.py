@@ -42,6 +42,7 @@ _COLUMNS = re.compile(r"\A\s*\{\d+\}")
 # What macros abbreviate that begins or ends a display.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_CITE = re.compile(r"\\cite\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _SHOWN = re.compile(
     r"\\(?P<kind>arabic|Alph|alph|Roman|roman)\s*\{(?P<counter>\w+)\}|\\the(?P<the>[a-z]+)"
@@ -55,12 +56,12 @@ _ALTERNATIVE = re.compile(
     re.IGNORECASE,
 )
 _NEAR = 200
-_NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _TAG, _UNNUMBERED)))
+_NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED)))
 
 
 @dataclass(frozen=True)
 class Printed:
-    """One equation of a text: how it is named, its labels, its LaTeX, or why it has none.
+    """One equation of a text: how it is named, its labels, what it cites, its LaTeX, or why none.
 
     Equations of one display have one `group`; `is_case` tells of words before it, such as "or",
     that may announce another case. The first `taken` characters of its LaTeX are those that the
@@ -71,6 +72,7 @@ class Printed:
     latex: LocatedText
     labels: tuple[str, ...] = ()
     fault: str = ""
+    cites: tuple[str, ...] = ()
     group: int = 0
     is_case: bool = False
     taken: int = 0
@@ -246,10 +248,11 @@ def _read_display(
         ]
     for name, whole, parts in named:
         labels = tuple(found[1] for found in _LABEL.finditer(whole.string))
+        cites = tuple(key for found in _CITE.finditer(whole.string) for key in found[1].split(","))
         for number, latex in enumerate(parts, start=1):
             one = name or f"display {next(unnumbered)}"
             shown = f"{one}, part {number}" if name and len(parts) > 1 else one
-            yield Printed(shown, latex, labels, fault)
+            yield Printed(shown, latex, labels, fault, cites)
 
 
 def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterator[LocatedText]:
@@ -271,5 +274,6 @@ def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
 
 def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
     if tag := _TAG.search(line.string):
-        return tag[2] if tag[1] else f"({tag[2]})"
+        named = tag[2].replace(r"\%", "%")
+        return named if tag[1] else f"({named})"
     return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""

@@ -49,11 +49,14 @@ def name_equation(number: str) -> str:
 
 
 def leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
-    """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
+    """Yield the rows that are judged nowhere else, by themselves or with all signs of their print.
+
+    Of what is not read the signs are not known.
+    """
     equations = {*map(name_equation, elsewhere)}
     for one in rows:
         row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
-        if not judged & {row.number, row.printed_latex}:
+        if not judged & {row.number, name_equation(row.number), row.printed_latex}:
             yield one
 
 

@@ -69,7 +69,7 @@ def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
     """Yield the lines of the systems of equations that a line consists of."""
     latex = _drop_leads(line)
     brace = _SYSTEM.match(latex.string)
-    signs = list(walk_signs(latex.string))
+    signs = list(walk_signs(latex.string)) if brace else []
     close = next((n for n, (_, place, depth) in enumerate(signs) if place and not depth), None)
     if not brace or close is None or ends_open(before):
         yield line

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate
+from itertools import accumulate, chain
 from re import Match, Pattern
 
 from mechproof.proof.verdict import Place
@@ -48,7 +48,7 @@ class LocatedText:
 
 def join(parts: Sequence[LocatedText]) -> LocatedText:
     """Return texts one behind the other."""
-    offsets = tuple(offset for part in parts for offset in part.offsets)
+    offsets = tuple(chain.from_iterable(part.offsets for part in parts))
     return LocatedText("".join(part.string for part in parts), offsets)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,7 +13,8 @@ from mechproof.document.block import read_block
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.sources import read_source
 from mechproof.document.symbols import declare
-from mechproof.record import Claim, Datum, Equation, Notation, Row, Variable
+from mechproof.latex import Reader
+from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 
 R = TypeVar("R", bound=Row)
 
@@ -22,7 +23,8 @@ class Transcription:
     r"""What a paper prints, from a LaTeX file: its letters in a block, its rows as displays.
 
     Displays are named as `mechproof check` names them: by their numbers, their tags (`\tag*` is
-    a name without brackets) or their labels.
+    a name without brackets) or their labels. What a display cites are the sentences that its row
+    judges, `\cite{S6,S48}`.
     """
 
     def __init__(self, file: Path) -> None:
@@ -36,16 +38,33 @@ class Transcription:
         self.variables: tuple[Variable, ...] = declared.variables
         self.where: tuple[sp.Basic, ...] = declared.where
         self.notation: Notation = declared.notation
-        self.prints: Mapping[str, str] = self._name(find_displays(source.text, cut=False))
+        self._displays = self._name(find_displays(source.text, cut=False))
 
-    def _name(self, displays: Iterable[Printed]) -> dict[str, str]:
-        prints: dict[str, str] = {}
+    def _name(self, displays: Iterable[Printed]) -> dict[str, Printed]:
+        named: dict[str, Printed] = {}
         for display in displays:
             for name in (display.name, *display.labels):
-                if name in prints:
+                if name in named:
                     raise ValueError(f"{self.file}: two displays are called {name}")
-                prints[name] = display.latex.string
-        return prints
+                named[name] = display
+        return named
+
+    def reader(
+        self, variables: Sequence[Variable] = (), notation: Notation | None = None
+    ) -> Callable[[str], tuple[Any, ...]]:
+        """Return what reads the members of a display by its name, in these letters or the file's.
+
+        It raises what `find` and `mechproof.latex` do.
+        """
+        members = Reader(variables or self.variables, notation or self.notation).members
+        return lambda number: members(self.equation(number))
+
+    def find(self, number: str) -> str:
+        """Return the LaTeX of a display by its name.
+
+        Raises `ValueError` for one that the file does not have.
+        """
+        return self._find(number).latex.string
 
     def symbols(self, names: str) -> tuple[Any, ...]:
         """Return the symbols of letters by their names, separated by blanks.
@@ -67,19 +86,33 @@ class Transcription:
             raise ValueError(f"{self.file}: its block declares no {', '.join(unknown)}")
         return tuple(replace(v, given=values.get(v.symbol)) for v in self.variables)
 
-    def equation(self, number: str, **says: Any) -> Equation:
-        """Return a numbered equation; `says` are further fields of `mechproof.record.Row`."""
-        return self._make(Equation, number, says)
+    def equation(self, number: str, says: Statement | None = None, **more: Any) -> Equation:
+        """Return a numbered equation; `more` are further fields of `mechproof.record.Row`."""
+        return self._make(Equation, number, says, more)
 
-    def claim(self, number: str, **says: Any) -> Claim:
+    def claim(self, number: str, says: Statement | None = None, **more: Any) -> Claim:
         """Return any other statement, in the same way."""
-        return self._make(Claim, number, says)
+        return self._make(Claim, number, says, more)
 
-    def datum(self, number: str, **says: Any) -> Datum:
+    def datum(self, number: str, says: Statement | None = None, **more: Any) -> Datum:
         """Return a datum, in the same way."""
-        return self._make(Datum, number, says)
+        return self._make(Datum, number, says, more)
 
-    def _make(self, kind: type[R], number: str, says: dict[str, Any]) -> R:
-        if number not in self.prints:
+    def mend(self, number: str, old: str, new: str, says: Statement | None = None) -> Correction:
+        """Return a display with something else in the place of a part, as what should be printed.
+
+        Raises `ValueError` for what is not printed there.
+        """
+        printed = self.find(number)
+        if old not in printed:
+            raise ValueError(f"{self.file}: display {number} has no {old}")
+        return Correction(printed.replace(old, new), says)
+
+    def _make(self, kind: type[R], number: str, says: Statement | None, more: dict[str, Any]) -> R:
+        display = self._find(number)
+        return kind(number, display.latex.string, says, **{"cites": display.cites, **more})
+
+    def _find(self, number: str) -> Printed:
+        if number not in self._displays:
             raise ValueError(f"{self.file}: it has no display {number}")
-        return kind(number, self.prints[number], **says)
+        return self._displays[number]

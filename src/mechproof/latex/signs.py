@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from mechproof.latex.characters import spell
 from mechproof.latex.words import AND
@@ -63,6 +64,7 @@ class Token:
     end: int
 
 
+@lru_cache(1024)
 def same_sign(sign: str) -> str:
     r"""Return the sign that one is read as: \le for \leq and for its character."""
     (first, *others) = spell(sign) if len(sign) == 1 else (sign,)

@@ -40,6 +40,7 @@ from mechproof.record.rows import (
     Equation,
     Reading,
     Row,
+    ours,
 )
 from mechproof.record.statements import (
     Completion,
@@ -53,6 +54,10 @@ from mechproof.record.statements import (
     PrintedNumber,
     Statement,
     Unwritten,
+    all_of,
+    less,
+    not_above,
+    rounded,
 )
 from mechproof.record.variables import Notation, Part, Scope, Variable, family_of, list_given
 
@@ -116,9 +121,14 @@ __all__ = [
     "ValueWhere",
     "Variable",
     "Weight",
+    "all_of",
     "family_of",
+    "less",
     "list_given",
     "list_needs",
     "list_partial",
+    "not_above",
+    "ours",
+    "rounded",
     "sum_distinct",
 ]

@@ -53,12 +53,12 @@ class Cost:
     """
 
     where: str
-    at: Mapping[sp.Basic, sp.Expr]
     unit: str = ""
     decimals: int = 1
     printed: sp.Expr | None = None
     right: sp.Expr | None = None
     names: tuple[str, str] = ("printed", "right")
+    at: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
 
 
 @dataclass(frozen=True)

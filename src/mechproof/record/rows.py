@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import sympy as sp
 
@@ -150,3 +150,10 @@ class Datum(Row):
     """A printed datum: a size, a property of an instrument, a coverage factor."""
 
     kind = "datum"
+
+
+def ours(
+    number: str, latex: str, says: Statement | None = None, marks: tuple[str, ...] = (), **more: Any
+) -> Claim:
+    """Return a claim that no paper prints; `more` are further fields of `Row`."""
+    return Claim(number, latex, says, marks=("ours", *marks), **more)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -161,6 +162,26 @@ Statement = (
     | NotCheckable
     | Unwritten
 )
+
+
+def all_of(*parts: Statement) -> Conjunction:
+    """State that every part is true."""
+    return Conjunction(parts)
+
+
+def less(left: sp.Expr, right: sp.Expr) -> Holds:
+    """State left < right, which SymPy is kept from deciding."""
+    return Holds(sp.Lt(left, right, evaluate=False))
+
+
+def not_above(left: sp.Expr, right: sp.Expr) -> Holds:
+    """State left <= right, which SymPy is kept from deciding."""
+    return Holds(sp.Le(left, right, evaluate=False))
+
+
+def rounded(numbers: Iterable[str], values: Iterable[sp.Expr]) -> tuple[PrintedNumber, ...]:
+    """State that each value rounds to its number; `ValueError` for more of one than the other."""
+    return tuple(PrintedNumber(*pair) for pair in zip(numbers, values, strict=True))
 
 
 def check_statement(says: object) -> None:

@@ -1,0 +1,70 @@
+"""What papers 1 and 2 share of an angle x and an eccentricity e: places, branches, a jerk's terms.
+
+A place is x, e and the ranges of their coordinates, in which what vanishes is a product of powers.
+With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
+"""
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import sympy as sp
+from sympy import Expr, Interval, Rational, Symbol
+
+from mechproof.record import Equality
+
+Ranges: TypeAlias = Mapping[Symbol, Interval]
+Place: TypeAlias = tuple[Expr, Expr, Ranges]
+
+ANGLE_X, S = Symbol("x"), Symbol("pi - x")
+D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
+UP_TO_HALF, UP_TO_LARGE = Interval(0, Rational(1, 2)), Interval(0, Rational(5, 8))
+UP_TO_TURN = Interval(0, Rational(22, 7))
+WITHIN_TURN = "|x| <= 22/7"
+# Next to x = pi the low word is as large as what is left of x, and no bound sees that they belong
+# together: so little is left out. Beyond half a turn x is known by it alone.
+OFF_PI = f"{WITHIN_TURN} and |pi - |x|| >= 2**-40"
+
+
+def list_places(e: Symbol, farthest: Expr, widest: Expr, roundest: Interval) -> tuple[Place, ...]:
+    """List the places of angles up to the farthest, at first of d up to the widest."""
+    return (
+        (D * Y, 1 - D, {D: Interval(0, widest), Y: Interval(0, 8)}),
+        (Z * W, 1 - Z**2 * W, {Z: Interval(0, Rational(1, 8)), W: Interval(0, 1)}),
+        (ANGLE_X, 1 - ANGLE_X**2 * V, {ANGLE_X: Interval(0, Rational(3, 4)), V: Interval(0, 1)}),
+        (ANGLE_X, 1 - D, {ANGLE_X: Interval(Rational(2, 3), farthest), D: UP_TO_HALF}),
+        (ANGLE_X, e, {ANGLE_X: Interval(0, farthest), e: roundest}),
+    )
+
+
+def first_turn(e: Symbol) -> tuple[Place, ...]:
+    """List the places of half a turn to either side."""
+    return list_places(e, Rational(22, 7), Rational(1, 2), UP_TO_HALF)
+
+
+def below_pi(e: Symbol) -> tuple[Place, ...]:
+    """List the places that end before half a turn."""
+    return list_places(e, sp.Integer(3), Rational(3, 8), UP_TO_LARGE)
+
+
+def next_to_pi(e: Symbol) -> tuple[tuple[Expr, Expr, Ranges, Expr], ...]:
+    """List the places there, and what is left of x after whole turns."""
+    near = {ANGLE_X: UP_TO_TURN, S: Interval(Rational(1, 2**40), Rational(1, 7))}
+    return tuple(
+        (ANGLE_X, there, {**near, symbol: UP_TO_HALF}, sp.pi + side)
+        for there, symbol in ((1 - D, D), (e, e))
+        for side in (S, -S)
+    )
+
+
+def on_branch(form: Expr, whole: Expr, place: Mapping[Symbol, Expr], turns: Symbol) -> Equality:
+    """State that a form with one floor is a whole at a place where the floor has a value."""
+    (count,) = form.atoms(sp.floor)
+    return Equality(form.xreplace({count: turns}).subs(place), whole.subs(place))
+
+
+def jerk_terms(e: Symbol, x: Expr, eps_x: Expr) -> Expr:
+    """Return the larger term of a jerk, with 1 for cos(x), and what eps*x makes of both."""
+    spread = 1 + e**2 - 2 * e * sp.cos(x)
+    sine, cosine = sp.Abs(sp.sin(x)), sp.Abs(sp.cos(x))
+    slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
+    return sp.Max(spread, 4 * e * sp.sin(x) ** 2) / spread**3 + eps_x * sine * slope / spread**4
