@@ -138,7 +138,7 @@ FOLLOWING = {
     r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
     r"+l\ddot\alpha\sin\alpha-l\dot\alpha^2\cos\alpha=0": "DEFINITION",
     r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
-    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "DEFINITION",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "not judged",
 }
 
 

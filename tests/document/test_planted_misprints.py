@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.document.checking import CheckedRow, check
+from mechproof.document.checked_rows import CheckedRow
+from mechproof.document.checking import check
 from mechproof.document.misprints import find_failure, find_misprint
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.witnesses import enclose, find_points
@@ -80,7 +81,7 @@ PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
     "a joint": (
         (r"k=\sin\alpha\cos\beta-\cos\gamma\cos\alpha\sin\beta=0",),
         r"\tan\alpha=\cos\gamma\tan\beta",
-        [r"\tan\beta=\cos\gamma\tan\alpha", r"\tan\alpha=\sin\gamma\tan\beta"],
+        [],
     ),
     "a belt": (
         (r"\frac{w_1}{w_2}=\mathrm{e}^{m\gamma}", r"k=m\gamma"),
@@ -93,9 +94,31 @@ PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
         [
             r"m\cos q_2-n\cos q_1-u=\cos(q_1-q_2)",
             r"m\cos q_1-n\cos q_1+u=\cos(q_1-q_2)",
-            r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)",
         ],
     ),
+}
+JOINT = PAPERS["a joint"][0]
+CENTRE = (ROD, SLIDER, r"\alpha=-\beta", "x=u", "u^2=(r+l)^2")
+INLINE = (*FOUR_BAR[:2], r"q_1=\alpha", r"(l_1+l)^2=l_2^2+r^2+2rl_2\cos q_2")
+# Papers with a wrong print, and those of which a change of either would make both true: that is no
+# reason to accuse one of them.
+CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
+    "a joint, letters exchanged": (
+        (*JOINT, r"\tan\beta=\cos\gamma\tan\alpha"),
+        ["(1), second equals sign", "(2)"],
+    ),
+    "a joint, sine for cosine": (
+        (*JOINT, r"\tan\alpha=\sin\gamma\tan\beta"),
+        ["(1), second equals sign", "(2)"],
+    ),
+    "a sign of an angle": (
+        (*FOUR_BAR, r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)"),
+        ["(2)", "(6)"],
+    ),
+    "a dead centre": (CENTRE, []),
+    "a dead centre, wrong": ((*CENTRE[:2], r"\alpha=\beta", *CENTRE[3:]), ["(1)", "(3)"]),
+    "crank and coupler in line": (INLINE, []),
+    "crank and coupler in line, wrong": ((*INLINE[:2], r"q_1=-\alpha", INLINE[3]), ["(2)", "(3)"]),
 }
 # Prints, and what is said before the last one or in the block: none is accused.
 EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
@@ -143,6 +166,18 @@ def test_a_misprint_is_refuted_where_all_else_holds(name: str, wrong: str) -> No
     row = judge((*PAPERS[name][0], wrong))
     assert row.outcome == "REFUTED", row.reason
     assert row.judgement.evidence[0].at
+
+
+@pytest.mark.parametrize("name", CONTRADICTIONS)
+def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) -> None:
+    equations, pair = CONTRADICTIONS[name]
+    text = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    rows = {row.name: row for row in check("paper.tex", f"{BLOCK}%% end\n{text}").rows}
+    assert "REFUTED" not in {row.outcome for row in rows.values()}
+    told = [name for name, row in rows.items() if "contradict each other" in row.reason]
+    assert told == pair
+    for name, other in zip(pair, reversed(pair), strict=True):
+        assert rows[name].reason.startswith(f"it and {other} contradict")
 
 
 @pytest.mark.parametrize("name", EXCUSED)
