@@ -70,6 +70,16 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"with $\lambda=b/c$ $$y=\lambda b^2$$", [r"let \lambda=b/c"], []),
         (r"with $\lambda=b/c$ $$\lambda=y$$", [], [r"let \lambda=b/c"]),
         (r"with $c_p=\cos p$ $$y=c_pc_q+p+q$$", [r"let c_{q}=\cos q"], []),
+        (r"when $b=c$ $$y=2b+c$$", ["# let b=c"], ["let b=c"]),
+        (r"when $b=-c$ $$y=2b+c$$", ["# let b=-c"], ["let b=-c"]),
+        (r"It ends when $b=k+c$ $$y=2b+c+k$$", ["# let b=k+c"], ["let b=k+c"]),
+        (r"It ends with $b=k+c$ $$y=2b+c+k$$", ["let b=k+c"], []),
+        (
+            r"At $b=\frac{\pi}{2}-c$ it is $q=2b-c$. $$y=2b+c$$ $$y=q$$",
+            [r"# let b=\frac{\pi}{2}-c", "let q=2b-c"],
+            [r"let b=\frac{\pi}{2}-c"],
+        ),
+        (r"with $q=2\pi c$ $$y=2c+q$$", [r"let q=2\pi c"], []),
         (r"at $\dot q=w$ $$b=c\dot q+w$$", [r"let \dot q=w"], []),
         (r"For $b=2~\mathrm{mm}$ $$y=2b$$", ["b : [mm]", "sizes b=2 mm"], []),
         (

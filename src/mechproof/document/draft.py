@@ -47,6 +47,8 @@ _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 _E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*\d)")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
+# A letter, or its opposite, alone or turned by parts of pi.
+_TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
 # Letters that could be something else where nothing declares them.
@@ -124,6 +126,10 @@ def _propose_values(
             continue
         if one.number is None and _has_letter(one.value, name, letters):
             line = f"let {one.letter}={one.value}"
+            if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
+                yield f"# line {one.line}: a special position, or does it always hold?"
+                yield f"# {line}"
+                continue
             for other, value in say_of_others(one, letters):
                 if name_symbol(other) not in {*defined, *named}:
                     alike[other] = value
@@ -152,6 +158,13 @@ def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
     """Return whether a value is one of other letters."""
     met = {*_SIGN.findall(value)}
     return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
+
+
+def _is_position(value: str, letters: Sequence[str]) -> bool:
+    """Return whether a value is another letter or its opposite, alone or turned by parts of pi."""
+    names = "|".join(re.escape(letter) for letter in letters)
+    turned = rf"\s*(?:{_TURN}[-+]\s*)?(?:{names})\s*(?:[-+]{_TURN})?"
+    return bool(re.fullmatch(turned, value))
 
 
 def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:

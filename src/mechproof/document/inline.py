@@ -23,6 +23,9 @@ _EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
+# Words before what holds at a position, and not always.
+_CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at)\s+\Z", re.IGNORECASE)
+_BEFORE = 20
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
@@ -30,13 +33,14 @@ _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([
 
 @dataclass(frozen=True)
 class Inline:
-    """What a sentence says of a letter, and the line where."""
+    """What a sentence says of a letter, the line where, and whether words tell of a position."""
 
     letter: str
     value: str
     line: int
     number: Numeral | None
     unit: str = ""
+    is_case: bool = False
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -72,7 +76,8 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         line = source.files.locate(source.text.offsets[match.start()]).line
         number = read_numeral(plain, decimal_comma="{,}" in plain)
         unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
-        yield Inline(letter, value, line, number, _MEANT.get(unit, unit))
+        is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
+        yield Inline(letter, value, line, number, _MEANT.get(unit, unit), is_case)
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:
