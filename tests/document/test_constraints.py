@@ -151,6 +151,19 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
     assert rows[-1].outcome == FOLLOWING[latex], rows[-1].reason
 
 
+@pytest.mark.parametrize(
+    ("latex", "names"),
+    [
+        (r"r\cos\varphi=l\cos\alpha", "display 2"),
+        (r"r\cos\psi=l\cos\alpha", ""),
+    ],
+)
+def test_a_constraint_says_which_others_have_its_letters(latex: str, names: str) -> None:
+    row = check("paper.tex", "".join(f"$${one}$$\n" for one in (*SLIDER, latex))).rows[-1]
+    assert row.outcome == "DEFINITION"
+    assert row.reason.partition("; it does not follow from ")[2] == names
+
+
 # What a block says besides.
 SAID = {
     "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",

@@ -56,6 +56,28 @@ def test_numbers_may_have_units(latex: str) -> None:
     assert outcomes(latex, block=block) == UNITS[latex]
 
 
+# Prints, and what becomes of each: an angle and its tangent, a size before its formula.
+TANGENTS = [
+    ([r"\tan\beta=\frac rl", r"\beta=18.4^\circ"], ["DEFINITION", "PROVED"]),
+    ([r"\tan\beta=\frac rl", r"\beta=14.8^\circ"], ["DEFINITION", "REFUTED"]),
+    ([r"\tan\beta=\frac rl", r"\beta=33.0^\circ"], ["DEFINITION", "not judged"]),
+    ([r"\beta=18.4^\circ", r"\tan\beta=\frac rl"], ["PROVED", "DEFINITION"]),
+    ([r"\beta=14.8^\circ", r"\tan\beta=\frac rl"], ["REFUTED", "DEFINITION"]),
+    ([r"\tan\beta=\frac hl", r"\beta=18.4^\circ"], ["DEFINITION", "DEFINITION"]),
+    # The number of the tangent is rounded.
+    ([r"\tan\beta=0.33", r"\beta=18.4^\circ"], ["PROVED", "DEFINITION"]),
+    ([r"\lambda=0.333", r"\lambda=\frac rl"], ["PROVED", "DEFINITION"]),
+    ([r"\lambda=0.383", r"\lambda=\frac rl"], ["REFUTED", "DEFINITION"]),
+]
+
+
+@pytest.mark.parametrize(("equations", "expected"), TANGENTS)
+def test_a_size_is_compared_with_what_else_is_printed(
+    equations: list[str], expected: list[str]
+) -> None:
+    assert outcomes(*equations, block="%% sizes r=20 mm, l=60 mm\n") == expected
+
+
 def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
     block = "%% sizes r=20 mm, l=60 mm, \\beta=0.5\n"
     numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]

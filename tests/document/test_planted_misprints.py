@@ -237,8 +237,12 @@ def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
 
 @pytest.mark.parametrize(
     ("printed", "meant"),
-    [("80.91", "80.19"), ("80.18", "80.19"), ("81.19", "80.19"), ("91.08", ""), ("8.2", "")],
+    [
+        *(("80.91", "80.19"), ("80.18", "80.19"), ("81.19", "80.19"), ("91.08", ""), ("8.2", "")),
+        *(("89.10", "80.19"), ("18.90", ""), ("81.09", "80.19"), ("81.90", "80.19"), ("83.49", "")),
+        *(("83.492", "80.192"), ("83.494", "")),
+    ],
 )
-def test_a_number_may_have_a_wrong_digit(printed: str, meant: str) -> None:
+def test_a_number_may_have_wrong_digits(printed: str, meant: str) -> None:
     value = sp.Rational("80.1921") / (10 if len(printed) == 3 else 1)
     assert find_slip(PrintedNumber(printed, value), value) == meant

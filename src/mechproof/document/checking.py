@@ -13,6 +13,7 @@ from mechproof.document.constrained_rows import (
     excuse_by_constraints,
     find_misprints,
     follow_from_constraints,
+    solve_constraints,
 )
 from mechproof.document.judging import (
     COMPARED,
@@ -131,6 +132,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(_compare_members(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
+        rows |= dict(solve_constraints(key, tasks, rows, limit))
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints

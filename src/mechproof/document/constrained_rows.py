@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import GIVEN, list_letters
-from mechproof.document.judging import Key, judge_beside, judge_excused, judge_misprint
-from mechproof.document.roles import Role
+from mechproof.document.judging import Key, judge_beside, judge_excused, judge_misprint, judge_roots
+from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.processes import run_tasks
 from mechproof.proof.verdict import Judgement, State, Verdict
@@ -33,6 +34,18 @@ def follow_from_constraints(
         number = numbers[place][1]
         if isinstance(found, Judgement):
             yield number, make_row(tasks[number], found)
+        elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
+            alone = rows[number].judgement
+            if alone and alone.rung == GIVEN:
+                reason = f"{alone.reason}; it does not follow from {names}"
+                yield number, make_row(tasks[number], replace(alone, reason=reason))
+
+
+def _list_alike(task: Task, given: Sequence[Task]) -> str:
+    """Return the names of constraints that have all letters of another, none for other rows."""
+    letters = {letter for one in given for letter in list_letters(one)}
+    is_bound = task.sign.role is Role.CONSTRAINT and list_letters(task) <= letters
+    return ", ".join(one.row.number for one in given) if is_bound else ""
 
 
 def excuse_by_constraints(
@@ -57,6 +70,22 @@ def _have_common(one: Task, other: Task) -> bool:
     says = other.row.says
     is_equation = isinstance(says, Equality | Conjunction)
     return is_equation and bool(list_letters(one) & list_letters(other))
+
+
+def solve_constraints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again letters that are printed with a double sign: they may be roots."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    asked = [
+        (key, n, tuple(g for g in given if g != n and _have_common(tasks[g], task)))
+        for n, task in enumerate(tasks)
+        if n in given and task.sign.role is Role.SOLUTIONS
+    ]
+    for place, found in run_tasks(judge_roots, asked, limit=limit):
+        if isinstance(found, Judgement):
+            number = asked[place][1]
+            yield number, make_row(tasks[number], found)
 
 
 def find_misprints(
@@ -114,13 +143,15 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     is_plain = other > number and all(
         term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
     )
-    return tasks[other].is_excused or is_plain
+    is_case = tasks[other].is_excused or tasks[other].sign.role is Role.SOLUTIONS
+    return is_case or is_plain
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
     is_open = row.state is State.NOT_JUDGED or bool(row.judgement and row.judgement.rung == GIVEN)
     is_equation = isinstance(task.row.says, Equality) and task.sign.number in ("", "0")
     is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)
+    is_one_of_two |= task.sign.role is Role.SOLUTIONS
     return is_open and is_equation and not (task.is_rounded or is_one_of_two)
 
 
@@ -134,6 +165,6 @@ def _connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterat
 
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:
-    is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role is Role.CONSTRAINT
+    is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role in CONSTRAINING
     is_equation = isinstance(task.row.says, Equality) and task.residual is not None
     return is_given and is_equation and not (task.is_rounded or task.is_either)

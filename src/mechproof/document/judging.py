@@ -14,6 +14,7 @@ from mechproof.document.misprints import RUNG, find_failure, find_misprint
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
+from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
 from mechproof.proof.domain import Domain
@@ -84,6 +85,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
+        return "one of its signs is printed elsewhere; of the other nothing is known"
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return "the two sides differ, but a decimal may have been rounded"
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
@@ -233,6 +236,16 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge a letter with a double sign beside constraints: None if neither is shown."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    given = {tasks[o].row.number: tasks[o].residual for o in others}
+    found = Solutions(*task.sign.sides).judge(given, Domain.of(task.paper, task.row.on))
+    return _replace(task, *found) if found else None
 
 
 def _replace(

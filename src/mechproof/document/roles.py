@@ -56,8 +56,13 @@ class Role(StrEnum):
     NUMBER = "number"
     VALUE = "value at a place"
     CONSTRAINT = "constraint"
+    SOLUTIONS = "both solutions"
     SEAM = "seam"
     RELATION = "relation"
+
+
+# What is taken as given.
+CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
 @dataclass(frozen=True)
@@ -88,6 +93,7 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
+    `arcs` are what angles are whose tangent is printed.
     """
 
     symbols: Symbols
@@ -101,6 +107,7 @@ class Known:
     entries: Values = field(default_factory=dict)
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    arcs: Values = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -246,6 +253,11 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
+    for angle, value in ((one, other), (other, one)):
+        is_tangent = isinstance(angle, sp.tan) and angle.args[0].is_Symbol
+        # A number is rounded.
+        if is_tangent and isinstance(value, sp.Expr) and value.free_symbols:
+            known.arcs.setdefault(angle.args[0], sp.atan(value))
     if not left:
         return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
     if not (one.free_symbols and other.free_symbols):

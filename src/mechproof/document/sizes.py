@@ -25,6 +25,7 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
+OTHERS = "it is not the number at the sizes of"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -166,7 +167,7 @@ class Sizes:
             return "it has no unit, and the sizes have several"
         if used and not self._are_beside(used.values(), group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))
-            return f"it is not the number at the sizes of {names}: are these meant, or others?"
+            return f"{OTHERS} {names}: are these meant, or others?"
         return stated[0]
 
     def _read(
