@@ -80,6 +80,8 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [r"let b=\frac{\pi}{2}-c"],
         ),
         (r"with $q=2\pi c$ $$y=2c+q$$", [r"let q=2\pi c"], []),
+        (r"$$\dot q(t)=2b$$ $$q(t)=2bt$$", ["q(t) :"], ["q(t)(t) :"]),
+        (r"$$\dot{\text{rot}}=2b$$", [r"\text{rot}(t) :"], []),
         (r"at $\dot q=w$ $$b=c\dot q+w$$", [r"let \dot q=w"], []),
         (r"For $b=2~\mathrm{mm}$ $$y=2b$$", ["b : [mm]", "sizes b=2 mm"], []),
         (

@@ -141,6 +141,11 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
         "",
         "",
     ),
+    "a letter as a function of itself": (
+        (r"\alpha=\arctan\frac km", r"u=\sin\beta", r"\alpha=\arctan(\tan\beta)"),
+        "",
+        "",
+    ),
     "a rounded number": ((r"k=\sqrt2m", r"k\sqrt2=1.9m"), "", ""),
 }
 

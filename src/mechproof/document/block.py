@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from mechproof.document.text import Files, LocatedText
+from mechproof.proof.verdict import Place
 
 _SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
 _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
@@ -49,6 +50,7 @@ class Declared:
     running: str = ""
     symbol: str = ""
     is_family: bool = False
+    place: Place | None = field(default=None, compare=False)
 
 
 @dataclass
@@ -85,7 +87,8 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             elif word in _TOLD:
                 _TOLD[word](block, rest.strip())
             else:
-                block.letters += _read_letters(line.string)
+                place = files.locate(line.offsets[0])
+                block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
             raise BlockError(
                 f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"

@@ -43,8 +43,8 @@ _EITHER = (
 class CheckedPaper:
     """The rows of a paper's source, the letters taken as real numbers, and files not found.
 
-    `paper` has the letters, without rows; `told` are tables and columns that are not compared;
-    `names` are those of all equations, in their order.
+    `paper` has the letters, without rows; `told` are names that cannot be read, and tables and
+    columns that are not compared; `names` are those of all equations, in their order.
     """
 
     file: str

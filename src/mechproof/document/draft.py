@@ -239,7 +239,9 @@ def _list_entries(
 def _split(letter: str) -> tuple[str, str]:
     r"""Return a letter and what it is a function of: x and t of \dot x and of x(t)."""
     if rate := _RATE.match(letter):
-        return rate[1] + rate[2] + rate[3], "t"
+        letter = rate[1] + rate[2] + rate[3]
+        depends = _DEPENDS.match(letter)
+        return (depends[1].strip() if depends and depends[2] == "t" else letter), "t"
     if depends := _DEPENDS.match(letter):
         return depends[1].strip(), depends[2]
     return letter, ""

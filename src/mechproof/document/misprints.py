@@ -124,14 +124,21 @@ def _is_trivial(
 ) -> bool:
     """Return whether an equation says nothing, or what stands elsewhere up to a number.
 
-    Of a letter that stands alone what defines it is put in, too.
+    A letter that is a function of itself says nothing of others. Of a letter that stands alone
+    what defines it is put in, too.
     """
+    if any(one.is_Symbol and other.free_symbols == {one} for one, other in _turn(sides)):
+        return True
     shown = [sides, tuple(defined.get(side, side) for side in sides)]
     for rest in (sp.expand(one - other) for one, other in shown):
         alike = (one for one in repeated if one.free_symbols == rest.free_symbols)
         if rest == 0 or any(sp.cancel(rest / one).is_number for one in alike):
             return True
     return False
+
+
+def _turn(sides: Sides) -> tuple[Sides, Sides]:
+    return sides, (sides[1], sides[0])
 
 
 def _show(

@@ -131,7 +131,9 @@ class Document:
         again = self.symbols.reader(values)
         tables = SizeTables(self.known, self.files, self.papers[False])
         compared = list(tables.read(self.tables))
-        self.told = tables.told
+        start = Place(self.files.names[0], 1, 1)
+        faults = [(place or start, reason) for place, reason in self.symbols.faults]
+        self.told = [*faults, *tables.told]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
         sizes = collect_sizes(zip(self.printed, read, strict=True), self.known)
