@@ -1,5 +1,6 @@
 """What a draft of letters proposes: names as they must be declared, and what words say of them."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -117,6 +118,49 @@ def test_drafts_propose_what_prints_and_sentences_show(
     found = draft(text).splitlines()
     assert [line for line in lines if f"%% {line}" not in found] == []
     assert [line for line in missing if f"%% {line}" in found] == []
+
+
+MOVED = r"$$x=r\cos\varphi+l$$ with respect to $\varphi$ "
+LARGEST = r"claim \max_{\varphi}x=r+l"
+AT_ZERO = r"claim x=r+l\quad\text{for }\varphi=0"
+
+
+@pytest.mark.parametrize(
+    ("words", "claims"),
+    [
+        (r"The largest value of $x$ is $r+l$.", [LARGEST]),
+        (r"The maximum of $x$ equals $r+l$ at $\varphi=0$.", [LARGEST, AT_ZERO]),
+        (r"It reaches a maximum of $r+l$ at $\varphi=0$.", [LARGEST, AT_ZERO]),
+        (r"$x$ attains its smallest value $l-r$.", [r"claim \min_{\varphi}x=l-r"]),
+        (
+            r"$x$ has a maximum of $28\,\mathrm{mm}$ for $\varphi=0$.",
+            [r"claim x=28\,\mathrm{mm}\quad\text{for }\varphi=0"],
+        ),
+        (r"The largest value of $x$ is $28\,\mathrm{mm}$.", []),
+        (r"The largest value of $y$ is $r+l$.", []),
+        (r"The largest part of it, $x$, is $r+l$.", []),
+    ],
+)
+def test_words_name_largest_and_smallest_values(words: str, claims: list[str]) -> None:
+    found = draft(rf"{MOVED}$$x'=-r\sin\varphi$$ $$x=l+r\cos\varphi$$ {words}")
+    assert re.findall(r"%% (claim .*)", found) == claims
+
+
+@pytest.mark.parametrize(
+    ("claim", "outcome"),
+    [
+        (LARGEST, "PROVED"),
+        (LARGEST.replace("max", "min"), "REFUTED"),
+        (AT_ZERO, "PROVED"),
+        (AT_ZERO.replace("r+l", "r-l"), "REFUTED"),
+    ],
+)
+@pytest.mark.usefixtures("judged_here")
+def test_what_words_claim_is_judged_as_a_row(claim: str, outcome: str) -> None:
+    letters = "x(\\varphi) : place\n%% r ; l : lengths {r>0}\n%% \\varphi : angle"
+    block = f"%% mechproof\n%% {letters}\n%% {claim}\n%% end\n"
+    *_, row = mechproof.check("paper.tex", block + r"$$x=r\cos\varphi+l$$").rows
+    assert (row.name, row.outcome, row.place.line) == ("claim 1", outcome, 5)
 
 
 SUBSTITUTED = r"""

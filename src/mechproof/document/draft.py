@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.extremes import find_extremes
 from mechproof.document.inline import RATE, Inline, find_inline, say_of_others
 from mechproof.document.letters import (
     Collected,
@@ -92,6 +93,9 @@ def draft_block(source: Source) -> str:
     ]
     lines += _EULER if has_euler else []
     lines += _propose_values(displays, entries, said, inline)
+    running = {name: one.running for one in entries.values() for name in one.names}
+    for claim, line in find_extremes(source, running):
+        lines += [f"# line {line} says:", f"claim {claim}"]
     depending = {name for name, entry in entries.items() if entry.running}
     factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
     if factors:

@@ -13,13 +13,13 @@ from mechproof.document.letters import name_symbol
 from mechproof.document.sources import Source
 from mechproof.document.units import ONE, read_unit
 
-_DISPLAY = re.compile(
+DISPLAY = re.compile(
     r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{(?P<name>equation|align|gather|multline|eqnarray|tabular)"
     r"(?P<star>\*?)\}.*?\\end\{(?P=name)(?P=star)\}",
     re.DOTALL,
 )
 _INLINE = re.compile(r"(?<![\\$])\$(?P<dollar>[^$]{1,120}?)\$|\\\((?P<bracket>.{1,120}?)\\\)")
-_EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
+EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
@@ -63,9 +63,9 @@ def _write_factor(factor: sp.Expr) -> str:
 def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     """Yield what sentences say that a letter of the equations is."""
     names = {name_symbol(letter): letter for letter in letters}
-    text = _DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _INLINE.finditer(text):
-        found = _EQUATION.match(match["dollar"] or match["bracket"])
+        found = EQUATION.match(match["dollar"] or match["bracket"])
         letter = names.get(name_symbol(found["letter"])) if found else None
         if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]

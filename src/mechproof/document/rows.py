@@ -58,6 +58,9 @@ class Document:
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)
+        groups = 2 + max((one.group for one in self.printed), default=0)
+        for number, latex in enumerate(self.block.claims, 1):
+            self.printed.append(Printed(f"claim {number}", latex, group=groups + number))
         self.limit = 0.0
         self.papers: dict[bool, Paper] = {}
         self.taken: tuple[str, ...] = ()
