@@ -63,6 +63,10 @@ TANGENTS = [
     ([r"\tan\beta=\frac rl", r"\beta=33.0^\circ"], ["DEFINITION", "not judged"]),
     ([r"\beta=18.4^\circ", r"\tan\beta=\frac rl"], ["PROVED", "DEFINITION"]),
     ([r"\beta=14.8^\circ", r"\tan\beta=\frac rl"], ["REFUTED", "DEFINITION"]),
+    (
+        [r"\tan\beta=\frac hl", r"\tan\beta=\frac rl", r"\beta=18.4^\circ"],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
     ([r"\tan\beta=\frac hl", r"\beta=18.4^\circ"], ["DEFINITION", "DEFINITION"]),
     # The number of the tangent is rounded.
     ([r"\tan\beta=0.33", r"\beta=18.4^\circ"], ["PROVED", "DEFINITION"]),

@@ -107,7 +107,7 @@ class Known:
     entries: Values = field(default_factory=dict)
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
-    arcs: Values = field(default_factory=dict)
+    arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -257,7 +257,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         is_tangent = isinstance(angle, sp.tan) and angle.args[0].is_Symbol
         # A number is rounded.
         if is_tangent and isinstance(value, sp.Expr) and value.free_symbols:
-            known.arcs.setdefault(angle.args[0], sp.atan(value))
+            known.arcs.setdefault(angle.args[0], []).append(sp.atan(value))
     if not left:
         return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
     if not (one.free_symbols and other.free_symbols):

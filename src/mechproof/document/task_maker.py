@@ -173,11 +173,13 @@ class TaskMaker:
         stated: PrintedNumber | Equality | str | None = None
         if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed.group)
-        if sign.role is Role.SIZE and (formula := self._find_formula(sign.letter)) is not None:
-            said = replace(sign, role=Role.NUMBER, value=formula)
-            found = self.sizes.state(said, own, printed.group)
-            if isinstance(found, PrintedNumber) or str(found).startswith(OTHERS):
-                sign, stated = said, found
+        if sign.role is Role.SIZE:
+            said = replace(sign, role=Role.NUMBER)
+            formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
+            found = [(one, self.sizes.state(one, own, printed.group)) for one in formulas]
+            told = [one for one in found if isinstance(one[1], PrintedNumber)]
+            told += [one for one in found if str(one[1]).startswith(OTHERS)]
+            sign, stated = told[0] if told else (sign, None)
         if isinstance(stated, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
         if stated:
@@ -230,12 +232,11 @@ class TaskMaker:
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
         )
 
-    def _find_formula(self, letter: sp.Basic | None) -> sp.Expr | None:
-        """Return what another print says of a letter whose size is printed, None for nothing."""
-        formula = self.known.values.get(letter, self.known.arcs.get(letter))
-        if formula is None or not formula.free_symbols:
-            return None
-        return None if letter in self.known.settle(formula).free_symbols else formula
+    def _list_formulas(self, letter: sp.Basic | None) -> list[sp.Expr]:
+        """Return what other prints say of a letter whose size is printed."""
+        known = self.known
+        formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
+        return [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
