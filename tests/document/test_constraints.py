@@ -92,6 +92,16 @@ CASES = {
         [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
         ["DEFINITION", "not judged", "DEFINITION"],
     ),
+    "what holds for positive letters or acute angles is not accused": (
+        [
+            r"k=\frac{m}{\cos\alpha}",
+            r"u=m\tan\alpha=\sqrt{k^2-m^2}",
+            r"k=\frac{\sqrt{m^2}}{\sqrt{1-\sin^2\alpha}}",
+            r"k=\sqrt{m^2+m^2\sin^2\alpha}",
+            r"u=\sqrt{k^2+m^2}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "not judged", "REFUTED", "REFUTED"],
+    ),
     "a letter on which a side does not depend is none of its letters": (
         [
             r"k=m\cos\alpha",
