@@ -65,6 +65,9 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
     [
         (r"$$b=h+e^2$$", ["e :"], []),
         (r"$$i=\frac{n}{m}$$", ["i :"], []),
+        (r"$$i=\frac{n}{m}$$ $$i=5.49,\qquad n=2$$", ["i :"], []),
+        (r"$$y=\sum_{i=1}^nb_i$$", [], ["i :"]),
+        (r"$$y_i=2b_i,\quad i=1,\dots,n$$", [], ["i :"]),
         (r"where $d$ is the width, $$\frac{dy}{dx}=2d+b$$", ["d : width", "y(x) :"], []),
         (r"$$y(x)=bx^2$$ $$y'(x)=2bx,\quad y''=2b$$ $$y(0)=0$$", ["y(x) :"], ["y'(x) :"]),
         (r"$$y(x)=bx$$ $$y(b)=b^2$$ $$c=y(0)(b+1)$$", ["y(x) :"], ["factor y"]),
