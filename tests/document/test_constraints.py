@@ -27,7 +27,19 @@ CASES = {
             r"\frac{m\sin\alpha}{a}=0",
             r"\frac{m\sin\alpha}{n}=0",
         ],
-        ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION"],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED"],
+    ),
+    "nor from what its own tangent is divided by": (
+        [r"\cos\psi=0", r"m\tan\psi=\frac{m\sin\psi}{\cos\psi}+\cos\psi"],
+        ["DEFINITION", "not judged"],
+    ),
+    "constraints may be divided by each other": (
+        [
+            r"h\cos\psi=a+r\cos\alpha",
+            r"h\sin\psi=r\sin\alpha",
+            r"\tan\psi=\frac{r\sin\alpha}{a+r\cos\alpha}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
     ),
     "constraints that cannot hold together may be two cases": (
         [r"m+n=1", r"m+n=2"],
@@ -94,13 +106,10 @@ CASES = {
     ),
     "what holds for positive letters or acute angles is not accused": (
         [
-            r"k=\frac{m}{\cos\alpha}",
-            r"u=m\tan\alpha=\sqrt{k^2-m^2}",
-            r"k=\frac{\sqrt{m^2}}{\sqrt{1-\sin^2\alpha}}",
-            r"k=\sqrt{m^2+m^2\sin^2\alpha}",
-            r"u=\sqrt{k^2+m^2}",
+            r"u=m\sin\alpha=\sqrt{m^2-m^2\cos^2\alpha}",
+            r"k=m\sin\alpha=\sqrt{m^2+m^2\cos^2\alpha}",
         ],
-        ["DEFINITION", "DEFINITION", "not judged", "not judged", "REFUTED", "REFUTED"],
+        ["DEFINITION", "not judged", "DEFINITION", "REFUTED"],
     ),
     "a letter on which a side does not depend is none of its letters": (
         [
