@@ -223,7 +223,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             continue
         symbol = node.symbol if isinstance(node, Letter) else symbol
         if has_place and symbol in known.met:
-            return Sign(Role.VALUE, sides=sides)
+            return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
         is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
         if not left and chain.condition and not is_matrix:
             _note_piece(name, read, chain.condition, (symbol, value), known)
@@ -250,7 +250,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
     if has_place:
-        return Sign(Role.VALUE, sides=sides)
+        return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
     for angle, value in ((one, other), (other, one)):

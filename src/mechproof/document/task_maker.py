@@ -171,6 +171,9 @@ class TaskMaker:
         if sign.role in (Role.DERIVATIVE, Role.REPEATED):
             row = stay_within_pieces(row, sign, self.known)
         stated: PrintedNumber | Equality | str | None = None
+        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
+        if is_number and not sign.value.has(sp.Limit):
+            sign = replace(sign, role=Role.NUMBER)
         if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed.group)
         if sign.role is Role.SIZE:
