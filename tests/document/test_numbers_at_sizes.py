@@ -82,6 +82,14 @@ def test_a_size_is_compared_with_what_else_is_printed(
     assert outcomes(*equations, block="%% sizes r=20 mm, l=60 mm\n") == expected
 
 
+def test_a_letter_with_a_size_and_no_sizes_of_its_formula_is_taken_at_its_size() -> None:
+    block = "%% sizes m=2, n=5\n"
+    equations = [r"n=\frac ku", r"h=\frac mn=0.40", r"h=\frac mn=0.45"]
+    found = outcomes(*equations, block=block)
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION", "REFUTED"]
+    assert outcomes(equations[0], "n=4.55", block=block)[1] == "not judged"
+
+
 def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
     block = "%% sizes r=20 mm, l=60 mm, \\beta=0.5\n"
     numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]

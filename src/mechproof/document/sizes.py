@@ -138,6 +138,8 @@ class Sizes:
         # A letter that has a size, too, may be meant by either.
         formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
         if missing := sorted(map(str, value.free_symbols - sizes.keys())):
+            formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
+        if missing and not formulas:
             # A further member of its chain may have no other letters.
             others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
             formulas = [x for x in others if x.free_symbols <= sizes.keys()]
@@ -145,7 +147,7 @@ class Sizes:
                 return Equality(value, sp.S.Zero, "member")
             if not formulas:
                 return f"it depends on sizes that are not declared: {', '.join(missing)}"
-            value = formulas[0]
+        value = formulas[0]
         unit = read_unit(sign.unit) if sign.unit else None
         if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
             return _UNFIT
