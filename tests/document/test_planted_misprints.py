@@ -118,7 +118,10 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
     "a dead centre": (CENTRE, []),
     "a dead centre, wrong": ((*CENTRE[:2], r"\alpha=\beta", *CENTRE[3:]), ["(1)", "(3)"]),
     "crank and coupler in line": (INLINE, []),
-    "crank and coupler in line, wrong": ((*INLINE[:2], r"q_1=-\alpha", INLINE[3]), ["(2)", "(3)"]),
+    "crank and coupler in line, wrong": (
+        (*INLINE[:2], r"q_1=\pi-\alpha", INLINE[3].replace("l_1+l", "l_1-l")),
+        ["(2)", "(3)"],
+    ),
 }
 # Prints, and what is said before the last one or in the block: none is accused.
 EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
