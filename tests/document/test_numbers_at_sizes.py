@@ -68,6 +68,14 @@ TANGENTS = [
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
     ([r"\tan\beta=\frac hl", r"\beta=18.4^\circ"], ["DEFINITION", "DEFINITION"]),
+    ([r"\sin\beta=\frac rl", r"\beta=19.5^\circ"], ["DEFINITION", "PROVED"]),
+    ([r"\sin\beta=\frac rl", r"\beta=15.9^\circ"], ["DEFINITION", "REFUTED"]),
+    (
+        [r"\lambda=\frac rl", r"\cos\beta=\lambda", r"\beta=70.5^\circ"],
+        ["DEFINITION", "not judged", "PROVED"],
+    ),
+    ([r"\cos\beta=\frac rl", r"\beta=-70.5^\circ"], ["DEFINITION", "not judged"]),
+    ([r"\sin\beta=\frac rl", r"\beta=160.5^\circ"], ["DEFINITION", "not judged"]),
     # The number of the tangent is rounded.
     ([r"\tan\beta=0.33", r"\beta=18.4^\circ"], ["PROVED", "DEFINITION"]),
     ([r"\lambda=0.333", r"\lambda=\frac rl"], ["PROVED", "DEFINITION"]),

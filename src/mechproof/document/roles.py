@@ -24,7 +24,7 @@ from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.measures import find_number, is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.sides import turn
+from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
     Approach,
     At,
@@ -93,7 +93,7 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose tangent is printed.
+    `arcs` are what angles are whose sine, cosine or tangent is printed.
     """
 
     symbols: Symbols
@@ -218,6 +218,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             # What it is a value of may be printed behind it.
             return Sign(Role.VALUE)
         raise
+    for angle, arc in list_arcs(sides):
+        known.arcs.setdefault(angle, []).append(arc)
     for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
         if not _is_bare(node):
             continue
@@ -253,11 +255,6 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
-    for angle, value in ((one, other), (other, one)):
-        is_tangent = isinstance(angle, sp.tan) and angle.args[0].is_Symbol
-        # A number is rounded.
-        if is_tangent and isinstance(value, sp.Expr) and value.free_symbols:
-            known.arcs.setdefault(angle.args[0], []).append(sp.atan(value))
     if not left:
         return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
     if not (one.free_symbols and other.free_symbols):
