@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import json
 import math
+import re
 import shutil
 import subprocess
 import sys
@@ -39,6 +40,18 @@ def test_the_misprints_are_found(workshop: Path) -> None:
     refuted = [(r["system"], r["number"]) for r in rows if r["verdict"] == "REFUTED"]
     assert refuted == [("cam", "(3)"), ("four_bar", "(2)")]
     assert {r["verdict"] for r in rows} == {"PROVED", "REFUTED"}
+
+
+@pytest.mark.usefixtures("judged_here")
+def test_the_derivations_begin_as_new_writes_them(tmp_path: Path) -> None:
+    for name in ("cam", "four_bar"):
+        shutil.copy(OTHERS / f"{name}.tex", tmp_path)
+        run_in(tmp_path, "new", f"{name}.py")
+        begun, finished = ((f / f"{name}.py").read_text() for f in (tmp_path, OTHERS))
+        taken = re.findall(r"^ .*= ?PRINT.(?:where|notation|file),$", begun, re.MULTILINE)
+        assert len(taken) == 3
+        assert [line for line in taken if line not in finished] == []
+    run_in(tmp_path, "verify", "cam.py")
 
 
 @pytest.mark.xdist_group("pieces")
@@ -138,6 +151,7 @@ def test_compiled_kernels_are_kept_whoever_compiles_them_first(
 
 def test_what_has_no_operation_is_a_row_of_verify(tmp_path: Path) -> None:
     text = (OTHERS / "four_bar.py").read_text()
+    shutil.copy(OTHERS / "four_bar.tex", tmp_path)
     wrong = text.replace('"equation (3)", SHORT)', '"equation (3)", SHORT + zeta(theta))')
     (tmp_path / "four_bar.py").write_text(wrong.replace("sin, sqrt\n", "sin, sqrt, zeta\n", 1))
     done = run("verify", str(tmp_path / "four_bar.py"), "--json", str(tmp_path / "rows.json"))

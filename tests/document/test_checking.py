@@ -205,7 +205,7 @@ def test_every_row_has_its_outcome(case: str) -> None:
 def test_a_double_sign_without_a_branch_defines_nothing() -> None:
     block = "%% mechproof\n%% k ; m ; n : numbers\n%% end\n"
     found = check("paper.tex", block + r"$$k=m\pm n$$ $$k=m-n$$")
-    assert [row.outcome for row in found.rows] == ["not read", "DEFINITION"]
+    assert [row.outcome for row in found.rows] == ["not judged", "DEFINITION"]
 
 
 def test_values_may_be_said_that_the_paper_says_in_words() -> None:

@@ -27,7 +27,19 @@ CASES = {
             r"\frac{m\sin\alpha}{a}=0",
             r"\frac{m\sin\alpha}{n}=0",
         ],
-        ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION"],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED"],
+    ),
+    "nor from what its own tangent is divided by": (
+        [r"\cos\psi=0", r"m\tan\psi=\frac{m\sin\psi}{\cos\psi}+\cos\psi"],
+        ["DEFINITION", "not judged"],
+    ),
+    "constraints may be divided by each other": (
+        [
+            r"h\cos\psi=a+r\cos\alpha",
+            r"h\sin\psi=r\sin\alpha",
+            r"\tan\psi=\frac{r\sin\alpha}{a+r\cos\alpha}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
     ),
     "constraints that cannot hold together may be two cases": (
         [r"m+n=1", r"m+n=2"],
@@ -92,6 +104,13 @@ CASES = {
         [r"k=m", r"k=|m|", r"\tan\beta=\sqrt m"],
         ["DEFINITION", "not judged", "DEFINITION"],
     ),
+    "what holds for positive letters or acute angles is not accused": (
+        [
+            r"u=m\sin\alpha=\sqrt{m^2-m^2\cos^2\alpha}",
+            r"k=m\sin\alpha=\sqrt{m^2+m^2\cos^2\alpha}",
+        ],
+        ["DEFINITION", "not judged", "DEFINITION", "REFUTED"],
+    ),
     "a letter on which a side does not depend is none of its letters": (
         [
             r"k=m\cos\alpha",
@@ -138,7 +157,7 @@ FOLLOWING = {
     r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
     r"+l\ddot\alpha\sin\alpha-l\dot\alpha^2\cos\alpha=0": "DEFINITION",
     r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
-    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "DEFINITION",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "not judged",
 }
 
 
@@ -149,6 +168,19 @@ def test_equations_follow_from_constraints_together(latex: str) -> None:
     equations = "".join(f"$${one}$$\n" for one in (*SLIDER, latex))
     rows = check("paper.tex", block + equations).rows
     assert rows[-1].outcome == FOLLOWING[latex], rows[-1].reason
+
+
+@pytest.mark.parametrize(
+    ("latex", "names"),
+    [
+        (r"r\cos\varphi=l\cos\alpha", "display 2"),
+        (r"r\cos\psi=l\cos\alpha", ""),
+    ],
+)
+def test_a_constraint_says_which_others_have_its_letters(latex: str, names: str) -> None:
+    row = check("paper.tex", "".join(f"$${one}$$\n" for one in (*SLIDER, latex))).rows[-1]
+    assert row.outcome == "DEFINITION"
+    assert row.reason.partition("; it does not follow from ")[2] == names
 
 
 # What a block says besides.

@@ -1,5 +1,6 @@
 """What a draft of letters proposes: names as they must be declared, and what words say of them."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -64,12 +65,27 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
     [
         (r"$$b=h+e^2$$", ["e :"], []),
         (r"$$i=\frac{n}{m}$$", ["i :"], []),
+        (r"$$i=\frac{n}{m}$$ $$i=5.49,\qquad n=2$$", ["i :"], []),
+        (r"$$y=\sum_{i=1}^nb_i$$", [], ["i :"]),
+        (r"$$y_i=2b_i,\quad i=1,\dots,n$$", [], ["i :"]),
         (r"where $d$ is the width, $$\frac{dy}{dx}=2d+b$$", ["d : width", "y(x) :"], []),
         (r"$$y(x)=bx^2$$ $$y'(x)=2bx,\quad y''=2b$$ $$y(0)=0$$", ["y(x) :"], ["y'(x) :"]),
         (r"$$y(x)=bx$$ $$y(b)=b^2$$ $$c=y(0)(b+1)$$", ["y(x) :"], ["factor y"]),
         (r"with $\lambda=b/c$ $$y=\lambda b^2$$", [r"let \lambda=b/c"], []),
         (r"with $\lambda=b/c$ $$\lambda=y$$", [], [r"let \lambda=b/c"]),
         (r"with $c_p=\cos p$ $$y=c_pc_q+p+q$$", [r"let c_{q}=\cos q"], []),
+        (r"when $b=c$ $$y=2b+c$$", ["# let b=c"], ["let b=c"]),
+        (r"when $b=-c$ $$y=2b+c$$", ["# let b=-c"], ["let b=-c"]),
+        (r"It ends when $b=k+c$ $$y=2b+c+k$$", ["# let b=k+c"], ["let b=k+c"]),
+        (r"It ends with $b=k+c$ $$y=2b+c+k$$", ["let b=k+c"], []),
+        (
+            r"At $b=\frac{\pi}{2}-c$ it is $q=2b-c$. $$y=2b+c$$ $$y=q$$",
+            [r"# let b=\frac{\pi}{2}-c", "let q=2b-c"],
+            [r"let b=\frac{\pi}{2}-c"],
+        ),
+        (r"with $q=2\pi c$ $$y=2c+q$$", [r"let q=2\pi c"], []),
+        (r"$$\dot q(t)=2b$$ $$q(t)=2bt$$", ["q(t) :"], ["q(t)(t) :"]),
+        (r"$$\dot{\text{rot}}=2b$$", [r"\text{rot}(t) :"], []),
         (r"at $\dot q=w$ $$b=c\dot q+w$$", [r"let \dot q=w"], []),
         (r"For $b=2~\mathrm{mm}$ $$y=2b$$", ["b : [mm]", "sizes b=2 mm"], []),
         (
@@ -105,6 +121,49 @@ def test_drafts_propose_what_prints_and_sentences_show(
     found = draft(text).splitlines()
     assert [line for line in lines if f"%% {line}" not in found] == []
     assert [line for line in missing if f"%% {line}" in found] == []
+
+
+MOVED = r"$$x=r\cos\varphi+l$$ with respect to $\varphi$ "
+LARGEST = r"claim \max_{\varphi}x=r+l"
+AT_ZERO = r"claim x=r+l\quad\text{for }\varphi=0"
+
+
+@pytest.mark.parametrize(
+    ("words", "claims"),
+    [
+        (r"The largest value of $x$ is $r+l$.", [LARGEST]),
+        (r"The maximum of $x$ equals $r+l$ at $\varphi=0$.", [LARGEST, AT_ZERO]),
+        (r"It reaches a maximum of $r+l$ at $\varphi=0$.", [LARGEST, AT_ZERO]),
+        (r"$x$ attains its smallest value $l-r$.", [r"claim \min_{\varphi}x=l-r"]),
+        (
+            r"$x$ has a maximum of $28\,\mathrm{mm}$ for $\varphi=0$.",
+            [r"claim x=28\,\mathrm{mm}\quad\text{for }\varphi=0"],
+        ),
+        (r"The largest value of $x$ is $28\,\mathrm{mm}$.", []),
+        (r"The largest value of $y$ is $r+l$.", []),
+        (r"The largest part of it, $x$, is $r+l$.", []),
+    ],
+)
+def test_words_name_largest_and_smallest_values(words: str, claims: list[str]) -> None:
+    found = draft(rf"{MOVED}$$x'=-r\sin\varphi$$ $$x=l+r\cos\varphi$$ {words}")
+    assert re.findall(r"%% (claim .*)", found) == claims
+
+
+@pytest.mark.parametrize(
+    ("claim", "outcome"),
+    [
+        (LARGEST, "PROVED"),
+        (LARGEST.replace("max", "min"), "REFUTED"),
+        (AT_ZERO, "PROVED"),
+        (AT_ZERO.replace("r+l", "r-l"), "REFUTED"),
+    ],
+)
+@pytest.mark.usefixtures("judged_here")
+def test_what_words_claim_is_judged_as_a_row(claim: str, outcome: str) -> None:
+    letters = "x(\\varphi) : place\n%% r ; l : lengths {r>0}\n%% \\varphi : angle"
+    block = f"%% mechproof\n%% {letters}\n%% {claim}\n%% end\n"
+    *_, row = mechproof.check("paper.tex", block + r"$$x=r\cos\varphi+l$$").rows
+    assert (row.name, row.outcome, row.place.line) == ("claim 1", outcome, 5)
 
 
 SUBSTITUTED = r"""

@@ -53,6 +53,27 @@ def test_labels_may_name_the_ends_of_a_range() -> None:
     assert found == ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
 
 
+# Lines of a block with a name that no print can have, and what is told of it.
+FAULTY = {
+    r"x^{{2} | x_0 : length": "",
+    r"\dot{\text}{u} : speed": r"the name \dot{\text}{u}: a { is missing here; it is left out",
+    r"u | x(y) ; x(y)(t) : speed": "the name x(y) is that of u, too; it is left out",
+}
+
+
+@pytest.mark.parametrize("line", FAULTY)
+def test_a_name_that_cannot_be_read_spoils_no_other_row(line: str) -> None:
+    if not FAULTY[line]:
+        with pytest.raises(BlockError, match="unbalanced braces"):
+            outcomes(AREA, block=f"%% {line}\n")
+        return
+    text = f"{LETTERS}%% {line}\n%% end\n$${AREA}$$ $${AREA}/2$$"
+    found = check("paper.tex", text)
+    assert [row.outcome for row in found.rows] == ["DEFINITION", "REFUTED"]
+    ((place, reason),) = found.told
+    assert (place.line, reason) == (13, FAULTY[line])
+
+
 FAMILIES = {
     r"S=\sum_{i=1}^n m_ix_i^2": ["DEFINITION"],
     r"S=\sum_{i=1}^n m_ix_i^2=\sum_{k=1}^n x_km_kx_k": ["DEFINITION", "PROVED"],

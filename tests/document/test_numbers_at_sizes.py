@@ -56,6 +56,48 @@ def test_numbers_may_have_units(latex: str) -> None:
     assert outcomes(latex, block=block) == UNITS[latex]
 
 
+# Prints, and what becomes of each: an angle and its tangent, a size before its formula.
+TANGENTS = [
+    ([r"\tan\beta=\frac rl", r"\beta=18.4^\circ"], ["DEFINITION", "PROVED"]),
+    ([r"\tan\beta=\frac rl", r"\beta=14.8^\circ"], ["DEFINITION", "REFUTED"]),
+    ([r"\tan\beta=\frac rl", r"\beta=33.0^\circ"], ["DEFINITION", "not judged"]),
+    ([r"\beta=18.4^\circ", r"\tan\beta=\frac rl"], ["PROVED", "DEFINITION"]),
+    ([r"\beta=14.8^\circ", r"\tan\beta=\frac rl"], ["REFUTED", "DEFINITION"]),
+    (
+        [r"\tan\beta=\frac hl", r"\tan\beta=\frac rl", r"\beta=18.4^\circ"],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
+    ([r"\tan\beta=\frac hl", r"\beta=18.4^\circ"], ["DEFINITION", "DEFINITION"]),
+    ([r"\sin\beta=\frac rl", r"\beta=19.5^\circ"], ["DEFINITION", "PROVED"]),
+    ([r"\sin\beta=\frac rl", r"\beta=15.9^\circ"], ["DEFINITION", "REFUTED"]),
+    (
+        [r"\lambda=\frac rl", r"\cos\beta=\lambda", r"\beta=70.5^\circ"],
+        ["DEFINITION", "not judged", "PROVED"],
+    ),
+    ([r"\cos\beta=\frac rl", r"\beta=-70.5^\circ"], ["DEFINITION", "not judged"]),
+    ([r"\sin\beta=\frac rl", r"\beta=160.5^\circ"], ["DEFINITION", "not judged"]),
+    # The number of the tangent is rounded.
+    ([r"\tan\beta=0.33", r"\beta=18.4^\circ"], ["PROVED", "DEFINITION"]),
+    ([r"\lambda=0.333", r"\lambda=\frac rl"], ["PROVED", "DEFINITION"]),
+    ([r"\lambda=0.383", r"\lambda=\frac rl"], ["REFUTED", "DEFINITION"]),
+]
+
+
+@pytest.mark.parametrize(("equations", "expected"), TANGENTS)
+def test_a_size_is_compared_with_what_else_is_printed(
+    equations: list[str], expected: list[str]
+) -> None:
+    assert outcomes(*equations, block="%% sizes r=20 mm, l=60 mm\n") == expected
+
+
+def test_a_letter_with_a_size_and_no_sizes_of_its_formula_is_taken_at_its_size() -> None:
+    block = "%% sizes m=2, n=5\n"
+    equations = [r"n=\frac ku", r"h=\frac mn=0.40", r"h=\frac mn=0.45"]
+    found = outcomes(*equations, block=block)
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION", "REFUTED"]
+    assert outcomes(equations[0], "n=4.55", block=block)[1] == "not judged"
+
+
 def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
     block = "%% sizes r=20 mm, l=60 mm, \\beta=0.5\n"
     numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]

@@ -209,6 +209,26 @@ def test_the_values_of_a_condition_are_meant_and_not_the_sizes(number: str, outc
     assert check("paper.tex", block + text).rows[-1].outcome == outcome
 
 
+# Numbers of a law at a place.
+AT_A_PLACE = {
+    r"h(0)=282": "PROVED",
+    r"h(0)=28.2\,\mathrm{cm}": "PROVED",
+    r"h(0)=28.4\,\mathrm{cm}": "REFUTED",
+    r"\left.h\right|_{\psi=\pi}=122.0": "PROVED",
+    r"\left.h\right|_{\psi=\pi}=121.0": "REFUTED",
+    r"h\left(\frac\pi2\right)=202.0\,\mathrm{N}": "not judged",
+    r"h'(0)=0": "PROVED",
+}
+
+
+@pytest.mark.parametrize("latex", AT_A_PLACE)
+def test_numbers_at_a_place_are_compared_at_the_sizes(latex: str) -> None:
+    letters = "%% h(\\psi) : lift [mm]\n%% \\psi : angle [rad]\n%% end"
+    block = SIZES.replace("%% end", letters)
+    *_, row = check("paper.tex", rf"{block}$$h=r\cos\psi+l$$ $${latex}$$").rows
+    assert row.outcome == AT_A_PLACE[latex]
+
+
 # What stands behind two sizes that are printed, and what becomes of it.
 PRINTED = r"$$r=80\,\mathrm{mm},\qquad l=20.2\,\mathrm{cm}$$"
 AT_PRINTED = {

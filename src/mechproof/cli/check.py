@@ -13,7 +13,8 @@ from mechproof.cli.document import print_checked
 from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.ledger import print_details
 from mechproof.cli.outcomes import OUTCOMES, FailOnOption, read_outcomes
-from mechproof.document.checking import CheckedPaper, check as check_paper, rows_to_json
+from mechproof.document.checked_rows import rows_to_json
+from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.draft import draft_block
 from mechproof.document.judging import LIMIT
 from mechproof.document.sources import STDIN, SUFFIXES, read_source

@@ -8,7 +8,8 @@ from rich.text import Text
 
 from mechproof.cli.console import say
 from mechproof.cli.ledger import STYLES, count, print_details, print_left
-from mechproof.document.checking import CheckedPaper, CheckedRow
+from mechproof.document.checked_rows import CheckedRow
+from mechproof.document.checking import CheckedPaper
 from mechproof.proof.verdict import Verdict
 
 PLAIN = (Verdict.PROVED.value, Verdict.DEFINITION.value)

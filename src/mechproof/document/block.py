@@ -1,18 +1,19 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
-begins with a word: `factor`, `function`, `where`, `let`, `branch`, `natural`, `integer`,
-`imaginary`, `from`, `sizes`, and,
-of single equations, `constraint`, `identity`, `modulo 2\pi`, `follows`, `skip`.
+begins with a word: `factor`, `function`, `where`, `let`, `claim`, `branch`, `natural`, `integer`,
+`imaginary`, `from`, `sizes`, and, of single equations, `constraint`, `identity`, `modulo 2\pi`,
+`follows`, `skip`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from mechproof.document.text import Files, LocatedText
+from mechproof.proof.verdict import Place
 
 _SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
 _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
@@ -25,6 +26,7 @@ _PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
 _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
+_CLAIM = "claim"
 _MODULO = re.compile(r"(.+?)\s+(\(.*|display \d.*|[^\s\\]+)\Z")
 
 
@@ -49,6 +51,7 @@ class Declared:
     running: str = ""
     symbol: str = ""
     is_family: bool = False
+    place: Place | None = field(default=None, compare=False)
 
 
 @dataclass
@@ -72,6 +75,7 @@ class Block:
     follows: dict[str, tuple[str, ...]] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
     scopes: list[tuple[list[str], dict[str, str]]] = field(default_factory=list)
+    claims: list[LocatedText] = field(default_factory=list)
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
@@ -80,12 +84,15 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
     for line in lines:
         word, _, rest = line.string.partition(" ")
         try:
-            if word in _WORDS and not _COLON.search(line.string):
+            if word == _CLAIM and rest.strip():
+                block.claims.append(line[len(word) :].strip())
+            elif word in _WORDS and not _COLON.search(line.string):
                 _WORDS[word](block, rest.strip())
             elif word in _TOLD:
                 _TOLD[word](block, rest.strip())
             else:
-                block.letters += _read_letters(line.string)
+                place = files.locate(line.offsets[0])
+                block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
             raise BlockError(
                 f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"
@@ -98,7 +105,7 @@ def _read_letters(line: str) -> list[Declared]:
     if not rest or not left.strip():
         raise ValueError(
             "neither a letter, `name : meaning [unit] {relation}`, nor one of the words "
-            + ", ".join((*_WORDS, *_TOLD))
+            + ", ".join((*_WORDS, *_TOLD, _CLAIM))
         )
     (right,) = rest
     shape = _SHAPE.search(left)

@@ -32,12 +32,13 @@ def find_multiple(
     """Return m and r with residual = m * constraint + r, proved on the domain; None if not found.
 
     With r = 0 the residual follows from the constraint; with another r, which has no zero, both
-    are never zero together. What the multiplier is divided by has no zero on the domain: where the
-    constraint holds, a multiplier without value would prove anything.
+    are never zero together. What the multiplier is divided by has no zero on the domain, but where
+    the residual has no value: where the constraint holds, a multiplier without value would prove
+    anything.
     """
     for multiplier, rest in _propose(residual, constraint):
         answer = decide(Equality(residual, multiplier * constraint + rest), domain)
-        if answer.verdict is Verdict.PROVED and _have_values((multiplier, rest), domain):
+        if answer.verdict is Verdict.PROVED and _have_values((multiplier, rest), residual, domain):
             return multiplier, rest
     return None
 
@@ -47,7 +48,7 @@ def find_combination(
 ) -> tuple[sp.Expr, ...] | None:
     """Return multipliers of which the residual is the sum, proved on the domain; None if not found.
 
-    What they are divided by has no zero on the domain.
+    What they are divided by has no zero on the domain, but where the residual has no value.
     """
     if numbers := _add_up(residual, constraints):
         return numbers
@@ -67,7 +68,7 @@ def find_combination(
     )
     total = sp.Add(*(m * c for m, c in zip(multipliers, constraints, strict=True)))
     answer = decide(Equality(residual, total), domain)
-    is_shown = answer.verdict is Verdict.PROVED and _have_values(multipliers, domain)
+    is_shown = answer.verdict is Verdict.PROVED and _have_values(multipliers, residual, domain)
     return multipliers if is_shown else None
 
 
@@ -84,9 +85,19 @@ def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr,
     return tuple(found) if found and any(found) else None
 
 
-def _have_values(multipliers: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Return whether what multipliers are divided by has no zero on the domain."""
-    return all(is_nonzero(sp.fraction(one)[1], domain) for one in multipliers)
+def list_divisors(expression: sp.Expr) -> list[sp.Expr]:
+    """Return the factors by which an expression is divided, as tangents are by cosines."""
+    powers = (one for one in expression.atoms(sp.Pow) if one.exp.could_extract_minus_sign())
+    cosines = (sp.cos(one.args[0]) for one in expression.atoms(sp.tan))
+    below = sp.Mul(*(power.base for power in powers), *cosines)
+    return [factor for factor, _ in sp.factor_list(below)[1]]
+
+
+def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
+    """Return whether multipliers have values where the residual has one."""
+    own = {sign * factor for factor in list_divisors(residual) for sign in (1, -1)}
+    divisors = {factor for one in multipliers for factor in list_divisors(one)} - own
+    return all(is_nonzero(factor, domain) for factor in divisors)
 
 
 def _combine(
@@ -169,8 +180,13 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
 
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    above, below = sp.fraction(sp.together(sp.expand_trig(expression)))
+    plain = _divide_tangents(sp.expand_trig(expression))
+    above, below = sp.fraction(sp.together(plain))
     return sp.expand(above), below
+
+
+def _divide_tangents(expression: sp.Expr) -> sp.Expr:
+    return expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
 
 
 def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.extremes import find_extremes
 from mechproof.document.inline import RATE, Inline, find_inline, say_of_others
 from mechproof.document.letters import (
     Collected,
@@ -47,6 +48,8 @@ _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 _E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*\d)")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
+# A letter, or its opposite, alone or turned by parts of pi.
+_TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
 # Letters that could be something else where nothing declares them.
@@ -90,6 +93,9 @@ def draft_block(source: Source) -> str:
     ]
     lines += _EULER if has_euler else []
     lines += _propose_values(displays, entries, said, inline)
+    running = {name: one.running for one in entries.values() for name in one.names}
+    for claim, line in find_extremes(source, running):
+        lines += [f"# line {line} says:", f"claim {claim}"]
     depending = {name for name, entry in entries.items() if entry.running}
     factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
     if factors:
@@ -124,6 +130,10 @@ def _propose_values(
             continue
         if one.number is None and _has_letter(one.value, name, letters):
             line = f"let {one.letter}={one.value}"
+            if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
+                yield f"# line {one.line}: a special position, or does it always hold?"
+                yield f"# {line}"
+                continue
             for other, value in say_of_others(one, letters):
                 if name_symbol(other) not in {*defined, *named}:
                     alike[other] = value
@@ -152,6 +162,13 @@ def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
     """Return whether a value is one of other letters."""
     met = {*_SIGN.findall(value)}
     return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
+
+
+def _is_position(value: str, letters: Sequence[str]) -> bool:
+    """Return whether a value is another letter or its opposite, alone or turned by parts of pi."""
+    names = "|".join(re.escape(letter) for letter in letters)
+    turned = rf"\s*(?:{_TURN}[-+]\s*)?(?:{names})\s*(?:[-+]{_TURN})?"
+    return bool(re.fullmatch(turned, value))
 
 
 def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
@@ -226,7 +243,9 @@ def _list_entries(
 def _split(letter: str) -> tuple[str, str]:
     r"""Return a letter and what it is a function of: x and t of \dot x and of x(t)."""
     if rate := _RATE.match(letter):
-        return rate[1] + rate[2] + rate[3], "t"
+        letter = rate[1] + rate[2] + rate[3]
+        depends = _DEPENDS.match(letter)
+        return (depends[1].strip() if depends and depends[2] == "t" else letter), "t"
     if depends := _DEPENDS.match(letter):
         return depends[1].strip(), depends[2]
     return letter, ""

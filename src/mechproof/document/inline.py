@@ -13,16 +13,19 @@ from mechproof.document.letters import name_symbol
 from mechproof.document.sources import Source
 from mechproof.document.units import ONE, read_unit
 
-_DISPLAY = re.compile(
+DISPLAY = re.compile(
     r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{(?P<name>equation|align|gather|multline|eqnarray|tabular)"
     r"(?P<star>\*?)\}.*?\\end\{(?P=name)(?P=star)\}",
     re.DOTALL,
 )
 _INLINE = re.compile(r"(?<![\\$])\$(?P<dollar>[^$]{1,120}?)\$|\\\((?P<bracket>.{1,120}?)\\\)")
-_EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
+EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
+# Words before what holds at a position, and not always.
+_CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at)\s+\Z", re.IGNORECASE)
+_BEFORE = 20
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
@@ -30,13 +33,14 @@ _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([
 
 @dataclass(frozen=True)
 class Inline:
-    """What a sentence says of a letter, and the line where."""
+    """What a sentence says of a letter, the line where, and whether words tell of a position."""
 
     letter: str
     value: str
     line: int
     number: Numeral | None
     unit: str = ""
+    is_case: bool = False
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -59,9 +63,9 @@ def _write_factor(factor: sp.Expr) -> str:
 def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     """Yield what sentences say that a letter of the equations is."""
     names = {name_symbol(letter): letter for letter in letters}
-    text = _DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _INLINE.finditer(text):
-        found = _EQUATION.match(match["dollar"] or match["bracket"])
+        found = EQUATION.match(match["dollar"] or match["bracket"])
         letter = names.get(name_symbol(found["letter"])) if found else None
         if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]
@@ -72,7 +76,8 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         line = source.files.locate(source.text.offsets[match.start()]).line
         number = read_numeral(plain, decimal_comma="{,}" in plain)
         unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
-        yield Inline(letter, value, line, number, _MEANT.get(unit, unit))
+        is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
+        yield Inline(letter, value, line, number, _MEANT.get(unit, unit), is_case)
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:

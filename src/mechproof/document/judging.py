@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -14,6 +14,7 @@ from mechproof.document.misprints import RUNG, find_failure, find_misprint
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
+from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
 from mechproof.proof.domain import Domain
@@ -34,6 +35,9 @@ from mechproof.record import (
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 # What is compared, even if letters that only one side has could make both sides equal.
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
+# What lengths and angles mostly are.
+_POSITIVE = sp.Interval.open(0, sp.oo)
+_ACUTE = sp.Interval.open(0, sp.pi / 2)
 # Seconds for one equation.
 LIMIT = 60.0
 # Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
@@ -87,6 +91,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
+        return "one of its signs is printed elsewhere; of the other nothing is known"
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return "the two sides differ, but a decimal may have been rounded"
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
@@ -97,10 +103,10 @@ def _judge_alone(task: Task) -> Judgement | str:
             f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
         )
     is_compared = task.asserts or task.sign.role in COMPARED
-    if found.verdict is Verdict.REFUTED and is_compared and (letters := _list_to_be_positive(task)):
+    if found.verdict is Verdict.REFUTED and is_compared and (said := _find_relations(task)):
         return (
-            "it holds only where these are positive; if they are, say so in the block of letters: "
-            f"where {letters}"
+            "it holds for some values of its letters; if they are meant, say so in the block of "
+            f"letters: where {said}"
         )
     if found.verdict is Verdict.REFUTED and task.is_alone:
         says = task.row.says
@@ -117,25 +123,42 @@ def _judge_alone(task: Task) -> Judgement | str:
     return _take_as_given(task, found)
 
 
-def _list_to_be_positive(task: Task) -> str:
-    """Return the letters of which nothing is said, if an equation holds where they are positive."""
+def _find_relations(task: Task) -> str:
+    """Return relations of letters of which nothing is said, if an equation holds where they do.
+
+    That is that lengths are positive, or angles acute, too.
+    """
     free = Domain.of(task.paper, task.row.on)
     met = sorted(list_letters(task), key=str)
     letters = [s for s in met if free.within.get(s) == sp.S.Reals]
-    if not letters or not _holds_for(task, letters):
+    turning = {s for f in _list_turning(task) for s in f.args[0].free_symbols}
+    for angles in ([], [s for s in letters if s in turning]):
+        within = {s: _ACUTE if s in angles else _POSITIVE for s in letters}
+        if within and _holds_within(task, within):
+            break
+    else:
         return ""
-    for letter in letters[:]:
-        others = [other for other in letters if other != letter]
-        letters = others if others and _holds_for(task, others) else letters
-    return ", ".join(f"{letter}>0" for letter in letters)
+    for letter in letters:
+        others = {s: inside for s, inside in within.items() if s != letter}
+        within = others if others and _holds_within(task, others) else within
+    said = {_ACUTE: r"0<{}<\pi/2", _POSITIVE: "{}>0"}
+    names = {v.symbol: v.latex[0] for v in task.paper.variables if v.latex}
+    return ", ".join(said[inside].format(names.get(s, s)) for s, inside in within.items())
 
 
-def _holds_for(task: Task, letters: Sequence[sp.Basic]) -> bool:
-    """Return whether an equation holds where some of its letters are positive."""
-    within = dict.fromkeys(letters, sp.Interval.open(0, sp.oo))
-    positive = Part("some letters are positive", within)
+def _list_turning(task: Task) -> Iterator[sp.Basic]:
+    says = task.row.says
+    for part in says.parts if isinstance(says, Conjunction) else (says,):
+        if isinstance(part, Equality):
+            for side in (part.printed, part.rebuilt):
+                yield from Domain.of(task.paper).resolve(side).atoms(sp.sin, sp.cos, sp.tan)
+
+
+def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
+    """Return whether an equation holds where some of its letters lie in sets."""
+    inside = Part("what is not said of some letters holds", within)
     try:
-        answer = decide(task.row.statement, Domain.of(task.paper, task.row.on, positive))
+        answer = decide(task.row.statement, Domain.of(task.paper, task.row.on, inside))
     except (RecordError, ContradictionError):
         return False
     return answer.verdict is Verdict.PROVED
@@ -180,8 +203,8 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
                 if wanted is Verdict.REFUTED and len(standing) > 1:
                     first = task.sign.first
                     return f"it differs from members of {first} that differ from one another"
-                reason = found.reason.removesuffix(f"; compared with {one.sign.first}")
-                return replace(found, reason=f"{reason}; compared with {one.sign.first}")
+                beside = f"; compared with {one.sign.first}" if one.sign.first else ""
+                return replace(found, reason=f"{found.reason.removesuffix(beside)}{beside}")
     return answers[0][0]
 
 
@@ -236,6 +259,16 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge a letter with a double sign beside constraints: None if neither is shown."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    given = {tasks[o].row.number: tasks[o].residual for o in others}
+    found = Solutions(*task.sign.sides).judge(given, Domain.of(task.paper, task.row.on))
+    return _replace(task, *found) if found else None
 
 
 def _replace(

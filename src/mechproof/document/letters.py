@@ -39,11 +39,13 @@ _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\ri
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
 # A power of e that is none of a length.
 _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
+# What stands behind the first value of an index.
+_RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
 # Prints in which such a letter is no quantity.
 _NO_LETTER = {
     "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
-    "i": re.compile(rf"i\s*(?:=\s*\d|\\in)|e\s*\^{_NO_SQUARE}"),
+    "i": re.compile(rf"i\s*(?:=\s*\d+\s*{_RUNS_ON}|\\in)|e\s*\^{_NO_SQUARE}"),
 }
 # Signs of an increment, where they stand alone: they are letters then.
 _INCREMENTS = {

@@ -13,12 +13,12 @@ from mechproof.document.displays import Printed
 from mechproof.document.letters import name_symbol
 from mechproof.document.roles import EQUAL, Known
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Approach, At, Derivation, Extremum, Measure, Table, walk
+from mechproof.latex.tree import Approach, Derivation, Extremum, Measure, Table, walk
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 # What a number behind it is no size of.
-_NO_SIZE = (Approach, At, Derivation, Extremum, Table)
+_NO_SIZE = (Approach, Derivation, Extremum, Table)
 
 
 def refuse_units(read: Print) -> None:

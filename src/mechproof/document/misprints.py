@@ -26,9 +26,9 @@ RUNG = "separating balls"
 # Points that are tried; points with values that are enough, and at how many a mended print holds.
 _COUNT = 16
 _ENOUGH = 8
-_FEW = 4
+FEW = 4
 # Changes of one print that are tried.
-_MOST = 6000
+MOST = 6000
 _NEAR = sp.Rational(1, 10**4)
 _CLOSE = balls.to_ball(10) ** -15
 
@@ -65,7 +65,7 @@ def find_misprint(
     values = [{s: balls.evaluate(domain.resolve(s), place) for s in alike} for place in places]
     repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
     changes = list_changes(entry, list_alike(met, domain), defined)
-    for change in islice(changes, _MOST if places else 0):
+    for change in islice(changes, MOST if places else 0):
         if _holds_often(change.sides, values) and not _is_trivial(change.sides, repeated, known):
             evidence = _show(sides, given, domain, places)
             return Misprint(evidence, change) if evidence else None
@@ -90,14 +90,14 @@ def _find_failures(
     for point in find_points(given, {s for one in parts for s in one.free_symbols}, domain, _COUNT):
         # Where lengths shrink to nothing, or one has no end, much is true.
         if all(_NEAR < abs(value) < 1 / _NEAR for value in point.values()):
-            agrees = _agree(resolved, point)
+            agrees = agree(resolved, point)
             if agrees:
                 return []
             points += [point] if agrees is False else []
     return points if len(points) >= _ENOUGH else []
 
 
-def _agree(sides: Sides, values: Values) -> bool | None:
+def agree(sides: Sides, values: Values) -> bool | None:
     """Return whether sides have the same value, None where they have none."""
     try:
         one, other = (balls.evaluate(side, values) for side in sides)
@@ -110,9 +110,9 @@ def _agree(sides: Sides, values: Values) -> bool | None:
 
 def _holds_often(sides: Sides, places: Sequence[Values]) -> bool:
     """Return whether sides agree at some of the places: at the first few at least at one."""
-    if not any(_agree(sides, values) for values in places[:_FEW]):
+    if not any(agree(sides, values) for values in places[:FEW]):
         return False
-    return sum(_agree(sides, values) is True for values in places) >= _FEW
+    return sum(agree(sides, values) is True for values in places) >= FEW
 
 
 def _list_definitions(domain: Domain) -> list[sp.Expr]:
@@ -124,14 +124,21 @@ def _is_trivial(
 ) -> bool:
     """Return whether an equation says nothing, or what stands elsewhere up to a number.
 
-    Of a letter that stands alone what defines it is put in, too.
+    A letter that is a function of itself says nothing of others. Of a letter that stands alone
+    what defines it is put in, too.
     """
+    if any(one.is_Symbol and other.free_symbols == {one} for one, other in _turn(sides)):
+        return True
     shown = [sides, tuple(defined.get(side, side) for side in sides)]
     for rest in (sp.expand(one - other) for one, other in shown):
         alike = (one for one in repeated if one.free_symbols == rest.free_symbols)
         if rest == 0 or any(sp.cancel(rest / one).is_number for one in alike):
             return True
     return False
+
+
+def _turn(sides: Sides) -> tuple[Sides, Sides]:
+    return sides, (sides[1], sides[0])
 
 
 def _show(

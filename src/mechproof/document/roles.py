@@ -24,7 +24,7 @@ from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.measures import find_number, is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.sides import turn
+from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
     Approach,
     At,
@@ -56,8 +56,13 @@ class Role(StrEnum):
     NUMBER = "number"
     VALUE = "value at a place"
     CONSTRAINT = "constraint"
+    SOLUTIONS = "both solutions"
     SEAM = "seam"
     RELATION = "relation"
+
+
+# What is taken as given.
+CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
 @dataclass(frozen=True)
@@ -88,6 +93,7 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
+    `arcs` are what angles are whose sine, cosine or tangent is printed.
     """
 
     symbols: Symbols
@@ -101,6 +107,7 @@ class Known:
     entries: Values = field(default_factory=dict)
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -211,12 +218,14 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             # What it is a value of may be printed behind it.
             return Sign(Role.VALUE)
         raise
+    for angle, arc in list_arcs(sides):
+        known.arcs.setdefault(angle, []).append(arc)
     for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
         if not _is_bare(node):
             continue
         symbol = node.symbol if isinstance(node, Letter) else symbol
         if has_place and symbol in known.met:
-            return Sign(Role.VALUE, sides=sides)
+            return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
         is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
         if not left and chain.condition and not is_matrix:
             _note_piece(name, read, chain.condition, (symbol, value), known)
@@ -243,7 +252,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
     if has_place:
-        return Sign(Role.VALUE, sides=sides)
+        return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
     if not left:
@@ -303,9 +312,11 @@ def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
 def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> bool:
     """Return whether a letter is said to be another one, or both a number, at a special position.
 
-    A letter that is introduced as another one has not been met before.
+    It may be its opposite, or turned. A letter that is introduced so has not been met before.
     """
-    is_letter = value.is_Symbol or (-value).is_Symbol or isinstance(value, sp.MatrixSymbol)
+    terms = [term for term in sp.Add.make_args(value) if not term.is_number]
+    alone = terms[0] if len(terms) == 1 else value
+    is_letter = alone.is_Symbol or (-alone).is_Symbol or isinstance(value, sp.MatrixSymbol)
     has_number = any(isinstance(member, Number | Measure) for member in chain.members)
     return is_letter and (symbol in known.met or has_number)
 

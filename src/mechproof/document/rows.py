@@ -29,6 +29,7 @@ from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sizes import collect_sizes
+from mechproof.document.solutions import SIGN
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
@@ -57,6 +58,9 @@ class Document:
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)
+        groups = 2 + max((one.group for one in self.printed), default=0)
+        for number, latex in enumerate(self.block.claims, 1):
+            self.printed.append(Printed(f"claim {number}", latex, group=groups + number))
         self.limit = 0.0
         self.papers: dict[bool, Paper] = {}
         self.taken: tuple[str, ...] = ()
@@ -130,7 +134,9 @@ class Document:
         again = self.symbols.reader(values)
         tables = SizeTables(self.known, self.files, self.papers[False])
         compared = list(tables.read(self.tables))
-        self.told = tables.told
+        start = Place(self.files.names[0], 1, 1)
+        faults = [(place or start, reason) for place, reason in self.symbols.faults]
+        self.told = [*faults, *tables.told]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
         sizes = collect_sizes(zip(self.printed, read, strict=True), self.known)
@@ -174,12 +180,27 @@ class Document:
                 replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
             ]
         if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
-            raise read.source.refuse(
-                double.start(),
-                "a double sign in an equation for one letter: both signs, or either?",
-                r"Say branch \sigma=\pm1 in the block of letters.",
-            )
+            if len(signs) > 1 or double.group() not in (r"\pm", "±"):
+                raise read.source.refuse(
+                    double.start(),
+                    "a double sign in a chain of a letter: both signs, or either?",
+                    r"Say branch \sigma=\pm1 in the block of letters.",
+                )
+            return [self._find_solutions(printed, reader)]
         return signs
+
+    def _find_solutions(self, printed: Printed, reader: Reader) -> Sign:
+        """Return the sign of a letter that is given by a double sign, read as a letter, too."""
+        notation = replace(reader.notation, branch=SIGN)
+        read = Reader(reader.variables, notation, reader.remedies).parse(printed.latex.string)
+        values = {**self.known.values}
+        known = replace(self.known, values=values, printed={**self.known.printed}, others={})
+        (sign,) = find_roles(printed.name, read, known)
+        if sign.role is Role.DEFINITION:
+            return replace(sign, role=Role.SOLUTIONS, sides=(sign.letter, values[sign.letter]))
+        one, other = sign.sides
+        sides = (sign.letter, other if one == sign.letter else one)
+        return replace(sign, role=Role.SOLUTIONS, sides=sides)
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""

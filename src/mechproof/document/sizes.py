@@ -25,6 +25,7 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
+OTHERS = "it is not the number at the sizes of"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -137,6 +138,8 @@ class Sizes:
         # A letter that has a size, too, may be meant by either.
         formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
         if missing := sorted(map(str, value.free_symbols - sizes.keys())):
+            formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
+        if missing and not formulas:
             # A further member of its chain may have no other letters.
             others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
             formulas = [x for x in others if x.free_symbols <= sizes.keys()]
@@ -144,7 +147,7 @@ class Sizes:
                 return Equality(value, sp.S.Zero, "member")
             if not formulas:
                 return f"it depends on sizes that are not declared: {', '.join(missing)}"
-            value = formulas[0]
+        value = formulas[0]
         unit = read_unit(sign.unit) if sign.unit else None
         if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
             return _UNFIT
@@ -166,7 +169,7 @@ class Sizes:
             return "it has no unit, and the sizes have several"
         if used and not self._are_beside(used.values(), group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))
-            return f"it is not the number at the sizes of {names}: are these meant, or others?"
+            return f"{OTHERS} {names}: are these meant, or others?"
         return stated[0]
 
     def _read(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, pairwise
+from itertools import combinations, permutations, product
 
 import sympy as sp
 
@@ -20,7 +20,9 @@ _EXPONENTS = {
 }
 _DIGITS = tuple(map(sp.Integer, range(1, 10)))
 
+# How many digits of a number say which is meant, and with how many two may be wrong.
 _FEWEST_DIGITS = 3
+_LONG = 5
 
 Sides = tuple[sp.Expr, sp.Expr]
 
@@ -142,16 +144,40 @@ def _enter_bracket(part: sp.Add) -> Iterator[sp.Expr]:
 
 
 def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
-    """Return the number that rounds a value and differs from the print in one digit, or none.
+    """Return the number that rounds a value and differs from the print by a slip, or none.
 
-    Two neighbours may be exchanged. Of numbers with less than three digits that says nothing.
+    That is another digit, two exchanged, or one moved; in long numbers it may be two others. Of
+    numbers with less than three digits that says nothing.
     """
     text = says.printed
     places = [n for n, sign in enumerate(text) if sign.isdigit()]
-    if len(text.strip("-0.").replace(".", "")) < _FEWEST_DIGITS:
+    count = len(text.strip("-0.").replace(".", ""))
+    if count < _FEWEST_DIGITS:
         return ""
-    slips = {text[:n] + digit + text[n + 1 :] for n in places for digit in "0123456789"}
-    slips |= {
-        text[:n] + text[m] + text[n + 1 : m] + text[n] + text[m + 1 :] for n, m in pairwise(places)
-    }
-    return next((slip for slip in sorted(slips) if agrees(PrintedNumber(slip, value))), "")
+    digits = [text[n] for n in places]
+    slips = {tuple(changed) for changed in _change_digits(digits, 1 + (count >= _LONG))}
+    for one, other in permutations(range(len(digits)), 2):
+        moved = digits[:one] + digits[one + 1 :]
+        slips.add((*moved[:other], digits[one], *moved[other:]))
+        exchanged = [*digits]
+        exchanged[one], exchanged[other] = digits[other], digits[one]
+        slips.add(tuple(exchanged))
+    written = (_write(text, places, slip) for slip in slips)
+    return next((slip for slip in sorted(written) if agrees(PrintedNumber(slip, value))), "")
+
+
+def _change_digits(digits: Sequence[str], count: int) -> Iterator[list[str]]:
+    """Yield digits of which some, at most so many, are others."""
+    for places in combinations(range(len(digits)), count):
+        for new in product("0123456789", repeat=count):
+            changed = [*digits]
+            for place, digit in zip(places, new, strict=True):
+                changed[place] = digit
+            yield changed
+
+
+def _write(text: str, places: Sequence[int], digits: Sequence[str]) -> str:
+    written = [*text]
+    for place, digit in zip(places, digits, strict=True):
+        written[place] = digit
+    return "".join(written)

@@ -17,7 +17,9 @@ from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.latex import Reader
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.names import to_signs
 from mechproof.latex.values import Moving
+from mechproof.proof.verdict import Place
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 
 # Derivatives of a letter that have prints of their own.
@@ -25,7 +27,7 @@ ORDERS = (1, 2)
 TIME = "t"
 # The unit behind a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?-?\d)?)+)\s*\Z")
-_STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
+_STEM = re.compile(r"(\\[A-Za-z]+(?:\s*\{[^{}]*\})?|.)(.*)\Z", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class Symbols:
     """What the letters of a paper are.
 
     `bare` are the symbols of which no unit is declared; `scales` are the sizes of declared ones.
+    `faults` tell of names that no print can have, with the places of their declarations.
     """
 
     variables: tuple[Variable, ...]
@@ -41,6 +44,7 @@ class Symbols:
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
     bare: frozenset[sp.Basic] = frozenset()
     scales: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
+    faults: tuple[tuple[Place | None, str], ...] = ()
 
     @property
     def moving(self) -> Moving:
@@ -131,10 +135,12 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
     scales: dict[sp.Basic, sp.Expr] = {}
+    places: dict[sp.Basic, Place | None] = {}
     for letter in letters:
         units = _list_units(letter, letters)
         own = list(_make(letter, units, block, assume=assume))
         variables += own
+        places |= dict.fromkeys((v.symbol for v in own), letter.place)
         scales |= {v.symbol: unit.scale for v, unit in zip(own, units, strict=False)}
         if letter.is_family:
             bare |= {own[0].symbol.label} if letter.unit is None else set()
@@ -144,6 +150,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
     _refuse_twins(variables)
+    variables, faults = _leave_names(variables, places)
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
     symbols = {name: v.symbol for v in plain for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
@@ -167,7 +174,10 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     if len(block.branches) == 1:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
-    return _say(Symbols(tuple(variables), notation, bare=frozenset(bare), scales=known), block)
+    found = Symbols(
+        tuple(variables), notation, bare=frozenset(bare), scales=known, faults=tuple(faults)
+    )
+    return _say(found, block)
 
 
 def _name_values(letters: Sequence[Declared]) -> list[Declared]:
@@ -288,6 +298,27 @@ def _refuse_twins(variables: Sequence[Variable]) -> None:
             one, two = other.latex[0], variable.latex[0]
             same = "is declared twice" if one == two else f"and {two} are too much alike"
             raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+
+
+def _leave_names(
+    variables: Sequence[Variable], places: Mapping[sp.Basic, Place | None]
+) -> tuple[list[Variable], list[tuple[Place | None, str]]]:
+    """Return variables without names that cannot be read or are those of others, and these."""
+    met: dict[tuple[str, ...], sp.Basic] = {}
+    found, faults = [], []
+    for v in variables:
+        kept = []
+        for latex in v.latex:
+            try:
+                signs = to_signs(latex, isinstance(v.symbol, sp.IndexedBase))
+                other = met.setdefault(signs, v.symbol)
+                reason = "" if other == v.symbol else f"the name {latex} is that of {other}, too"
+            except ValueError as error:
+                reason = str(error)
+            kept += [] if reason else [latex]
+            faults += [(places[v.symbol], f"{reason}; it is left out")] if reason else []
+        found.append(replace(v, latex=tuple(kept)))
+    return found, faults
 
 
 def _say(symbols: Symbols, block: Block) -> Symbols:

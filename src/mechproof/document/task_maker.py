@@ -14,14 +14,15 @@ from mechproof.document.displays import Printed
 from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
-from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.roles import CONSTRAINING, Known, Role, Sign
 from mechproof.document.sides import (
     have_same_letters,
     is_solvable,
     list_related,
     list_sides,
 )
-from mechproof.document.sizes import Sizes
+from mechproof.document.sizes import OTHERS, Sizes
+from mechproof.document.solutions import Solutions
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -70,6 +71,10 @@ class TaskMaker:
             if s.role is Role.DEFINITION and isinstance(s.letter, sp.MatrixSymbol)
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
+        if signs[0].role is Role.SOLUTIONS:
+            says = Equality(Solutions(*signs[0].sides).residual, sp.S.Zero, "member")
+            read_as = "{} = {}".format(*signs[0].sides)
+            row = Equation(printed.name, printed.latex.string, says=says, read_as=read_as)
         own = next((s.letter for s in signs if s.letter is not None), None)
         pairs = [*zip(read_row(row, reader), signs, strict=True)]
         judged = count_signs(printed.latex.string[: printed.taken])
@@ -166,8 +171,18 @@ class TaskMaker:
         if sign.role in (Role.DERIVATIVE, Role.REPEATED):
             row = stay_within_pieces(row, sign, self.known)
         stated: PrintedNumber | Equality | str | None = None
+        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
+        if is_number and not sign.value.has(sp.Limit):
+            sign = replace(sign, role=Role.NUMBER)
         if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed.group)
+        if sign.role is Role.SIZE:
+            said = replace(sign, role=Role.NUMBER)
+            formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
+            found = [(one, self.sizes.state(one, own, printed.group)) for one in formulas]
+            told = [one for one in found if isinstance(one[1], PrintedNumber)]
+            told += [one for one in found if str(one[1]).startswith(OTHERS)]
+            sign, stated = told[0] if told else (sign, None)
         if isinstance(stated, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
         if stated:
@@ -220,6 +235,12 @@ class TaskMaker:
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
         )
 
+    def _list_formulas(self, letter: sp.Basic | None) -> list[sp.Expr]:
+        """Return what other prints say of a letter whose size is printed."""
+        known = self.known
+        formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
+        return [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
+
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
         letters = residual.free_symbols
@@ -244,7 +265,7 @@ class TaskMaker:
         """
         if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
             return True
-        if is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
+        if is_listed(printed, self.block.constraints) or sign.role in CONSTRAINING:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION

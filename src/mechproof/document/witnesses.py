@@ -26,6 +26,7 @@ _STEPS = 60
 _DIGITS = 30
 # What a singular value is to the largest where equations are taken to be dependent.
 _DEPENDENT = 1e-11
+_NEAR = 1e-9
 _SMALL = mpmath.mpf(10) ** -20
 _BITS = 192
 # How near to a point a zero is looked for.
@@ -47,10 +48,15 @@ Vector = list[mpmath.mpf]
 Point = dict[sp.Basic, sp.Expr]
 
 
-def hold_together(residuals: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Return whether a point of the domain is found at which all residuals are zero."""
-    letters = {s for one in residuals for s in one.free_symbols}
-    return any(True for _ in find_points(residuals, letters, domain, _STARTS))
+def hold_together(
+    residuals: Sequence[sp.Expr], domain: Domain, divisors: Sequence[sp.Expr] = ()
+) -> bool:
+    """Return whether a point is found at which all residuals are zero, and no divisor is."""
+    letters = {s for one in (*residuals, *divisors) for s in one.free_symbols}
+    return any(
+        all(abs(one.xreplace(point).evalf()) > _NEAR for one in divisors)
+        for point in find_points(residuals, letters, domain, _STARTS)
+    )
 
 
 def find_points(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -12,6 +13,7 @@ from mechproof.latex.tree import Add, Bracket, Degrees, Entries, Measure, Node, 
 from mechproof.record import PrintedNumber, family_of
 
 _PLACES = 2
+_ARCS = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
 
 
 def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
@@ -24,6 +26,18 @@ def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
     if isinstance(_strip(nodes[0]), Entries) and 1 in left.shape:
         return left.T, right
     return sides
+
+
+def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    """Yield the letter of which a side is the sine, cosine or tangent, with the arc of the other.
+
+    A number is rounded: it has none.
+    """
+    for function, value in (sides, sides[::-1]):
+        arc = _ARCS.get(getattr(function, "func", None))
+        is_formula = isinstance(value, sp.Expr) and not value.is_Matrix and value.free_symbols
+        if arc and function.args[0].is_Symbol and is_formula:
+            yield function.args[0], arc(value)
 
 
 def _strip(node: Node) -> Node:

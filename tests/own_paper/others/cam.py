@@ -1,26 +1,24 @@
 """Disc cam: rise by a polynomial of the fifth degree, dwell, cycloidal return, dwell."""
 
-from sympy import Eq, Interval, Piecewise, Symbol, cos, diff, oo, pi, sin
+from pathlib import Path
 
+from sympy import Eq, Piecewise, cos, diff, pi, sin
+
+from mechproof.document.transcription import Transcription
 from mechproof.record import (
-    LENGTH,
     Accuracy,
     Argument,
     Correction,
-    Equation,
     Form,
-    Notation,
     Paper,
     PublishedSizes,
     Quantity,
     Scale,
     Singular,
-    Variable,
 )
 
-theta, h = Symbol("theta", real=True), Symbol("h", positive=True)
-u, w = Symbol("u", real=True), Symbol("w", real=True)
-velocity, acceleration = Symbol("s_1", real=True), Symbol("s_2", real=True)
+PRINT = Transcription(Path(__file__).with_name("cam.tex"))
+h, u, w, velocity, acceleration, theta = PRINT.symbols("h u w s_1 s_2 theta")
 
 # The laws, by the part of the rise and of the return that is gone through.
 RISE_ENDS, DWELL_ENDS, RETURN_ENDS = 2 * pi / 3, pi, 5 * pi / 3
@@ -49,36 +47,20 @@ ARGUMENTS = (
 )
 SEAMS = tuple(Singular(Eq(theta, seam)) for seam in (RISE_ENDS, DWELL_ENDS, RETURN_ENDS))
 SOURCE = "a textbook's chapter on cams"
-PIECES = (
-    r"%s=\begin{cases}%s,&\theta<\frac{2\pi}3\\%s,&\frac{2\pi}3\le\theta<\pi\\"
-    r"%s,&\pi\le\theta<\frac{5\pi}3\\0,&\theta\ge\frac{5\pi}3\end{cases}"
-)
-RISE, RETURN = r"\frac{45h}{\pi}u^2(1-u)^2", r"-\frac{3h}{2\pi}(1-\cos(2\pi w))"
-ACCELERATION_PRINT = PIECES % (
-    "s''",
-    r"\frac{135h}{\pi^2}u(1-u)(1-2u)",
-    "0",
-    r"%s\frac{9h}{2\pi}\sin(2\pi w)",
-)
 
 PAPER = Paper(
     system="cam",
     citation="A textbook's disc cam, with a misprint",
-    variables=(
-        Variable(theta, "angle of the cam", within=Interval(0, 2 * pi), latex=(r"\theta",)),
-        Variable(h, "lift", LENGTH, Interval.open(0, oo), latex=("h",)),
-        Variable(u, "part of the rise", given=RISEN, latex=("u",)),
-        Variable(w, "part of the return", given=RETURNED, latex=("w",)),
-        Variable(velocity, "derivative of the lift", LENGTH, latex=("s'",)),
-        Variable(acceleration, "second derivative of the lift", LENGTH, latex=("s''",)),
-    ),
+    variables=PRINT.give({u: RISEN, w: RETURNED}),
+    notation=PRINT.notation,
+    where=PRINT.where,
+    print=PRINT.file,
     rows=(
-        Equation("(2)", PIECES % (r"s'", RISE, "0", RETURN), derived={velocity: diff(LIFT, theta)}),
-        Equation(
+        PRINT.equation("(2)", derived={velocity: diff(LIFT, theta)}),
+        PRINT.equation(
             "(3)",
-            ACCELERATION_PRINT % "+",
             derived={acceleration: diff(LIFT, theta, 2)},
-            corrected=Correction(ACCELERATION_PRINT % "-"),
+            corrected=Correction(PRINT.prints["(3)"].replace("+\\frac", r"-\frac")),
         ),
     ),
     quantities=(
@@ -117,6 +99,5 @@ PAPER = Paper(
             accuracy=Accuracy(32, Scale("the lift", h)),
         ),
     ),
-    notation=Notation(factors=("u",)),
     published=(PublishedSizes("example 1", {h: 20}),),
 )

@@ -1,23 +1,14 @@
 """Four-bar linkage: the rocker's angle in both branches of its assembly, and its velocity ratio."""
 
-from sympy import FiniteSet, Interval, Symbol, acos, atan2, cos, diff, oo, pi, sin, sqrt
+from pathlib import Path
 
-from mechproof.record import (
-    LENGTH,
-    Argument,
-    Correction,
-    Equation,
-    Form,
-    Paper,
-    PublishedSizes,
-    Quantity,
-    Variable,
-)
+from sympy import acos, atan2, cos, diff, pi, sin, sqrt
 
-theta, sigma = Symbol("theta", real=True), Symbol("sigma", real=True)
-phi, ratio = Symbol("phi", real=True), Symbol("phi_prime", real=True)
-a, b, c, d = (Symbol(name, positive=True) for name in "abcd")
-positive = Interval.open(0, oo)
+from mechproof.document.transcription import Transcription
+from mechproof.record import Argument, Correction, Form, Paper, PublishedSizes, Quantity
+
+PRINT = Transcription(Path(__file__).with_name("four_bar.tex"))
+a, b, c, d, sigma, phi, ratio, theta = PRINT.symbols("a b c d sigma phi phi_prime theta")
 
 # The mechanics. From the rocker's pivot to the crank pin it is the diagonal; the rocker lies beside
 # it by the angle that the triangle of diagonal, rocker and coupler has there.
@@ -28,11 +19,6 @@ ROCKER = pi - atan2(a * sin(theta), d - a * cos(theta)) - sigma * acos(COSINE)
 CLOSURE = (d + c * cos(phi) - a * cos(theta)) ** 2 + (c * sin(phi) - a * sin(theta)) ** 2 - b**2
 RATIO = -diff(CLOSURE, theta) / diff(CLOSURE, phi)
 SHORT = a * (d * sin(theta) + c * sin(theta - phi)) / (c * (d * sin(phi) + a * sin(theta - phi)))
-
-FREUDENSTEIN = r"\frac da\cos\varphi-\frac dc\cos\theta+\frac{a^2%sb^2+c^2+d^2}{2ac}"
-FREUDENSTEIN += r"-\cos(\theta-\varphi)=0"
-VELOCITY = r"\varphi'=\frac{a\left[d\sin\theta+c\sin(\theta-\varphi)\right]}"
-VELOCITY += r"{c\left[d\sin\varphi+a\sin(\theta-\varphi)\right]}"
 
 SIZES = tuple(
     Argument(str(s), (s,), meaning, "mm", usual=(1, 1000))
@@ -46,31 +32,18 @@ SOURCE = "a textbook's chapter on four-bar linkages"
 PAPER = Paper(
     system="four_bar",
     citation="A textbook's four-bar linkage, with a misprint",
-    variables=(
-        Variable(theta, "angle of the crank", latex=(r"\theta",)),
-        Variable(phi, "angle of the rocker", latex=(r"\varphi",)),
-        Variable(ratio, "ratio of the angular velocities", latex=(r"\varphi'",)),
-        Variable(sigma, "branch of the assembly", within=FiniteSet(-1, 1), latex=(r"\sigma",)),
-        Variable(a, "crank", LENGTH, positive, latex=("a",)),
-        Variable(b, "coupler", LENGTH, positive, latex=("b",)),
-        Variable(c, "rocker", LENGTH, positive, latex=("c",)),
-        Variable(d, "frame", LENGTH, positive, latex=("d",)),
-    ),
-    # The crank turns round: it is the shortest, and with the longest shorter than the others.
-    where=(a + d < b + c, a + b < c + d, a + c < b + d),
+    variables=PRINT.variables,
+    notation=PRINT.notation,
+    where=PRINT.where,
+    print=PRINT.file,
     rows=(
-        Equation(
-            "(1)",
-            FREUDENSTEIN % "-",
-            residual=CLOSURE / (2 * a * c),
-        ),
-        Equation(
+        PRINT.equation("(1)", residual=CLOSURE / (2 * a * c)),
+        PRINT.equation(
             "(2)",
-            FREUDENSTEIN % "+",
             residual=CLOSURE / (2 * a * c),
-            corrected=Correction(FREUDENSTEIN % "-"),
+            corrected=Correction(PRINT.prints["(1)"]),
         ),
-        Equation("(3)", VELOCITY, derived={ratio: RATIO}),
+        PRINT.equation("(3)", derived={ratio: RATIO}),
     ),
     quantities=(
         Quantity(

@@ -1,0 +1,88 @@
+"""The rows of a paper that is judged: where each stands, what it does, what became of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from mechproof.document.roles import Role, name_member
+from mechproof.document.tasks import Task
+from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
+from mechproof.tools.processes import WorkerError
+
+
+@dataclass(frozen=True)
+class CheckedRow:
+    """One relation sign of a paper: where it stands, what it does, its judgement or why none."""
+
+    name: str
+    place: Place
+    latex: str
+    state: State
+    role: Role | None = None
+    judgement: Judgement | None = None
+    reason: str = ""
+    remedy: str = ""
+
+    @property
+    def outcome(self) -> str:
+        """Return the verdict, or the state of what has none."""
+        return self.judgement.verdict.value if self.judgement else self.state.value
+
+    def leave(self) -> Left:
+        """Return what the ledger has of a row without a verdict."""
+        return Left(self.name, self.place, self.latex, self.state, self.reason, self.remedy)
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON row."""
+        return {
+            "name": self.name,
+            "place": str(self.place),
+            "latex": self.latex,
+            "outcome": self.outcome,
+            "role": self.role.value if self.role else "",
+            "reason": self.reason,
+            "remedy": self.remedy,
+            "judgement": self.judgement.as_dict() if self.judgement else None,
+        }
+
+
+def rows_to_json(rows: Sequence[CheckedRow]) -> str:
+    """Return rows as JSON, each on a line of its own."""
+    written = (json.dumps(row.as_dict(), ensure_ascii=False) for row in rows)
+    return '{\n"rows": [' + ",".join(f"\n{line}" for line in written) + "]\n}\n"
+
+
+def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
+    """Return the row of a task with its judgement, or why there is none."""
+    head = (task.row.number, task.place, task.row.printed_latex)
+    if isinstance(answer, Judgement):
+        judged = replace(answer, place=task.place)
+        return CheckedRow(*head, State.JUDGED, task.sign.role, judged, answer.reason)
+    return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=str(answer))
+
+
+def show_left(left: Left) -> CheckedRow:
+    """Return the row of what is not judged."""
+    head = (left.number, left.place, left.printed_latex, left.state)
+    return CheckedRow(*head, reason=left.reason, remedy=left.remedy)
+
+
+def list_standing(
+    task: Task, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> list[list[str]]:
+    """Return the members that a print is compared with, those together that do not differ.
+
+    Of groups of which one is the largest the others do not stand.
+    """
+    first = task.sign.first
+    groups = [[first]]
+    steps = (n for n, one in enumerate(tasks) if one.row.number.startswith(f"{first}, "))
+    for number, step in enumerate((n for n in steps if tasks[n].sign.role is Role.STEP), 3):
+        if rows[step].outcome == Verdict.REFUTED.value:
+            groups.append([])
+        groups[-1].append(name_member(number, first))
+    largest = max(map(len, groups))
+    cases = [one.sign.first for one in task.others if not one.sign.first.endswith(f" of {first}")]
+    return [[*group, *cases] for group in groups if len(group) == largest]

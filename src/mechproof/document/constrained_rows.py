@@ -1,0 +1,170 @@
+"""Rows beside the constraints of their paper: what follows, what is excused, what is a misprint."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
+from mechproof.document.consequences import GIVEN, list_letters
+from mechproof.document.judging import Key, judge_beside, judge_excused, judge_misprint, judge_roots
+from mechproof.document.roles import CONSTRAINING, Role
+from mechproof.document.tasks import Task
+from mechproof.proof.verdict import Judgement, State, Verdict
+from mechproof.record import Conjunction, Equality
+from mechproof.tools.processes import run_tasks
+
+# What may yet follow from constraints.
+_UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
+
+
+def follow_from_constraints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again what is not shown to hold by itself: it may follow from constraints before it."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    numbers = []
+    for n, task in enumerate(tasks):
+        common = [g for g in given if g < n and _have_common(tasks[g], task)]
+        if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
+            numbers.append((key, n, tuple(common)))
+    for place, found in run_tasks(judge_beside, numbers, limit=limit):
+        number = numbers[place][1]
+        if isinstance(found, Judgement):
+            yield number, make_row(tasks[number], found)
+        elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
+            alone = rows[number].judgement
+            if alone and alone.rung == GIVEN:
+                reason = f"{alone.reason}; it does not follow from {names}"
+                yield number, make_row(tasks[number], replace(alone, reason=reason))
+
+
+def _list_alike(task: Task, given: Sequence[Task]) -> str:
+    """Return the names of constraints that have all letters of another, none for other rows."""
+    letters = {letter for one in given for letter in list_letters(one)}
+    is_bound = task.sign.role is Role.CONSTRAINT and list_letters(task) <= letters
+    return ", ".join(one.row.number for one in given) if is_bound else ""
+
+
+def excuse_by_constraints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again two sides that were said to be equal and are not: constraints may make them so.
+
+    Without any that have letters of theirs, and no letter of their own, they are not asked.
+    """
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    numbers = []
+    for n, task in enumerate(tasks):
+        common = [g for g in given if _have_common(tasks[g], task) and not tasks[g].is_loose]
+        is_refuted = rows[n].outcome == Verdict.REFUTED.value and task.asserts
+        if common and is_refuted and not task.is_claimed:
+            numbers.append((key, n, tuple(_connect(n, given, tasks))))
+    for place, answer in run_tasks(judge_excused, numbers, limit=limit):
+        yield numbers[place][1], make_row(tasks[numbers[place][1]], answer)
+
+
+def _have_common(one: Task, other: Task) -> bool:
+    says = other.row.says
+    is_equation = isinstance(says, Equality | Conjunction)
+    return is_equation and bool(list_letters(one) & list_letters(other))
+
+
+def solve_constraints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again letters that are printed with a double sign: they may be roots."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    asked = [
+        (key, n, tuple(g for g in given if g != n and _have_common(tasks[g], task)))
+        for n, task in enumerate(tasks)
+        if n in given and task.sign.role is Role.SOLUTIONS
+    ]
+    for place, found in run_tasks(judge_roots, asked, limit=limit):
+        if isinstance(found, Judgement):
+            number = asked[place][1]
+            yield number, make_row(tasks[number], found)
+
+
+def find_misprints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge what may be a constraint or a misprint.
+
+    One that shows only beside another print that may itself be wrong, or be meant for another
+    case, contradicts that print: neither is refuted.
+    """
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    asked = {
+        n: tuple(_connect(n, given, tasks))
+        for n, task in enumerate(tasks)
+        if _may_be_misprint(task, rows[n])
+        # Of a letter whose first prints differ nobody knows which is meant.
+        and not (task.others and len(list_standing(task, tasks, rows)) > 1)
+    }
+    found = _accuse(key, [*asked.items()], limit)
+    accused = {n: found[place] for place, n in enumerate(asked) if place in found}
+    rivals = [
+        (n, other)
+        for n in accused
+        for other in asked[n]
+        if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
+    ]
+    without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
+    still = _accuse(key, without, limit)
+    pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    refuted = accused.keys() - {n for n, _ in pairs}
+    for n in {*accused, *(one for pair in pairs for one in pair)}:
+        others = {one for pair in pairs if n in pair for one in pair} - {n}
+        names = ", ".join(tasks[other].row.number for other in sorted(others))
+        said = f": {accused[n].reason}" if n in accused else ""
+        contradicts = (
+            f"it and {names} contradict each other: one is wrong, or of another case{said}"
+        )
+        yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
+
+
+def _accuse(
+    key: Key, asked: Sequence[tuple[int, tuple[int, ...]]], limit: float
+) -> dict[int, Judgement]:
+    """Return the places of rows that are misprints beside constraints, with their judgements."""
+    answers = run_tasks(judge_misprint, [(key, *one) for one in asked], limit=limit)
+    return {place: found for place, found in answers if isinstance(found, Judgement)}
+
+
+def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
+    """Return whether a constraint may be said of a special position that is no matter of a row.
+
+    It is announced as another case, or it comes later and is an equation such as a = b + pi.
+    """
+    rest = tasks[other].residual
+    is_plain = other > number and all(
+        term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
+    )
+    is_case = tasks[other].is_excused or tasks[other].sign.role is Role.SOLUTIONS
+    return is_case or is_plain
+
+
+def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
+    is_open = row.state is State.NOT_JUDGED or bool(row.judgement and row.judgement.rung == GIVEN)
+    is_equation = isinstance(task.row.says, Equality) and task.sign.number in ("", "0")
+    is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)
+    is_one_of_two |= task.sign.role is Role.SOLUTIONS
+    return is_open and is_equation and not (task.is_rounded or is_one_of_two)
+
+
+def _connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterator[int]:
+    """Yield the constraints that have letters of a row, or of others of them."""
+    letters, left = list_letters(tasks[number]), [g for g in given if g != number]
+    while tied := [g for g in left if list_letters(tasks[g]) & letters]:
+        yield from tied
+        letters = letters.union(*(list_letters(tasks[g]) for g in tied))
+        left = [g for g in left if g not in tied]
+
+
+def _is_constraint(task: Task, row: CheckedRow) -> bool:
+    is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role in CONSTRAINING
+    is_equation = isinstance(task.row.says, Equality) and task.residual is not None
+    return is_given and is_equation and not (task.is_rounded or task.is_either)
