@@ -181,6 +181,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "R4/R5 > (1 + e2)/(1 - e2), one way with it for R4/R5 < (1 - e2)/(1 + e2), and reverses "
         "between.",
         marks=("ours", "inferred"),
+        quantities=("ratio_cylindrical",),
     ),
     Claim(
         "intermittent, against the carrier",

@@ -17,11 +17,9 @@ from mechproof.record import (
 from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
-    GRADES,
     POSITIVE,
     PRINTED_INFLUENCE,
     RECOMMENDED_UM,
-    VARIANCE_BY_SLOPE,
     above,
     below,
     chance_to_accept,
@@ -29,7 +27,6 @@ from .mechanics import (
     error_variance,
     gauge_um,
     rejected_by,
-    sigma,
     sigma_height,
     sigma_thickness,
     sigma_tip,
@@ -117,16 +114,6 @@ CLAIM_ROWS = (
             "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
             "teeth more often the more it scatters."
         ),
-        marks=("ours",),
-    ),
-    Claim(
-        "(a), order of the curves",
-        r"\text{curve 2 (IT7) lies above curve 1 (IT6) in Fig. 4, below it in Fig. 5}",
-        less(
-            VARIANCE_BY_SLOPE.subs(sigma_tip, sigma),
-            VARIANCE_BY_SLOPE.subs(sigma_tip, GRADES[7][1] * sigma / GRADES[6][1]),
-        ),
-        note="The total error of IT7 has the larger variance at every limit error of the gauge.",
         marks=("ours",),
     ),
     Claim(

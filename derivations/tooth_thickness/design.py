@@ -98,6 +98,7 @@ DESIGN_ROWS = (
             "is already too long, at 20.01° the height is too small."
         ),
         marks=("ours",),
+        quantities=("constant_chord", "chord_height"),
     ),
     Claim(
         "constant chord",

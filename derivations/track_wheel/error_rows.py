@@ -101,6 +101,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
         marks=("ours",),
+        quantities=("error_sum", "error_sum_correlated", "error_sum_thermal"),
     ),
     Claim(
         "after (3), K for a reliability",
@@ -131,6 +132,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="That each R_ij lies between -1 and 1 is not enough: three unit errors with all R_ij "
         "= -1 make the radicand negative. The matrix of the R_ij must be positive semidefinite.",
         marks=("ours",),
+        quantities=("error_sum_correlated",),
     ),
     PRINT.equation(
         "(4)",
