@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
@@ -23,11 +23,11 @@ from mechproof.record import (
     Statement,
     Variable,
 )
-from mechproof.record.parts import find_free, replace_parts
+from mechproof.record.parts import find_free, find_parts, replace_parts
 from mechproof.record.substitution import resolve
 from mechproof.record.variables import list_given
 
-_INDEX = "#"
+_INDEX, _INDICES = "#", "i j"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _WORD = re.compile(r"[A-Za-z]{3,}")
@@ -71,6 +71,17 @@ def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
     printed = {v.symbol: v.latex[0] for v in variables if v.latex}
     text: str = _Printer({**_write_words(formula), **printed}).doprint(formula)
     return text
+
+
+def write_letter(
+    symbol: sp.Basic, variables: Sequence[Variable], formulas: Iterable[sp.Basic]
+) -> str:
+    """Return a letter in those of a paper; of a family a member, with as many indices as there."""
+    if not isinstance(symbol, sp.IndexedBase):
+        return write_latex(symbol, variables)
+    met = (item for formula in formulas for item in find_parts(formula, sp.Indexed))
+    rank = next((len(item.indices) for item in met if item.base == symbol), 1)
+    return write_latex(symbol[sp.symbols(_INDICES)[:rank]], variables)
 
 
 def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
@@ -232,5 +243,6 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
     def _print_element(self, element: sp.Indexed) -> str:
         name = self._print(element.base)
-        indices = ",".join(map(self._print, element.indices))
+        gap = "" if all(index.is_Symbol for index in element.indices) else ","
+        indices = gap.join(map(self._print, element.indices))
         return name.replace(_INDEX, indices) if _INDEX in name else f"{name}_{{{indices}}}"

@@ -22,7 +22,7 @@ from mechproof.lab.sampling.point_sets import SWEEP
 from mechproof.measured import IN_C, Record, Searched
 from mechproof.programs.kernel import Kernel, build_functions, input_names, shape_of
 from mechproof.proof.anchors import name_anchors
-from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.calls import Sources, list_calls, write_header, write_sources
@@ -170,7 +170,9 @@ def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
         names = [definition] if definition in printed else names
         definition = given[definition]
     arguments = ",".join(
-        write_latex(symbol, paper.variables) for a in quantity.arguments for symbol in a.symbols
+        write_letter(symbol, paper.variables, [quantity.definition])
+        for a in quantity.arguments
+        for symbol in a.symbols
     )
     name = quantity.name.replace("_", r"\_")
     left = write_latex(names[0], paper.variables) if names else rf"\mathrm{{{name}}}({arguments})"
@@ -201,7 +203,8 @@ def _describe_arguments(
 ) -> Iterator[ArgumentView]:
     for argument in quantity.arguments:
         symbols = Markup(", ").join(
-            write_formula(write_latex(symbol, variables)) for symbol in argument.symbols
+            write_formula(write_letter(symbol, variables, [quantity.definition]))
+            for symbol in argument.symbols
         )
         default = "" if argument.default is None else f", default {argument.default:g}"
         yield ArgumentView(
