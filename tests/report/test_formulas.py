@@ -9,6 +9,7 @@ from xml.etree.ElementTree import fromstring
 import pytest
 
 from mechproof.latex.sentences import is_sentence
+from mechproof.report.breaks import FOLDED
 from mechproof.report.formulas import write_block, write_lines, write_print
 from mechproof.report.mathml import ATTRIBUTES, write_formula
 from mechproof.report.phrases import set_prose
@@ -42,7 +43,8 @@ def test_every_formula_of_the_papers_is_converted() -> None:
                 is_source = part.tag.endswith("annotation")
                 assert is_source or "\\" not in (part.text or ""), latex
                 if part.tag.startswith(MATH) and not is_source:
-                    assert set(part.attrib) <= ATTRIBUTES
+                    assert set(part.attrib) - {"class"} <= ATTRIBUTES
+                    assert part.get("class", FOLDED) == FOLDED
 
 
 def test_what_is_no_latex_is_shown_as_it_stands() -> None:
@@ -179,6 +181,41 @@ def test_formulas_break_at_relations_terms_and_commas(latex: str, pieces: list[s
 )
 def test_the_widest_piece_says_how_small_a_formula_is(latex: str, signs: int) -> None:
     assert f'style="--signs:{signs}"' in write_block(latex)
+
+
+TERMS = [f"a_{{{i}}}" for i in range(15)]
+SUM = "+".join(TERMS)
+
+
+@pytest.mark.parametrize(
+    ("latex", "lines"),
+    [
+        (rf"\sqrt{{{SUM}}}", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        (rf"\frac{{{SUM}}}{{b}}", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        (
+            rf"\left(\frac ab,{SUM}\right)",
+            ["ab,a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"],
+        ),
+        (r"\begin{pmatrix}a+b+c&d\\e&f\end{pmatrix}", []),
+        (rf"\begin{{pmatrix}}{SUM}&d\\e&f\end{{pmatrix}}", 6 * [""]),
+        (rf"\left({SUM}\right)^2", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        (rf"\sqrt{{{''.join(TERMS)}}}", []),
+        (r"\sqrt{a+b}", []),
+    ],
+)
+def test_what_is_wide_within_a_root_a_fraction_or_brackets_is_folded(
+    latex: str, lines: list[str]
+) -> None:
+    written = fromstring(write_block(latex))
+    tables = [t for t in written.iter(f"{MATH}mtable") if t.get("class") == FOLDED]
+    cells = [cell for table in tables for cell in table.iter(f"{MATH}mtd")]
+    assert [len(cell) for cell in cells] == [1 for _ in lines]
+    if any(lines):
+        assert ["".join(cell.itertext()) for cell in cells] == lines
+    # Nothing is lost, and the width of both is told.
+    plain = "".join(fromstring(write_formula(latex))[0][0].itertext())
+    assert "".join(written.itertext()).removesuffix(latex) == plain
+    assert ("--folded:" in written.attrib["style"]) is bool(lines)
 
 
 def test_lists_of_formulas_stand_below_each_other_and_once() -> None:
