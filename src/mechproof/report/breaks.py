@@ -21,6 +21,8 @@ from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
 WIDE, NARROW = 34, 6
+# Brackets are opened if no piece keeps more of the width than that.
+OPENED = 0.75
 # What makes a piece wider is folded, to no narrower lines than that. Between entries is a gap.
 ROOM, LEAST, GAP = 30.0, 8.0, 1.5
 FOLDED = "lines"
@@ -112,9 +114,11 @@ def _fold(element: Element, room: float, *, is_large: bool) -> None:
 
 
 def _fold_parts(parts: Sequence[Element], room: float, *, is_large: bool) -> None:
-    """Fold parts that stand beside each other, each in the room that the others leave."""
+    """Fold parts that stand beside each other: wide ones share the room that the others leave."""
+    widths = list(map(measure, parts))
+    wide = [width for width in widths if width > LEAST]
+    left = max(LEAST, (room - sum(widths) + sum(wide)) / max(1, len(wide)))
     for part in parts:
-        left = max(LEAST, room - sum(map(measure, parts)) + measure(part))
         if part.get("class") == FOLDED:
             for cell in part[0]:
                 _fold_parts(list(cell[0]), left, is_large=is_large)
@@ -189,7 +193,7 @@ def _break(parts: list[Element], most: float) -> list[list[Element]]:
     found = [
         narrow
         for piece in _split(parts, 0)
-        for narrow in (_split(piece, 1) if sum(map(measure, piece)) > most else (piece,))
+        for narrow in (_open(piece) if sum(map(measure, piece)) > most else (piece,))
     ]
     joined = [found[0]]
     for piece in found[1:]:
@@ -199,6 +203,13 @@ def _break(parts: list[Element], most: float) -> list[list[Element]]:
         else:
             joined.append(piece)
     return joined
+
+
+def _open(piece: list[Element]) -> list[list[Element]]:
+    """Break a piece within its brackets; leave it whole if what is wide is elsewhere."""
+    within = list(_split(piece, 1))
+    widest = max(sum(map(measure, part)) for part in within)
+    return within if widest <= OPENED * sum(map(measure, piece)) else [piece]
 
 
 def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
