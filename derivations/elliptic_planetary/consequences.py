@@ -24,7 +24,7 @@ def mean_lack(number: int) -> Expr:
 
 CONSEQUENCES = (
     Claim(
-        "(12) and the mean errors of table 3",
+        "(12) and the mean errors of Table 3",
         r"\text{mean of }(12)-\varphi_3\text{ over }0\le x\le\pi:\ -35.3^\circ\ (e=0.28),\ "
         r"-60.8^\circ\ (e=0.475)",
         all_of(
@@ -35,12 +35,12 @@ CONSEQUENCES = (
         ),
         note="On the first branch alone, before it jumps back, (12) is off by this much on "
         "average. Mean errors of at most 0.98° cannot have been found by comparison with it: "
-        "the calculation behind table 3 used another formula, and the slip in (12) is one of the "
+        "the calculation behind Table 3 used another formula, and the slip in (12) is one of the "
         "article only.",
         marks=("ours", "consequence"),
     ),
     Claim(
-        "table 3, scatter and two encoders",
+        "Table 3, scatter and two encoders",
         r"u\sqrt n=11.5^\circ,\ 18.9^\circ,\ 3.9^\circ,\ 13.2^\circ;\ "
         r"u\sqrt n>M\sqrt{\tfrac n{n-1}}\text{ in variants 1, 2, 4},\ "
         r"M=1.08^\circ\,(1+\max\varphi_3')=10.1^\circ,\ 14.7^\circ,\ 7.3^\circ,\ 10.3^\circ",
@@ -68,7 +68,7 @@ CONSEQUENCES = (
         marks=("ours", "inferred", "consequence"),
     ),
     if_u_is_s(
-        "table 3",
+        "Table 3",
         READINGS,
         halves=("0.117", "0.195", "0.040", "0.154"),
         distances=("16", "10", "34", "12"),

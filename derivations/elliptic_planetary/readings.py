@@ -63,9 +63,9 @@ READINGS = {
 }
 HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
 INTERVAL_NOTES = {
-    **dict.fromkeys(READINGS, "The half-width is twice the u of table 3."),
+    **dict.fromkeys(READINGS, "The half-width is twice the u of Table 3."),
     3: "Half-width and u do not agree: either the half-width should be 0.56°, twice the u of "
-    "table 3, or that u is the misprint and should be 0.14°.",
+    "Table 3, or that u is the misprint and should be 0.14°.",
 }
 
 
@@ -79,13 +79,13 @@ def interval_row(number: int, note: str) -> Claim:
     mean, right = f"{float(line.mean):.2f}", f"{float(2 * line.uncertainty):.2f}"
     half = f"{float(Rational(printed) / 2):.2f}"
     return Claim(
-        f"table 3, interval {number}",
+        f"Table 3, interval {number}",
         rf"{mean} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
         note=note,
         cites=("S56",),
         corrected=Correction(
-            rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in table 3}}",
+            rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in Table 3}}",
             Conjunction(
                 (
                     PrintedNumber(right, 2 * line.uncertainty),
@@ -104,7 +104,7 @@ def turned_wheel_6(degrees: str) -> Expr:
 TABLE_CLAIMS = (
     *(
         Datum(
-            f"table 1, variant {number}",
+            f"Table 1, variant {number}",
             rf"R_1={large}~\mathrm{{mm}},\ R_2={small}~\mathrm{{mm}},\ e={float(eccentricity)}",
             Conjunction(
                 (
@@ -118,12 +118,12 @@ TABLE_CLAIMS = (
         for number, (large, small, eccentricity) in VARIANTS.items()
     ),
     Datum(
-        "table 2, resolution",
+        "Table 2, resolution",
         r"360^\circ/4096\approx0.088^\circ",
         PrintedNumber("0.088", RESOLUTION),
         cites=("S40",),
     ),
-    encoder_row("table 2", ("S40",)),
+    encoder_row("Table 2", ("S40",)),
     Claim(
         "different non-uniformity",
         r"\text{varying the parameters of the cylindrical and of the elliptical wheels allows to "
@@ -152,7 +152,7 @@ TABLE_CLAIMS = (
         ),
         cites=("S37", "S58"),
     ),
-    table_row("table 3", "(13)-(16)", READINGS, ("S52", "S53")),
+    table_row("Table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     interval_of_errors(READINGS, ("S7", "S52", "S56")),
     *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
     adequacy_row(("S6", "S45", "S55", "S59", "S60")),

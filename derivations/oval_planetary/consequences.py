@@ -38,7 +38,7 @@ CONSEQUENCES: tuple[Row, ...] = (
         marks=("ours", "consequence", "inferred"),
     ),
     Claim(
-        "table 2, scatter and two encoders",
+        "Table 2, scatter and two encoders",
         r"u\sqrt n=2.38^\circ,\ 0.55^\circ,\ 1.61^\circ,\ 2.08^\circ,\quad "
         r"u\sqrt n<M\sqrt{\tfrac n{n-1}},\quad "
         r"M=1.08^\circ(1+\max|\varphi_3'|)=2.43^\circ,\ 1.62^\circ,\ 2.43^\circ,\ "
@@ -77,7 +77,7 @@ CONSEQUENCES: tuple[Row, ...] = (
         marks=("ours", "inferred", "consequence"),
     ),
     if_u_is_s(
-        "table 2",
+        "Table 2",
         READINGS,
         halves=("0.027", "0.006", "0.015", "0.022"),
         distances=("57", "12", "170", "50"),

@@ -41,10 +41,10 @@ def interval_row(variant: int) -> Claim:
     """State the 95 % interval of one variant: the half-width is twice the printed u."""
     line, printed = READINGS[variant], HALF_WIDTHS[variant]
     return Claim(
-        f"table 2, interval {variant}",
+        f"Table 2, interval {variant}",
         rf"{float(line.mean):.3f}\pm{printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
-        note="The half-width is 2u with the u of table 2; the mean is the table's.",
+        note="The half-width is 2u with the u of Table 2; the mean is the table's.",
         cites=("S51",),
     )
 
@@ -70,8 +70,8 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         marks=("rebuilt", "inferred"),
         cites=("S46",),
     ),
-    encoder_row("table 1", ("S37",)),
-    table_row("table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
+    encoder_row("Table 1", ("S37",)),
+    table_row("Table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
     interval_of_errors(READINGS, ("S47", "S51", "S57"), ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
     adequacy_row(("S7", "S41", "S50", "S56")),

@@ -77,6 +77,7 @@ def test_links_and_styles_are_dropped() -> None:
         (r"35^\circ", "<mrow><mrow><mn>35<mi>°"),
         (r"2~\mu\mathrm m", "<mrow><mn>2<mtext>\N{NO-BREAK SPACE}<mtext>µm"),
         (r"\mathrm{IT}6", "<mrow><mtext>IT<mn>6"),
+        (r"l\colon 3", "<mrow><mi>l<mtext>:<mspace><mn>3"),
         (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
     ],
 )
@@ -253,6 +254,7 @@ def test_marked_decimals_stand_close_to_their_point() -> None:
         ("Delta_n^2*K_i[i]^2 has L^2", "Δ<sub>n</sub>²·K<sub>i</sub>² has L²"),
         ('see "step 3", sqrt(2)', "see “step 3”, √2"),
         ("25 um of 5 mm", "25\N{NO-BREAK SPACE}µm of 5\N{NO-BREAK SPACE}mm"),
+        ("Max(a, b) <= 2", "max(a, b) ≤ 2"),
         ("x_1*y = phi1 < 2", "x<sub>1</sub>·y = φ<sub>1</sub> &lt; 2"),
     ],
 )
