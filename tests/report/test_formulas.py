@@ -200,6 +200,11 @@ SUM = "+".join(TERMS)
         (r"\begin{pmatrix}a+b+c&d\\e&f\end{pmatrix}", []),
         (rf"\begin{{pmatrix}}{SUM}&d\\e&f\end{{pmatrix}}", 6 * [""]),
         (rf"\left({SUM}\right)^2", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        # What stands above is folded to no less than what stands below needs.
+        (
+            rf"abcdefghijklmnop\frac{{{SUM}}}{{{''.join(TERMS[:14])}}}",
+            ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11", "+a12+a13+a14"],
+        ),
         (rf"\sqrt{{{''.join(TERMS)}}}", []),
         (r"\sqrt{a+b}", []),
     ],

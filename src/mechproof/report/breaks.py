@@ -95,9 +95,12 @@ def _fold(element: Element, room: float, *, is_large: bool) -> None:
         element[:] = _fold_row(list(_unpack(element)), room, is_large=is_large)
     elif element.tag == "mfrac":
         is_large = False
-        for part in element:
-            if part.tag == "mrow":
-                part[:] = _fold_row(list(_unpack(part)), room, is_large=is_large)
+        rows = [part for part in element if part.tag == "mrow"]
+        # Neither part is folded to less than the other needs, unless that is far too much.
+        least = [_find_least(list(_unpack(row)), room) for row in rows]
+        room = max([room, *(width for width in least if width <= min(ROOM, 2 * room))])
+        for row in rows:
+            row[:] = _fold_row(list(_unpack(row)), room, is_large=is_large)
     elif element.tag == "mrow" and (fences := [p for p in element if p.get("fence") == "true"]):
         element[1:-1] = _fold_row(list(_unpack(element[1:-1])), room, is_large=is_large)
         if element[1].get("class") == FOLDED:
@@ -140,6 +143,13 @@ def _fold_row(parts: list[Element], room: float, *, is_large: bool) -> list[Elem
         # One element, so that a cell is a line.
         SubElement(SubElement(row, "mtd"), "mrow").extend(line)
     return [table]
+
+
+def _find_least(parts: list[Element], room: float) -> float:
+    """Return how wide the widest piece of a row is, if it is folded."""
+    whole = sum(map(measure, parts))
+    pieces = _break(parts, room) if whole > room else [parts]
+    return max(sum(map(measure, piece)) for piece in pieces)
 
 
 def _fill(pieces: Sequence[list[Element]], room: float) -> Iterator[list[Element]]:
