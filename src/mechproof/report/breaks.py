@@ -98,7 +98,7 @@ def _fold(element: Element, room: float, *, is_large: bool) -> None:
         rows = [part for part in element if part.tag == "mrow"]
         # Neither part is folded to less than the other needs, unless that is far too much.
         least = [_find_least(list(_unpack(row)), room) for row in rows]
-        room = max([room, *(width for width in least if width <= min(ROOM, 2 * room))])
+        room = max([room, *(width for width in least if width <= min(WIDE, 2 * room))])
         for row in rows:
             row[:] = _fold_row(list(_unpack(row)), room, is_large=is_large)
     elif element.tag == "mrow" and (fences := [p for p in element if p.get("fence") == "true"]):
