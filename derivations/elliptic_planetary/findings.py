@@ -96,10 +96,10 @@ FINDINGS = (
         figure="table-3",
     ),
     Finding(
-        "table 3, interval 3",
+        "Table 3, interval 3",
         "The interval of variant 3 is the mean plus or minus u; the other three, and the text, "
         "have twice u. Half-width and u do not agree. Which of the two is the misprint is not "
-        "decided: either the half-width should be 0.56°, or the u of table 3 should be 0.14°.",
+        "decided: either the half-width should be 0.56°, or the u of Table 3 should be 0.14°.",
         costs=(
             Cost(
                 "half-width of variant 3",

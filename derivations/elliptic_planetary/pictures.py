@@ -179,7 +179,7 @@ FIGURES = (
         f"{2 * float(READINGS[3].uncertainty):.2f}°, or u should be "
         f"{float(HALF_WIDTHS[3]) / 2:.2f}°; which of the two is not decided. Either way the "
         "interval excludes a mean error of zero.",
-        "table 3, interval 3",
+        "Table 3, interval 3",
         draw_intervals,
         height=62.0,
     ),

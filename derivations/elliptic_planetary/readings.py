@@ -55,9 +55,9 @@ READINGS = {
 }
 HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
 INTERVAL_NOTES = {
-    **dict.fromkeys(READINGS, "The half-width is twice the u of table 3."),
+    **dict.fromkeys(READINGS, "The half-width is twice the u of Table 3."),
     3: "Half-width and u do not agree: either the half-width should be 0.56°, twice the u of "
-    "table 3, or that u is the misprint and should be 0.14°.",
+    "Table 3, or that u is the misprint and should be 0.14°.",
 }
 
 
@@ -71,13 +71,13 @@ def interval_row(number: int, note: str) -> Claim:
     mean, right = f"{float(line.mean):.2f}", f"{float(2 * line.uncertainty):.2f}"
     half = f"{float(Rational(printed) / 2):.2f}"
     return Claim(
-        f"table 3, interval {number}",
+        f"Table 3, interval {number}",
         rf"{mean} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
         note=note,
         cites=("S56",),
         corrected=Correction(
-            rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in table 3}}",
+            rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in Table 3}}",
             all_of(
                 PrintedNumber(right, 2 * line.uncertainty),
                 PrintedNumber(half, Rational(printed) / 2),
@@ -94,7 +94,7 @@ def turned_wheel_6(degrees: str) -> Expr:
 TABLE_CLAIMS = (
     *(
         PRINT.datum(
-            f"table 1, variant {number}",
+            f"Table 1, variant {number}",
             all_of(
                 Definition(R1, large * millimetre),
                 Definition(R2, small * millimetre),
@@ -103,8 +103,8 @@ TABLE_CLAIMS = (
         )
         for number, (large, small, eccentricity) in VARIANTS.items()
     ),
-    PRINT.datum("table 2, resolution", PrintedNumber("0.088", RESOLUTION)),
-    encoder_row(PRINT, "table 2"),
+    PRINT.datum("Table 2, resolution", PrintedNumber("0.088", RESOLUTION)),
+    encoder_row(PRINT, "Table 2"),
     PRINT.claim(
         "different non-uniformity",
         all_of(
@@ -126,7 +126,7 @@ TABLE_CLAIMS = (
         note="The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
         "four variants have the same.",
     ),
-    table_row("table 3", "(13)-(16)", READINGS, ("S52", "S53")),
+    table_row("Table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     interval_of_errors(PRINT, READINGS),
     *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
     adequacy_row(PRINT),
@@ -162,7 +162,7 @@ def mean_lack(number: int) -> Expr:
 
 CONSEQUENCES = (
     ours(
-        "(12) and the mean errors of table 3",
+        "(12) and the mean errors of Table 3",
         r"\text{mean of }(12)-\varphi_3\text{ over }0\le x\le\pi:\ -35.3^\circ\ (e=0.28),\ "
         r"-60.8^\circ\ (e=0.475)",
         all_of(
@@ -173,12 +173,12 @@ CONSEQUENCES = (
         ),
         note="On the first branch alone, before it jumps back, (12) is off by this much on "
         "average. Mean errors of at most 0.98° cannot have been found by comparison with it: "
-        "the calculation behind table 3 used another formula, and the slip in (12) is one of the "
+        "the calculation behind Table 3 used another formula, and the slip in (12) is one of the "
         "article only.",
         marks=("consequence",),
     ),
     ours(
-        "table 3, scatter and two encoders",
+        "Table 3, scatter and two encoders",
         r"u\sqrt n=11.5^\circ,\ 18.9^\circ,\ 3.9^\circ,\ 13.2^\circ;\ "
         r"u\sqrt n>M\sqrt{\tfrac n{n-1}}\text{ in variants 1, 2, 4},\ "
         r"M=1.08^\circ\,(1+\max\varphi_3')=10.1^\circ,\ 14.7^\circ,\ 7.3^\circ,\ 10.3^\circ",
@@ -199,7 +199,7 @@ CONSEQUENCES = (
         marks=("inferred", "consequence"),
     ),
     if_u_is_s(
-        "table 3",
+        "Table 3",
         READINGS,
         halves=("0.117", "0.195", "0.040", "0.154"),
         distances=("16", "10", "34", "12"),

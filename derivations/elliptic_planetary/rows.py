@@ -210,7 +210,7 @@ BRANCH_END = 180 * R2 / R1
 
 
 def of_variant(expression: Expr, number: int) -> Expr:
-    """Put the sizes of table 1 into an expression."""
+    """Put the sizes of Table 1 into an expression."""
     return expression.subs(k, R1 / R2).subs(dict(zip((R1, R2, e), VARIANTS[number], strict=True)))
 
 

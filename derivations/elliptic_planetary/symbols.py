@@ -1,4 +1,4 @@
-"""Symbols of paper 1, what they are given by, parts of its domain and the sizes of its table 1.
+"""Symbols of paper 1, what they are given by, parts of its domain and the sizes of its Table 1.
 
 Angles are positive in the direction of the carrier's rotation; distances on the line A-C are
 positive from A towards C and B; lengths in mm, angles in rad.

@@ -160,6 +160,7 @@ CYLINDRICAL_PAIR_ROWS = (
         "R4/R5 > (1 + e2)/(1 - e2), one way with it for R4/R5 < (1 - e2)/(1 + e2), and reverses "
         "between.",
         marks=("inferred",),
+        quantities=("ratio_cylindrical",),
     ),
     ours(
         "intermittent, against the carrier",

@@ -57,10 +57,10 @@ def interval_row(variant: int) -> Claim:
     """State the 95 % interval of one variant: the half-width is twice the printed u."""
     line, printed = READINGS[variant], HALF_WIDTHS[variant]
     return Claim(
-        f"table 2, interval {variant}",
+        f"Table 2, interval {variant}",
         rf"{float(line.mean):.3f}\pm{printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
-        note="The half-width is 2u with the u of table 2; the mean is the table's.",
+        note="The half-width is 2u with the u of Table 2; the mean is the table's.",
         cites=("S51",),
     )
 
@@ -85,8 +85,8 @@ MEASUREMENT_ROWS = (
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),
     ),
-    encoder_row(PRINT, "table 1"),
-    table_row("table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
+    encoder_row(PRINT, "Table 1"),
+    table_row("Table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
     interval_of_errors(PRINT, READINGS, ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
     adequacy_row(PRINT),
@@ -182,7 +182,7 @@ CONSEQUENCES = (
         marks=("consequence", "inferred"),
     ),
     ours(
-        "table 2, scatter and two encoders",
+        "Table 2, scatter and two encoders",
         r"u\sqrt n=2.38^\circ,\ 0.55^\circ,\ 1.61^\circ,\ 2.08^\circ,\quad "
         r"u\sqrt n<M\sqrt{\tfrac n{n-1}},\quad "
         r"M=1.08^\circ(1+\max|\varphi_3'|)=2.43^\circ,\ 1.62^\circ,\ 2.43^\circ,\ "
@@ -214,7 +214,7 @@ CONSEQUENCES = (
         marks=("inferred", "consequence"),
     ),
     if_u_is_s(
-        "table 2",
+        "Table 2",
         READINGS,
         halves=("0.027", "0.006", "0.015", "0.022"),
         distances=("57", "12", "170", "50"),

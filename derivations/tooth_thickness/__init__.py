@@ -186,8 +186,8 @@ FINDINGS = (
             ),
         ),
         check=Check(
-            "With {0} good teeth, and {1} good but rejected, 0.9973^50 - (0.9973 - 0.003487)^50 "
-            "= {2} of the wheels are good and rejected.",
+            f"With {{0}} good teeth, and {{1}} good but rejected, {{0:4}}^{TEETH} - ({{0:4}} - "
+            f"{{1:6}})^{TEETH} = {{2}} of the wheels are good and rejected.",
             (NORMAL_SHARE, rejected_by(6, 0), wheels_rejected(6)),
             2,
             "%",

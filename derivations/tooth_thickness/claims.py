@@ -21,7 +21,6 @@ from .mechanics import (
     NORMAL_SHARE,
     PRINTED_INFLUENCE,
     RECOMMENDED_UM,
-    VARIANCE_BY_SLOPE,
     chance_to_accept,
     crossover,
     error_variance,
@@ -181,15 +180,6 @@ CLAIM_ROWS = (
         "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
         "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
         "teeth more often the more it scatters.",
-    ),
-    ours(
-        "(a), order of the curves",
-        r"\text{curve 2 (IT7) lies above curve 1 (IT6) in Fig. 4, below it in Fig. 5}",
-        less(
-            VARIANCE_BY_SLOPE.subs(sigma_tip, sigma),
-            VARIANCE_BY_SLOPE.subs(sigma_tip, GRADES[7][1] * sigma / GRADES[6][1]),
-        ),
-        note="The total error of IT7 has the larger variance at every limit error of the gauge.",
     ),
     PRINT.claim(
         "(d)",

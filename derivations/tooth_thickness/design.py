@@ -76,6 +76,7 @@ DESIGN_ROWS = (
         ),
         note="Chord and height both fall as the angle grows (up to 45°). At 19.99° the chord "
         "is already too long, at 20.01° the height is too small.",
+        quantities=("constant_chord", "chord_height"),
     ),
     ours(
         "constant chord",

@@ -128,7 +128,7 @@ FIGURES = (
         "Fig. 5",
         "With the right half of the tip's deviation more good teeth pass at every gauge.",
         f"Share of teeth rightly accepted {CAPTION}",
-        "(a), order of the curves",
+        "(a), rise with the limit error",
         partial(draw_share, name="rightly_accepted"),
         height=95.0,
     ),

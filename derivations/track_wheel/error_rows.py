@@ -64,6 +64,7 @@ ERROR_ROWS = (
         ),
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: its six standard deviations are sqrt(3) times the tolerance.",
+        quantities=("error_sum", "error_sum_correlated", "error_sum_thermal"),
     ),
     PRINT.claim(
         "after (3), K for a reliability",
@@ -84,6 +85,7 @@ ERROR_ROWS = (
         less(sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)), 0),
         note="That each R_ij lies between -1 and 1 is not enough: three unit errors with all R_ij "
         "= -1 make the radicand negative. The matrix of the R_ij must be positive semidefinite.",
+        quantities=("error_sum_correlated",),
     ),
     PRINT.equation(
         "(4)",

@@ -247,10 +247,10 @@ FIGURES = (
         "scheme",
         None,
         "The letters of the track: a circle of radius R, shifted by A, once in each period.",
-        "The track (16) with R and A of Table 1, between the circles of radius R - A and R + A; N "
-        f"is a point with the radius vector {RHO} and the polar angle φ. X₀ and Y₀ are the axes of "
-        f"the machine, moved to O₁, about which the part is turned by {ALPHA} and β. {CHOSEN}: "
-        f"here there are {PERIODS} periods and no shift.",
+        "The track (16) with R and A of Table 1, between the circles of radius R \u2212 A and R + "
+        f"A; N is a point with the radius vector {RHO} and the polar angle φ. X₀ and Y₀ are the "
+        f"axes of the machine, moved to O₁, about which the part is turned by {ALPHA} and β. "
+        f"{CHOSEN}: here there are {PERIODS} periods and no shift.",
         "(16), shifted circle",
         draw_scheme,
         height=90.0,

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 5798b8db980a.
+Elementary functions: `elementary` c3e241f48fba.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

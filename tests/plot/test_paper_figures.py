@@ -112,6 +112,14 @@ def test_files_have_the_caption_below_the_drawing(tmp_path: Path) -> None:
         assert whole.height > 1.2 * bare.height
 
 
+def test_letters_of_a_caption_have_their_indices_below(tmp_path: Path) -> None:
+    figure = figures("track_wheel")["table-1"]
+    assert "Δ_T" in figure.caption
+    told = read_words(write_files(figure, tmp_path, "told")[1].read_text(encoding="utf-8"))
+    assert "_" not in told
+    assert "all coefficients 1, ΔT random".replace(" ", "") in told.replace(" ", "")
+
+
 def test_text_in_the_svg_is_text() -> None:
     text = render_svg(figures("elliptic_planetary")["fig-3"])
     assert text.count("font-family") == 1
@@ -135,10 +143,10 @@ def test_drawing_leaves_settings_and_files_alone(tmp_path: Path) -> None:
 MARKED = (
     ("elliptic_planetary", "fig-3", "(12), size of its error", ("45.0", "72.6")),
     ("elliptic_planetary", "fig-3", "(12), size of its error", ("43.6", "67.5")),
-    ("elliptic_planetary", "table-3", "table 3, interval 1", ("-0.93", "1.64")),
-    ("elliptic_planetary", "table-3", "table 3, interval 2", ("-0.98", "2.72")),
-    ("elliptic_planetary", "table-3", "table 3, interval 3", ("0.68", "0.28")),
-    ("elliptic_planetary", "table-3", "table 3, interval 4", ("-0.89", "2.02")),
+    ("elliptic_planetary", "table-3", "Table 3, interval 1", ("-0.93", "1.64")),
+    ("elliptic_planetary", "table-3", "Table 3, interval 2", ("-0.98", "2.72")),
+    ("elliptic_planetary", "table-3", "Table 3, interval 3", ("0.68", "0.28")),
+    ("elliptic_planetary", "table-3", "Table 3, interval 4", ("-0.89", "2.02")),
     ("wedge_linkage", "fig-4-set-2", "crossing", ("-29.4",)),
     ("track_wheel", "fig-5", "Fig. 5, largest possible gain", ("19.3",)),
 )
@@ -156,7 +164,7 @@ def test_what_is_marked_is_what_the_ledger_says(
 
 
 def test_the_corrected_interval_is_drawn() -> None:
-    right = ledger()["elliptic_planetary table 3, interval 3"]["corrected_latex"]
+    right = ledger()["elliptic_planetary Table 3, interval 3"]["corrected_latex"]
     assert "0.56" in right
     assert "0.68 ± 0.56° by u" in words("elliptic_planetary", "table-3")
 

@@ -13,6 +13,7 @@ from derived import opened
 from mechproof.arithmetic import balls
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.proof import refutation
+from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.dimensions import infer, is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
@@ -251,6 +252,24 @@ def test_reasons_hold_no_balls() -> None:
 
 
 # What was compared ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("formula", "latex"),
+    [
+        ((e**2 - 1) / (e * phi - 1), r"\frac{1 - e^{2}}{1 - e \varphi_1}"),
+        (-phi / (e - 1) ** 3, r"\frac{\varphi_1}{\left(1 - e\right)^{3}}"),
+        ((-e - phi) * sp.cos(e), r"- \left(e + \varphi_1\right) \cos{\left(e \right)}"),
+        (e + (-e - phi) * sp.cos(e), r"e - \left(e + \varphi_1\right) \cos{\left(e \right)}"),
+        ((e - 1) * (phi - 1), r"\left(e - 1\right) \left(\varphi_1 - 1\right)"),
+        (phi * (e - 1), r"\varphi_1 \left(e - 1\right)"),
+        (sp.Symbol("root_jerk"), r"\mathrm{root}_{\mathrm{jerk}}"),
+        (sp.Symbol("non_uniformity"), r"\text{non-uniformity}"),
+        (sp.betainc_regularized(e, 1, 0, phi), r"I_{\varphi_1}\left(e, 1\right)"),
+    ],
+)
+def test_products_and_functions_are_written_as_people_do(formula: sp.Expr, latex: str) -> None:
+    assert write_latex(formula, paper(SIZES).variables) == latex
 
 
 def compared(says):

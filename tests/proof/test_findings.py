@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
@@ -210,6 +212,9 @@ def test_the_numbers_of_a_check_are_computed() -> None:
     check = Check("at 30° {0}, twice {1}", (sp.pi / 6, sp.pi / 3), 1, "°")
     first, *_ = find(Finding("(1)", "", check=check))
     assert first.check == "at 30° 30.0°, twice 60.0°"
+    bare = replace(check, text="{0} are {0:4} rad")
+    first, *_ = find(Finding("(1)", "", check=bare))
+    assert first.check == "30.0° are 0.5236 rad"
 
 
 def test_a_row_is_one_finding() -> None:

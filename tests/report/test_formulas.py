@@ -9,6 +9,7 @@ from xml.etree.ElementTree import fromstring
 import pytest
 
 from mechproof.latex.sentences import is_sentence
+from mechproof.report.breaks import FOLDED
 from mechproof.report.formulas import write_block, write_lines, write_print
 from mechproof.report.mathml import ATTRIBUTES, write_formula
 from mechproof.report.phrases import set_prose
@@ -42,7 +43,8 @@ def test_every_formula_of_the_papers_is_converted() -> None:
                 is_source = part.tag.endswith("annotation")
                 assert is_source or "\\" not in (part.text or ""), latex
                 if part.tag.startswith(MATH) and not is_source:
-                    assert set(part.attrib) <= ATTRIBUTES
+                    assert set(part.attrib) - {"class"} <= ATTRIBUTES
+                    assert part.get("class", FOLDED) == FOLDED
 
 
 def test_what_is_no_latex_is_shown_as_it_stands() -> None:
@@ -75,6 +77,7 @@ def test_links_and_styles_are_dropped() -> None:
         (r"35^\circ", "<mrow><mrow><mn>35<mi>°"),
         (r"2~\mu\mathrm m", "<mrow><mn>2<mtext>\N{NO-BREAK SPACE}<mtext>µm"),
         (r"\mathrm{IT}6", "<mrow><mtext>IT<mn>6"),
+        (r"l\colon 3", "<mrow><mi>l<mtext>:<mspace><mn>3"),
         (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
     ],
 )
@@ -181,6 +184,46 @@ def test_the_widest_piece_says_how_small_a_formula_is(latex: str, signs: int) ->
     assert f'style="--signs:{signs}"' in write_block(latex)
 
 
+TERMS = [f"a_{{{i}}}" for i in range(15)]
+SUM = "+".join(TERMS)
+
+
+@pytest.mark.parametrize(
+    ("latex", "lines"),
+    [
+        (rf"\sqrt{{{SUM}}}", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        (rf"\frac{{{SUM}}}{{b}}", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        (
+            rf"\left(\frac ab,{SUM}\right)",
+            ["ab,a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"],
+        ),
+        (r"\begin{pmatrix}a+b+c&d\\e&f\end{pmatrix}", []),
+        (rf"\begin{{pmatrix}}{SUM}&d\\e&f\end{{pmatrix}}", 6 * [""]),
+        (rf"\left({SUM}\right)^2", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
+        # What stands above is folded to no less than what stands below needs.
+        (
+            rf"abcdefghijklmnop\frac{{{SUM}}}{{{''.join(TERMS[:14])}}}",
+            ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11", "+a12+a13+a14"],
+        ),
+        (rf"\sqrt{{{''.join(TERMS)}}}", []),
+        (r"\sqrt{a+b}", []),
+    ],
+)
+def test_what_is_wide_within_a_root_a_fraction_or_brackets_is_folded(
+    latex: str, lines: list[str]
+) -> None:
+    written = fromstring(write_block(latex))
+    tables = [t for t in written.iter(f"{MATH}mtable") if t.get("class") == FOLDED]
+    cells = [cell for table in tables for cell in table.iter(f"{MATH}mtd")]
+    assert [len(cell) for cell in cells] == [1 for _ in lines]
+    if any(lines):
+        assert ["".join(cell.itertext()) for cell in cells] == lines
+    # Nothing is lost, and the width of both is told.
+    plain = "".join(fromstring(write_formula(latex))[0][0].itertext())
+    assert "".join(written.itertext()).removesuffix(latex) == plain
+    assert ("--folded:" in written.attrib["style"]) is bool(lines)
+
+
 def test_lists_of_formulas_stand_below_each_other_and_once() -> None:
     written = write_lines(
         r"a=b,\quad \text{(too long to be shown)},\quad \text{(too long to be shown)}"
@@ -216,6 +259,7 @@ def test_marked_decimals_stand_close_to_their_point() -> None:
         ("Delta_n^2*K_i[i]^2 has L^2", "Δ<sub>n</sub>²·K<sub>i</sub>² has L²"),
         ('see "step 3", sqrt(2)', "see “step 3”, √2"),
         ("25 um of 5 mm", "25\N{NO-BREAK SPACE}µm of 5\N{NO-BREAK SPACE}mm"),
+        ("Max(a, b) <= 2", "max(a, b) ≤ 2"),
         ("x_1*y = phi1 < 2", "x<sub>1</sub>·y = φ<sub>1</sub> &lt; 2"),
     ],
 )

@@ -1,9 +1,10 @@
-"""A report whose papers and files are as before is not built again."""
+"""The pages of a paper that are as before are not written again, and none of them is stale."""
 
 from __future__ import annotations
 
 import os
 import time
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -11,10 +12,29 @@ from own_papers import write_slider_crank
 from typer.testing import CliRunner
 
 from mechproof.cli import app
-from mechproof.report.kept_site import SITE, load_site
+from mechproof.report import site
+from mechproof.report.judged_derivations import JudgedDerivation
+from mechproof.report.kept_site import _store, load_shares
+from mechproof.report.papers import PaperView, describe_paper
 from mechproof.tools.cache import VARIABLE
 
 AGED = 10.0
+# What is said where papers are loaded for their pages.
+LOADS = "loading what was judged before"
+SMALL = """
+from sympy import Symbol
+
+from mechproof.record import Claim, Equality, Paper, Variable
+
+x = Symbol("x", real=True)
+PAPER = Paper(
+    system="{system}",
+    citation="Nobody 2001",
+    conventions="",
+    variables=(Variable(x, "a number", latex=("x",)),),
+    rows=(Claim("(1)", "x+x=2x", Equality(x + x, 2 * x), note="A sum."),),
+)
+"""
 
 
 def age(file: Path) -> None:
@@ -34,13 +54,65 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def builds(place: Path, *options: str) -> bool:
-    """Write a report, and tell whether it was built for this."""
-    out = place.parents[1] / "pages"
-    result = CliRunner().invoke(app, ["report", str(place), "--out", str(out), *options])
+def write_report(places: list[Path], *options: str) -> tuple[dict[str, str], str]:
+    """Write a report of papers; return its files and what was said."""
+    out = places[0].parents[1] / "pages"
+    result = CliRunner().invoke(app, ["report", *map(str, places), "--out", str(out), *options])
     assert result.exit_code == 0, result.output
-    assert "refuted" in (out / "papers" / "slider_crank.html").read_text(encoding="utf-8")
-    return "writing the pages" in result.output
+    pages = {str(f.relative_to(out)): f for f in out.rglob("*.html")}
+    return {name: f.read_text(encoding="utf-8") for name, f in pages.items()}, result.output
+
+
+def builds(place: Path, *options: str) -> bool:
+    """Write a report, and tell whether the pages of its paper were written for this."""
+    pages, said = write_report([place], *options)
+    assert "refuted" in pages["papers/slider_crank.html"]
+    return LOADS in said
+
+
+def write_small(folder: Path, small: str = SMALL) -> None:
+    """Write a derivation of one row."""
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "__init__.py"
+    file.write_text(small.replace("{system}", folder.name), encoding="utf-8")
+    age(file)
+
+
+@pytest.fixture
+def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path]:
+    """Two derivations of one row, for which nothing is kept yet."""
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    places = [tmp_path / "derivations" / name for name in ("first", "second")]
+    for place in places:
+        write_small(place)
+    return places
+
+
+def test_a_changed_row_changes_its_pages_and_nothing_else_is_written_again(
+    pair: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before, _ = write_report(pair)
+    write_small(pair[1], SMALL.replace("2x", "3x").replace("2 * x", "3 * x"))
+    described: list[str] = []
+    monkeypatch.setattr(site, "describe_paper", _note_system(described))
+    after, _ = write_report(pair)
+    assert described == ["second"]
+    changed = {name for name in after if after[name] != before[name]}
+    assert changed == {"index.html", "papers/second.html"}
+    assert after == write_report(pair, "--no-cache")[0]
+
+
+def _note_system(described: list[str]) -> Callable[..., PaperView]:
+    def describe(source: JudgedDerivation, figures: Mapping[str, str]) -> PaperView:
+        described.append(source.system)
+        return describe_paper(source, figures)
+
+    return describe
+
+
+def test_other_papers_beside_one_are_on_its_pages(pair: list[Path]) -> None:
+    write_report(pair[:1])
+    assert "second.html" in write_report(pair)[0]["papers/first.html"]
 
 
 def test_a_site_is_built_once(place: Path) -> None:
@@ -87,7 +159,8 @@ def test_a_derivation_of_one_file_is_built_each_time(place: Path) -> None:
 
 def test_what_is_damaged_is_built_anew(place: Path) -> None:
     builds(place)
-    (key,) = SITE.read()
-    SITE.write({key: {"files": {}}})
-    assert load_site(key) is None
+    store = _store(place)
+    (key,) = store.read()
+    store.write({key: {"files": {}}})
+    assert load_shares({place: key}) == {}
     assert builds(place)

@@ -175,12 +175,18 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
     page = page.replace("\N{NO-BREAK SPACE}", " ")
     told = " ".join(str(position.__doc__).split())
     (proved,) = re.findall(r"half-angle atan, where .*?(at most \S+ eps)", told)
+    record = read_record(find_files()["elliptic_planetary.position"])
+    (sweep,) = (e for e in record.errors_of("kernel") if e.set == "sweep, 3301 samples")
+    digits, power = f"{sweep.worst_absolute:.1e}".split("e-")
+    power = power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    measured = f"over 16 turns at most {digits}·10⁻{power} rad on 3,301 points"
     for part in (
         "0 &lt; R<sub>1</sub>, R<sub>2</sub> &lt; ∞",
         "4 eps of the value",
         "over 16 turns of φ<sub>1</sub>",
         "in the tenth turn at most 2.9·10⁻¹³ rad, at the sizes of Table 1, variant 2",
         proved,
+        measured,
         "points chosen to hurt",
         "from mechproof.kernels.elliptic_planetary import position",
         "position(phi1, 66, 16, 0.28)",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -30,6 +31,7 @@ from mechproof.tools.files import write_whole
 from mechproof.tools.made import ForeignFileError
 
 if TYPE_CHECKING:
+    from mechproof.proof.ledger import Ledger
     from mechproof.report import Site
 
 
@@ -58,25 +60,37 @@ def report(
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import build_site, keep_site, key_site, load_site
+    from mechproof.report import build_site, keep_shares, key_shares, load_shares
 
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
-    kept = [LedgerCache(place).read_sources() for place in locations]
-    key = key_site(locations, () if no_cache else kept)
+    reads = [{} if no_cache else LedgerCache(place).read_sources() for place in locations]
+    keys = key_shares(locations, [ledger.system for ledger in ledgers], reads)
+    kept = load_shares(keys)
     try:
-        if not (site := load_site(key)):
-            judged = load_papers(ledgers, locations, limit=limit)
-            with show_progress("writing the pages") as tell:
-                site = build_site(locations, judged, tell)
-            keep_site(key, site)
+        shown = _load_others(locations, ledgers, kept, limit)
+        with show_progress("writing the pages") as tell:
+            site = build_site(locations, shown, tell, kept)
+        keep_shares(keys, site)
         _write(target, site, is_file=single)
     except (DerivationError, ForeignFileError, ValueError) as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")
     refuse_failures(ledgers, site.failures)
+
+
+def _load_others(
+    locations: Sequence[Path], ledgers: Sequence[Ledger], kept: Container[Path], limit: float
+) -> list[Ledger]:
+    """Load the papers of which no pages are kept; return the ledgers of all."""
+    others = [place for place in locations if place not in kept]
+    found = dict(zip(locations, ledgers, strict=True))
+    if others:
+        judged = load_papers([found[place] for place in others], others, limit=limit)
+        found.update(zip(others, judged, strict=True))
+    return list(found.values())
 
 
 def _find_target(out: str | None, *, is_file: bool) -> Path:

@@ -41,6 +41,8 @@ FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
 FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
+# A letter with an index in a caption.
+NAME = re.compile(r"\b([^\W\d_]+)_(\w+)")
 # Of a caption, in mm: how wide a letter is on the average, and how far lines are apart.
 POINT = 25.4 / 72
 LETTER, LINE = 0.54 * SMALL * POINT, 1.35 * SMALL * POINT
@@ -186,7 +188,8 @@ def _draw_with_caption(figure: Figure) -> Canvas:
     """Draw a figure at its size above its number, title and caption. Raises as `draw`."""
     number = f"{figure.number}. " if figure.number else ""
     letters = int(figure.width / LETTER)
-    lines = textwrap.wrap(f"{number}{figure.title} {figure.caption}", letters)
+    wrapped = textwrap.wrap(f"{number}{figure.title} {figure.caption}", letters)
+    lines = [NAME.sub(r"$\\mathregular{\1_{\2}}$", line) for line in wrapped]
     room = (len(lines) + 1) * LINE
     with use_style():
         canvas = make_canvas(figure.width, figure.height + room)

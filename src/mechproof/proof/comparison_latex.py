@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
@@ -23,14 +23,16 @@ from mechproof.record import (
     Statement,
     Variable,
 )
-from mechproof.record.parts import find_free, replace_parts
+from mechproof.record.parts import find_free, find_parts, replace_parts
 from mechproof.record.substitution import resolve
 from mechproof.record.variables import list_given
 
-_INDEX = "#"
+_INDEX, _INDICES = "#", "i j"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _WORD = re.compile(r"[A-Za-z]{3,}")
+# One word with what follows it, where that of others is an index: a hyphen reads as a minus.
+_PREFIX = "non"
 _LONG_NAME = re.compile(rf"{_WORD.pattern}(_\w+)?$")
 # What SymPy calls a variable of integration so that it is no other: its name and a line.
 _DUMMY = re.compile(r"([A-Za-z]+)(\d*)_")
@@ -73,6 +75,17 @@ def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
     return text
 
 
+def write_letter(
+    symbol: sp.Basic, variables: Sequence[Variable], formulas: Iterable[sp.Basic]
+) -> str:
+    """Return a letter in those of a paper; of a family a member, with as many indices as there."""
+    if not isinstance(symbol, sp.IndexedBase):
+        return write_latex(symbol, variables)
+    met = (item for formula in formulas for item in find_parts(formula, sp.Indexed))
+    rank = next((len(item.indices) for item in met if item.base == symbol), 1)
+    return write_latex(symbol[sp.symbols(_INDICES)[:rank]], variables)
+
+
 def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
     """Write the symbols whose names are words."""
     return {s: _write_word(s) for s in find_free(formula) if _LONG_NAME.match(str(s))}
@@ -81,7 +94,7 @@ def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
 def _write_word(symbol: sp.Symbol) -> str:
     stem, _, index = str(symbol).partition("_")
     shown, below = map(_write_upright, (stem, index))
-    if r"\mathrm" in shown and r"\mathrm" in below:
+    if stem == _PREFIX:
         return rf"\text{{{stem}-{index}}}"
     return f"{shown}_{{{below}}}" if index else shown
 
@@ -195,6 +208,30 @@ def _is_subtracted(term: sp.Expr) -> bool:
     return bool(term.as_coeff_Mul()[0].could_extract_minus_sign())
 
 
+def _turn(product: sp.Mul) -> sp.Expr:
+    """Write (a - 1)/(b - 1) and (-a - b)*c as people do: (1 - a)/(1 - b) and -(a + b)*c."""
+    found: dict[bool, list[sp.Expr]] = {True: [], False: []}
+    for factor in product.args:
+        base, power = factor.as_base_exp()
+        if power.is_odd and _falls_short(base):
+            found[power > 0].append(factor)
+    turned = [factor for pair in zip(found[True], found[False], strict=False) for factor in pair]
+    if not turned and product.as_coeff_Mul()[0] < 0:
+        turned = [*found[False], *found[True]][:1]
+    turned += [f for f in product.args if f.is_Add and all(map(_is_subtracted, f.args))]
+    sign = sp.S.NegativeOne ** len(turned)
+    others = [factor for factor in product.args if factor not in turned]
+    return sp.Mul(sign, *others, *((-f.base) ** f.exp if f.is_Pow else -f for f in turned))
+
+
+def _falls_short(base: sp.Expr) -> bool:
+    """Return whether it is a sum less a number, where nothing else is subtracted."""
+    if not isinstance(base, sp.Add):
+        return False
+    number, others = base.as_coeff_add()
+    return bool(number < 0) and not any(map(_is_subtracted, others))
+
+
 class _Printer(LatexPrinter):  # type: ignore[misc]
     """Writes the symbols of a paper as the paper prints them."""
 
@@ -221,16 +258,21 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
             return rf"\tilde{{{translate(name[1])}}}{index}"
         if isinstance(part, sp.Symbol) and not _PLAIN_NAME.fullmatch(part.name):
             return rf"\text{{{part.name.translate(_ESCAPES)}}}"
-        written: str = super()._print(part, **settings)
+        if isinstance(part, sp.betainc_regularized) and part.args[2] == 0:
+            first, second, _, end = map(self._print, part.args)
+            return rf"I_{{{end}}}\left({first}, {second}\right)"
+        turned = _turn(part) if isinstance(part, sp.Mul) else part
+        written: str = super()._print(turned, **settings)
         return written
 
     def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
         """Order terms as people do: 1 + e^2 - 2 e cos(x), and no sign before the first."""
-        terms = list(expr.args)
+        terms = [_turn(term) if isinstance(term, sp.Mul) else term for term in expr.args]
         first = next((t for t in terms if not _is_subtracted(t)), terms[0])
         return [first, *(term for term in terms if term is not first)]
 
     def _print_element(self, element: sp.Indexed) -> str:
         name = self._print(element.base)
-        indices = ",".join(map(self._print, element.indices))
+        gap = "" if all(index.is_Symbol for index in element.indices) else ","
+        indices = gap.join(map(self._print, element.indices))
         return name.replace(_INDEX, indices) if _INDEX in name else f"{name}_{{{indices}}}"

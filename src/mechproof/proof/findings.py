@@ -197,9 +197,24 @@ def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement |
 
 def _write_check(check: Check, domain: Domain) -> str:
     """Put the computed numbers into the sentence."""
-    unit = check.unit if check.unit in ("", "°") else f" {check.unit}"
     values = (_value(value, {}, check.unit, check.text, domain) for value in check.values)
-    return check.text.format(*(f"{_round(value, check.decimals)}{unit}" for value in values))
+    return check.text.format(*(_Shown(value, check) for value in values))
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """A number of a check: in its unit; with a format, the bare number to so many decimals."""
+
+    value: balls.Ball
+    check: Check
+
+    def __format__(self, decimals: str) -> str:
+        unit = self.check.unit
+        if decimals:
+            bare = self.value / balls.evaluate_until(UNITS[unit], {}, _BITS)
+            return str(_round(bare, int(decimals)))
+        behind = unit if unit in ("", "°") else f" {unit}"
+        return f"{_round(self.value, self.check.decimals)}{behind}"
 
 
 def _show_witness(row: Judgement) -> Iterator[LedgerCost]:

@@ -33,7 +33,8 @@ WEIGHTS: Mapping[Weight, str] = MappingProxyType(
 class Check:
     """A check for a pocket calculator: a sentence with its numbers as {0}, {1}, ... computed.
 
-    The values are exact; they are shown in the unit, rounded to so many decimals.
+    The values are exact; they are shown in the unit, rounded to so many decimals. {0:4} shows the
+    number itself, without the unit, to 4 decimals.
     """
 
     text: str

@@ -5,7 +5,7 @@ one file that holds them all. It needs no network and no script. In a notebook a
 a row and a mechanism show themselves from the same templates. Needs the `derive` extra.
 """
 
-from mechproof.report.kept_site import keep_site, key_site, load_site
+from mechproof.report.kept_site import keep_shares, key_shares, load_shares
 from mechproof.report.single import check_file, join_pages
 from mechproof.report.site import Site, build_site, check_folder, write_folder
 
@@ -15,8 +15,8 @@ __all__ = [
     "check_file",
     "check_folder",
     "join_pages",
-    "keep_site",
-    "key_site",
-    "load_site",
+    "keep_shares",
+    "key_shares",
+    "load_shares",
     "write_folder",
 ]

@@ -3,11 +3,15 @@
 No browser breaks a line within a formula. Its pieces are formulas of their own, which stand after
 each other as words do: they begin with a relation or with the sign of a term, or stand behind a
 comma. Only the first has the LaTeX, which is that of all.
+
+What is wide within a root, a fraction, high brackets or an entry is folded: a table whose cells
+stand beside each other, and below each other where there is no room, as the stylesheet says.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
@@ -17,6 +21,11 @@ from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
 WIDE, NARROW = 34, 6
+# Brackets are opened if no piece keeps more of the width than that.
+OPENED = 0.75
+# What makes a piece wider is folded, to no narrower lines than that. Between entries is a gap.
+ROOM, LEAST, GAP = 30.0, 8.0, 1.5
+FOLDED = "lines"
 STACKED = frozenset({"mfrac", "munder", "mover", "munderover", "mtable"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 # Indices are smaller, by what MathML Core says; signs between members have gaps around them, and
@@ -25,46 +34,141 @@ SMALLER, SPACED = 0.71, 2.4
 BIG = "∑∏∫"
 
 
-def write_broken(math: str, display: Display) -> tuple[Markup, float]:
-    """Return a formula in pieces, and of how many signs the widest is."""
+class Broken(NamedTuple):
+    """A formula in pieces, and of how many signs the widest is: as it is, and folded."""
+
+    pieces: Markup
+    width: float
+    folded: float
+
+
+def write_broken(math: str, display: Display) -> Broken:
+    """Break a formula into pieces; what is wide within one is folded where lines are displayed."""
     root = fromstring(math.replace(f' xmlns="{NAMESPACE}"', ""))
     if root.tag != "math":
-        return Markup(math), measure(root)
+        return Broken(Markup(math), measure(root), measure(root))
     (row, source), *_ = root
-    pieces = _break(list(_unpack(row)))
+    pieces = _break(list(_unpack(row)), WIDE)
+    if display == "block":
+        for piece in pieces:
+            _fold_parts(piece, ROOM, is_large=True)
     if len(pieces) == 1:
-        return Markup(math), measure(root)
-    widths = [sum(map(measure, piece)) for piece in pieces]
+        root.set("xmlns", NAMESPACE)
+        return Broken(Markup(tostring(root, encoding="unicode")), *_measure_both([root]))
     written = [_write(piece, display, None if i else source) for i, piece in enumerate(pieces)]
-    return Markup("<wbr/>").join(map(Markup, written)), max(widths)
+    widths = list(map(_measure_both, pieces))
+    return Broken(Markup("<wbr/>").join(map(Markup, written)), *map(max, zip(*widths, strict=True)))
 
 
-def measure(element: Element) -> float:
+def _measure_both(parts: Sequence[Element]) -> tuple[float, float]:
+    return sum(map(measure, parts)), sum(measure(part, is_folded=True) for part in parts)
+
+
+def measure(element: Element, *, is_folded: bool = False) -> float:
     """Return about how many letters a formula is wide: as the widest of what stands above others.
 
     A root is wider by its sign.
     """
     if element.tag == "annotation":
         return 0.0
+    if is_folded and element.get("class") == FOLDED:
+        return max(measure(cell, is_folded=True) for cell in element.iter("mtd"))
     if element.tag in STACKED:
-        return max(map(measure, element))
+        return max(measure(part, is_folded=is_folded) for part in element)
     if element.tag in SCRIPTED:
-        base, *scripts = map(measure, element)
+        base, *scripts = (measure(part, is_folded=is_folded) for part in element)
         return base + SMALLER * max(scripts)
     sign = _sign_of(element)
-    if sign and (sign in BIG or (sign in (*RELATIONS, *SIGNS) and element.get("form") is None)):
+    is_between = sign in (*RELATIONS, *SIGNS) and element.get("form") in (None, "infix")
+    if sign and (sign in BIG or is_between):
         return SPACED
     own = len(element.text or "") + (element.tag == "msqrt")
-    return own + sum(map(measure, element))
+    return own + sum(measure(part, is_folded=is_folded) for part in element)
+
+
+def _fold(element: Element, room: float, *, is_large: bool) -> None:
+    """Fold what is wider than the room within an element, on the outside first.
+
+    `is_large` says whether sums have their limits above and below them there.
+    """
+    if element.tag in ("msqrt", "mtd"):
+        element[:] = _fold_row(list(_unpack(element)), room, is_large=is_large)
+    elif element.tag == "mfrac":
+        is_large = False
+        rows = [part for part in element if part.tag == "mrow"]
+        # Neither part is folded to less than the other needs, unless that is far too much.
+        least = [_find_least(list(_unpack(row)), room) for row in rows]
+        room = max([room, *(width for width in least if width <= min(WIDE, 2 * room))])
+        for row in rows:
+            row[:] = _fold_row(list(_unpack(row)), room, is_large=is_large)
+    elif element.tag == "mrow" and (fences := [p for p in element if p.get("fence") == "true"]):
+        element[1:-1] = _fold_row(list(_unpack(element[1:-1])), room, is_large=is_large)
+        if element[1].get("class") == FOLDED:
+            for fence in fences:
+                fence.attrib.pop("stretchy", None)
+    elif element.tag == "mtr" and len(element) > 1:
+        room = (room - GAP * (len(element) - 1)) / len(element)
+    is_large = is_large and element.tag not in (*SCRIPTED, "mtable")
+    if element.tag in (*STACKED, "mtr"):
+        for part in element:
+            _fold(part, room, is_large=is_large)
+    else:
+        _fold_parts(list(element), room, is_large=is_large)
+
+
+def _fold_parts(parts: Sequence[Element], room: float, *, is_large: bool) -> None:
+    """Fold parts that stand beside each other: wide ones share the room that the others leave."""
+    widths = list(map(measure, parts))
+    wide = [width for width in widths if width > LEAST]
+    left = max(LEAST, (room - sum(widths) + sum(wide)) / max(1, len(wide)))
+    for part in parts:
+        if part.get("class") == FOLDED:
+            for cell in part[0]:
+                _fold_parts(list(cell[0]), left, is_large=is_large)
+        else:
+            _fold(part, left, is_large=is_large)
+
+
+def _fold_row(parts: list[Element], room: float, *, is_large: bool) -> list[Element]:
+    """Return the parts of a row, in a table of their lines where they need more than one."""
+    if sum(map(measure, parts)) <= room:
+        return parts
+    lines = [*_fill(_break(parts, room), room)]
+    if len(lines) == 1:
+        return parts
+    table = Element("mtable", {"class": FOLDED, "displaystyle": str(is_large).lower()})
+    row = SubElement(table, "mtr")
+    for line in lines:
+        _begin(line)
+        # One element, so that a cell is a line.
+        SubElement(SubElement(row, "mtd"), "mrow").extend(line)
+    return [table]
+
+
+def _find_least(parts: list[Element], room: float) -> float:
+    """Return how wide the widest piece of a row is, if it is folded."""
+    whole = sum(map(measure, parts))
+    pieces = _break(parts, room) if whole > room else [parts]
+    return max(sum(map(measure, piece)) for piece in pieces)
+
+
+def _fill(pieces: Sequence[list[Element]], room: float) -> Iterator[list[Element]]:
+    """Put pieces on lines as long as there is room."""
+    line: list[Element] = []
+    for piece in pieces:
+        if line and sum(map(measure, line + piece)) > room:
+            yield line
+            line = []
+        line = line + piece
+    yield line
 
 
 def _write(parts: Sequence[Element], display: Display, source: Element | None) -> str:
-    """Write a piece; the sign at its beginning keeps the gaps that it has between two members."""
+    """Write a piece."""
     math = Element("math", {"xmlns": NAMESPACE, "display": "inline"})
     if display == "block":
         math.set("displaystyle", "true")
-    if _sign_of(parts[0]) in (*RELATIONS, *SIGNS) and "form" not in parts[0].attrib:
-        parts[0].set("form", "infix")
+    _begin(parts)
     meaning = SubElement(math, "semantics")
     SubElement(meaning, "mrow").extend(parts)
     if source is not None:
@@ -73,22 +177,33 @@ def _write(parts: Sequence[Element], display: Display, source: Element | None) -
     return written
 
 
-def _unpack(row: Element) -> Iterator[Element]:
+def _begin(parts: Sequence[Element]) -> None:
+    """Let a sign at the beginning keep the gaps that it has between two members."""
+    if _sign_of(parts[0]) in (*RELATIONS, *SIGNS) and "form" not in parts[0].attrib:
+        parts[0].set("form", "infix")
+
+
+def _is_tall(part: Element) -> bool:
+    """Tell whether a row has brackets that are as high as what they hold."""
+    fences = [p for p in part if p.get("fence") == "true" and p.get("stretchy") != "false"]
+    return part.tag == "mrow" and bool(fences)
+
+
+def _unpack(row: Iterable[Element]) -> Iterator[Element]:
     """List what stands in a row, and in the rows within it that nothing holds together."""
     for part in row:
-        tall = any(p.get("fence") == "true" and p.get("stretchy") != "false" for p in part)
-        if part.tag == "mrow" and not part.attrib and not tall:
+        if part.tag == "mrow" and not part.attrib and not _is_tall(part):
             yield from _unpack(part)
         else:
             yield part
 
 
-def _break(parts: list[Element]) -> list[list[Element]]:
+def _break(parts: list[Element], most: float) -> list[list[Element]]:
     """Break a row outside of its brackets; what is wide even so within them, one deep."""
     found = [
         narrow
         for piece in _split(parts, 0)
-        for narrow in (_split(piece, 1) if sum(map(measure, piece)) > WIDE else (piece,))
+        for narrow in (_open(piece) if sum(map(measure, piece)) > most else (piece,))
     ]
     joined = [found[0]]
     for piece in found[1:]:
@@ -98,6 +213,13 @@ def _break(parts: list[Element]) -> list[list[Element]]:
         else:
             joined.append(piece)
     return joined
+
+
+def _open(piece: list[Element]) -> list[list[Element]]:
+    """Break a piece within its brackets; leave it whole if what is wide is elsewhere."""
+    within = list(_split(piece, 1))
+    widest = max(sum(map(measure, part)) for part in within)
+    return within if widest <= OPENED * sum(map(measure, piece)) else [piece]
 
 
 def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
@@ -111,7 +233,9 @@ def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
             yield piece
             piece = []
         piece.append(part)
-        depth += _go_deeper(part, sign)
+        # A power of a bracket is written at the sign that closes it.
+        base = part[0] if part.tag in SCRIPTED else part
+        depth += _go_deeper(base, _sign_of(base))
         ends = depth <= deepest and (sign == "," or (ends and is_blank))
     yield piece
 

@@ -35,8 +35,10 @@ def write_block(latex: str) -> Markup:
 
 
 def _write_lines(latex: str, _: str) -> str:
-    pieces, width = write_broken(write_formula(latex, "block"), "block")
-    return Markup('<div class="formula" style="--signs:{:.0f}">{}</div>').format(width, pieces)
+    pieces, width, folded = write_broken(write_formula(latex, "block"), "block")
+    narrow = f";--folded:{folded:.0f}" if folded < width else ""
+    written = Markup('<div class="formula" style="--signs:{:.0f}{}">{}</div>')
+    return written.format(width, narrow, pieces)
 
 
 def write_lines(latex: str) -> Markup:
@@ -80,7 +82,7 @@ def _write_inline(latex: str) -> Markup:
     math = write_formula(latex, "inline")
     if len(latex) <= LONG:
         return math
-    pieces, width = write_broken(math, "inline")
+    pieces, width, _ = write_broken(math, "inline")
     return Markup('<span class="long">{}</span>').format(pieces) if width > WIDE else pieces
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -69,9 +69,13 @@ def find_generated(location: Path) -> Traversable:
 
 
 def _read_records(folder: Traversable, paper: Paper) -> Sequence[Record]:
-    """Read what was measured of the quantities that the paper has, quickly if not otherwise."""
+    """Read what was measured of the quantities that the paper has."""
+    return read_records(folder, [f"{paper.system}.{q.name}" for q in paper.quantities])
+
+
+def read_records(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:
+    """Read what was measured of quantities by their full names, quickly if not otherwise."""
     measured = folder.joinpath(MEASURED)
     quick = find_files(measured.joinpath("quick"))
     found = {**quick, **find_files(measured)}
-    names = (f"{paper.system}.{quantity.name}" for quantity in paper.quantities)
     return [read_record(found[name]) for name in names if name in found]

@@ -1,4 +1,4 @@
-"""Sites that a report has built before: kept whole while nothing that they show has changed.
+"""Pages that a report has written before: those of a paper are kept while nothing changes them.
 
 What they show is known of folders of derivations: their ledgers and the files that these were made
 from, their own files, which draw the figures, and what was generated, measured and checked.
@@ -15,41 +15,60 @@ from pathlib import Path
 
 from mechproof.measured import KERNELS
 from mechproof.report.judged_derivations import find_generated
-from mechproof.report.site import Site
-from mechproof.tools.cache import Store, make_key
+from mechproof.report.site import Share, Site
+from mechproof.tools.cache import Store, make_key, name_place
 from mechproof.tools.reads import digest_program
 
-SITE = Store("report.json")
+# What is generated for readers, and lists of files: no page is made from it.
+UNSHOWN = frozenset({".md", ".sha256", ".pyc"})
+UNSHOWN_NAMES = frozenset({"ledger.json"})
 
 
-def load_site(key: str) -> Site | None:
-    """Return the site of a key; what cannot be read is as good as absent."""
-    with suppress(KeyError, TypeError):
-        kept = SITE.read()[key]
-        return Site(kept["files"], tuple(kept["failures"]))
-    return None
+def load_shares(keys: Mapping[Path, str]) -> dict[Path, Share]:
+    """Return what is kept of each paper under its key; what cannot be read is as good as absent."""
+    found = {}
+    for place, key in keys.items():
+        with suppress(KeyError, TypeError):
+            found[place] = Share(**_store(place).read()[key])
+    return found
 
 
-def keep_site(key: str, site: Site) -> None:
-    """Keep a site in the place of the last one; not if something could not be drawn."""
-    if key and not site.failures:
-        SITE.write({key: asdict(site)})
+def keep_shares(keys: Mapping[Path, str], site: Site) -> None:
+    """Keep what a site has of each paper in the place of the last; not if a picture failed."""
+    for (place, key), share in zip(keys.items(), site.shares, strict=True):
+        if key and not share.failures:
+            _store(place).write({key: asdict(share)})
 
 
-def key_site(locations: Sequence[Path], reads: Sequence[Mapping[str, str]]) -> str:
-    """Return the digest of all that a site shows; `reads` are the digests of the ledgers' sources.
+def key_shares(
+    locations: Sequence[Path], systems: Sequence[str], reads: Sequence[Mapping[str, str]]
+) -> dict[Path, str]:
+    """Return the digests of all that the pages of each paper show.
 
-    It is empty where not all of that is known: for other places than folders, and where a ledger
-    is not kept.
+    Each page leads to those of all systems; `reads` are the digests of the ledgers' sources. It is
+    empty where not all of that is known: for other places than folders, and for a ledger that is
+    not kept.
     """
-    if not reads or not all(reads) or not all(location.is_dir() for location in locations):
-        return ""
-    shown = sorted({path for location in locations for path in _list_shown(location)})
-    texts = (json.dumps(read, sort_keys=True) for read in reads)
-    return make_key(shown, (), digest_program(), *map(str, locations), *texts)
+    return {
+        place: _key(place, systems, read) if read and place.is_dir() else ""
+        for place, read in zip(locations, reads, strict=True)
+    }
 
 
-def _list_shown(location: Path) -> Iterator[Path]:
-    for folder in (location, Path(str(find_generated(location))), Path(str(files(KERNELS)))):
-        found = folder.rglob("*") if folder.is_dir() else ()
-        yield from (path for path in found if path.suffix != ".pyc" and path.is_file())
+def _key(place: Path, systems: Sequence[str], read: Mapping[str, str]) -> str:
+    shown = sorted(set(_list_shown(place)))
+    return make_key(
+        shown, (), digest_program(), str(place), *systems, json.dumps(read, sort_keys=True)
+    )
+
+
+def _store(place: Path) -> Store:
+    return Store(f"reports/{name_place(place)}.json")
+
+
+def _list_shown(place: Path) -> Iterator[Path]:
+    for folder in (place, Path(str(find_generated(place))), Path(str(files(KERNELS)))):
+        for path in folder.rglob("*") if folder.is_dir() else ():
+            is_shown = path.suffix not in UNSHOWN and path.name not in UNSHOWN_NAMES
+            if is_shown and path.is_file():
+                yield path

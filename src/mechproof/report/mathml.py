@@ -23,6 +23,8 @@ ATTRIBUTES = frozenset({
 MICROMETRE = re.compile(r"\\mu\s*\\mathrm\s*(?:\{m\}|m(?![A-Za-z]))")
 UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
+# A colon behind what is named, not that of a quotient.
+COLON = (r"\colon", r"\text{:}\;")
 # SymPy's name for the angle of a vector, and everyone else's.
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
 # The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
@@ -42,7 +44,7 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 def _convert(latex: str, display: str) -> str:
     upright = UPRIGHT.sub(_as_text, MICROMETRE.sub(r"\\mathrm{µm}", latex))
-    plain = upright.replace(*TWO_ARGUMENTS)
+    plain = upright.replace(*TWO_ARGUMENTS).replace(*COLON)
     try:
         math = convert_to_element(plain, display=display)
     except Exception:  # The library raises many kinds, which the user's own paper may meet.

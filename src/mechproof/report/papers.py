@@ -6,15 +6,16 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import sympy as sp
 from markupsafe import Markup
 
 from mechproof.proof.anchors import find_only_equation, name_anchors, name_equation
 from mechproof.proof.cards import make_card
-from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Left
-from mechproof.record import Paper, Row, Variable, Weight
+from mechproof.record import Equality, Paper, Row, Variable, Weight
 from mechproof.record.findings import WEIGHTS
 from mechproof.report.formulas import write_print
 from mechproof.report.judged_derivations import JudgedDerivation
@@ -314,11 +315,16 @@ def list_prints(paper: Paper) -> list[RowView]:
     return [describe_print(row, anchors[row.number]) for row in paper.rows]
 
 
+def _list_formulas(paper: Paper) -> Iterator[sp.Basic]:
+    """List formulas that tell how many indices a family has."""
+    yield from (quantity.definition for quantity in paper.quantities)
+    yield from (row.says.rebuilt for row in paper.rows if isinstance(row.says, Equality))
+
+
 def _describe_symbol(variable: Variable, paper: Paper) -> SymbolView:
-    latex = variable.latex[0] if variable.latex else write_latex(variable.symbol, ())
     given = variable.given
     return SymbolView(
-        name=write_formula(latex.replace("#", "i")),
+        name=write_formula(write_letter(variable.symbol, [variable], _list_formulas(paper))),
         meaning=variable.meaning + (f"; {variable.sign}" if variable.sign else ""),
         dimension="angle" if variable.dimension.is_angle else str(variable.dimension),
         within=write_formula(write_latex(variable.within, ())),

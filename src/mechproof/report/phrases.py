@@ -93,6 +93,7 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
         (r"(?<=\d )um\b", "\N{MICRO SIGN}m"),
         (r"(?<=[\w)\]]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
         (r"(?<=\d) deg\b", "\N{DEGREE SIGN}"),
+        (r"\bM(ax|in)\(", r"m\1("),
         (r"\bsqrt\((\w+)\)|\bsqrt(?=\()", r"√\1"),
         (r"(?<=\))-(?=\()", "\N{EN DASH}"),
         # Straight quotes around words and in them; primes of letters are none.

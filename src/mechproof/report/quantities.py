@@ -22,7 +22,7 @@ from mechproof.lab.sampling.point_sets import SWEEP
 from mechproof.measured import IN_C, Record, Searched
 from mechproof.programs.kernel import Kernel, build_functions, input_names, shape_of
 from mechproof.proof.anchors import name_anchors
-from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.calls import Sources, list_calls, write_header, write_sources
@@ -78,7 +78,8 @@ class FormView:
 class Measured:
     """What the record says of the quantity: the worst error found, where, when and on what.
 
-    `usual` says what usual calls are, `absolute` what their error is told in besides eps.
+    `usual` says what usual calls are, `absolute` what their error is told in besides eps; `swept`
+    tells the error of a position over some turns in radians.
     """
 
     worst: str
@@ -87,6 +88,7 @@ class Measured:
     absolute: str
     points: str
     searched: Markup
+    swept: Markup
     taken: str
     machine: str
     is_quick: bool
@@ -170,7 +172,9 @@ def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
         names = [definition] if definition in printed else names
         definition = given[definition]
     arguments = ",".join(
-        write_latex(symbol, paper.variables) for a in quantity.arguments for symbol in a.symbols
+        write_letter(symbol, paper.variables, [quantity.definition])
+        for a in quantity.arguments
+        for symbol in a.symbols
     )
     name = quantity.name.replace("_", r"\_")
     left = write_latex(names[0], paper.variables) if names else rf"\mathrm{{{name}}}({arguments})"
@@ -201,7 +205,8 @@ def _describe_arguments(
 ) -> Iterator[ArgumentView]:
     for argument in quantity.arguments:
         symbols = Markup(", ").join(
-            write_formula(write_latex(symbol, variables)) for symbol in argument.symbols
+            write_formula(write_letter(symbol, variables, [quantity.definition]))
+            for symbol in argument.symbols
         )
         default = "" if argument.default is None else f", default {argument.default:g}"
         yield ArgumentView(
@@ -241,6 +246,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
         absolute="" if quantity.unit == "1" else tell_unit(quantity.unit),
         points=f"{sum(row.points - row.undecided for row in rows):,}",
         searched=set_prose(searched),
+        swept=set_prose(_tell_swept(record, quantity)),
         taken=record.taken[:10],
         machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
         is_quick=record.quick,
@@ -254,6 +260,17 @@ def _tell_usual(record: Record, quantity: Quantity) -> str:
     if goes_on(quantity) and usual.startswith("sweep"):
         return f"{usual}, over {SWEEP // 2} turns of {quantity.arguments[0].name}"
     return usual
+
+
+def _tell_swept(record: Record, quantity: Quantity) -> str:
+    """Tell the largest error of a position over some turns; a sweep keeps all other sizes."""
+    usual, first = find_usual_set(record), record.ways[0].name
+    errors = next((e for e in record.errors_of(first) if e.set == usual), None)
+    if not (goes_on(quantity) and usual.startswith("sweep") and errors and errors.worst_at):
+        return ""
+    sizes = ", ".join(map(_tell_point, quantity.arguments[1:], errors.worst_at[1:]))
+    largest = f"{errors.worst_absolute:.1e} {quantity.unit}"
+    return f"over {SWEEP // 2} turns at most {largest} on {errors.points:,} points, with {sizes}"
 
 
 def _tell_searched(found: Searched, quantity: Quantity) -> str:

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.proof.ledger import AT_HAND, JudgedPaper
+from mechproof.proof.ledger import AT_HAND, JudgedPaper, Ledger
 from mechproof.proof.rungs import RUNGS
-from mechproof.report.judged_derivations import JudgedDerivation, find_source
+from mechproof.report.judged_derivations import (
+    JudgedDerivation,
+    find_generated,
+    find_source,
+    read_records,
+)
 from mechproof.report.kept_formulas import FORMULAS
 from mechproof.report.pages import STYLESHEET, read_font, read_stylesheet, render
-from mechproof.report.papers import FindingView, PaperView, count_totals, describe_paper
+from mechproof.report.papers import PaperView, count_totals, describe_paper
 from mechproof.report.phrases import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 from mechproof.report.pictures import (
     OVERVIEW,
@@ -41,105 +46,163 @@ class Legend:
 
 
 @dataclass(frozen=True)
+class Share:
+    """What a report has of one paper: its pages, and what the start page says of it.
+
+    `findings` are lines with their weights. `met` are the keys of the verdicts, the marks and the
+    rungs that occur, `measured` the quantities with records, `failures` what could not be drawn.
+    """
+
+    files: Mapping[str, str]
+    card: str
+    findings: Sequence[tuple[int, str]]
+    met: Mapping[str, Sequence[str]]
+    measured: Sequence[str]
+    failures: Sequence[str]
+
+
+@dataclass(frozen=True)
 class Site:
-    """The text of every file by its path in the folder, and what could not be drawn."""
+    """The text of every file by its path in the folder, and what could not be drawn.
+
+    `shares` are what it has of each paper, in their order.
+    """
 
     files: Mapping[str, str]
     failures: tuple[str, ...]
+    shares: tuple[Share, ...]
 
 
 def build_site(
     locations: Sequence[Path],
-    ledgers: Sequence[JudgedPaper],
+    ledgers: Sequence[Ledger],
     report: Callable[[str], None] = lambda text: None,
+    kept: Mapping[Path, Share] | None = None,
 ) -> Site:
     """Return the files of the report; a page shows where its picture could not be drawn.
 
-    The same derivations and records give the same files. `report` is told what has been done.
+    The same derivations and records give the same files. What is `kept` of a paper is taken as it
+    is, the ledgers of others have their papers. `report` is told what has been done.
     Raises ValueError for a record that cannot be read and `DerivationError` for figures that
     cannot be loaded.
     """
-    sources = [find_source(*pair) for pair in zip(locations, ledgers, strict=True)]
-    pictures = draw_pictures(_list_pictures(sources), report)
-    systems = [source.system for source in sources]
-    papers = [_describe(source, pictures) for source in sources]
-    quantities = [tuple(describe_quantities(source)) for source in sources]
+    kept = kept or {}
+    sources = {
+        place: find_source(place, ledger)
+        for place, ledger in zip(locations, ledgers, strict=True)
+        if place not in kept and isinstance(ledger, JudgedPaper)
+    }
+    records = [
+        record
+        for place in locations
+        for record in (
+            sources[place].records
+            if place in sources
+            else read_records(find_generated(place), kept[place].measured)
+        )
+    ]
+    # The picture of all first, which takes longest.
+    tasks = {**list_overview(records), **_list_pictures(sources.values())}
+    pictures = draw_pictures(tasks, report)
+    systems = [ledger.system for ledger in ledgers]
+    shares = [
+        _describe(sources[place], pictures, systems) if place in sources else kept[place]
+        for place in locations
+    ]
+    FORMULAS.keep()
+    overview = pictures.get(OVERVIEW)
     found = {
-        INDEX: _render_index(papers, sum(quantities, ()), sources, pictures.get(OVERVIEW)),
+        INDEX: _render_index(ledgers, shares, overview),
         STYLESHEET: read_font() + read_stylesheet(),
     }
-    for paper, computed in zip(papers, quantities, strict=True):
-        about = {"up": "../", "systems": systems, "system": paper.system, "pictures": pictures}
-        found[f"papers/{paper.system}.html"] = render(
-            "paper", **about, is_paper=True, paper=paper, glossary=f"../{INDEX}"
-        )
-        for quantity in computed:
-            found[f"quantities/{quantity.system}.{quantity.name}.html"] = render(
-                "quantity", **about, is_paper=False, quantity=quantity, glossary=f"../{INDEX}"
-            )
-    FORMULAS.keep()
-    failures = (
-        f"{name}: {picture.failure}" for name, picture in pictures.items() if picture.failure
-    )
-    return Site(found, tuple(failures))
+    for share in shares:
+        found |= share.files
+    failures = [failure for share in shares for failure in share.failures]
+    failures += [f"{OVERVIEW}: {overview.failure}"] if overview and overview.failure else []
+    return Site(found, tuple(failures), tuple(shares))
 
 
-def _list_pictures(sources: Sequence[JudgedDerivation]) -> Mapping[str, PictureTask]:
-    """List what is to be drawn: the picture of all first, which takes longest."""
-    records = [record for source in sources for record in source.records]
-    tasks = list_overview(records)
+def _list_pictures(sources: Iterable[JudgedDerivation]) -> Mapping[str, PictureTask]:
+    """List what papers have as figures, and the charts of their quantities."""
+    tasks: dict[str, PictureTask] = {}
     for source in sources:
         tasks |= list_figures(source.location)
-    for record in records:
-        tasks |= list_charts(record)
+        for record in source.records:
+            tasks |= list_charts(record)
     return tasks
 
 
-def _describe(source: JudgedDerivation, pictures: Mapping[str, Picture]) -> PaperView:
-    own = list_figures(source.location)
-    return describe_paper(source, {name: pictures[name].after for name in own})
+def _describe(
+    source: JudgedDerivation, pictures: Mapping[str, Picture], systems: Sequence[str]
+) -> Share:
+    """Write the pages of a paper and of its quantities, and what the start page says of it."""
+    own = _list_pictures([source])
+    after = {name: pictures[name].after for name in list_figures(source.location)}
+    paper, quantities = describe_paper(source, after), tuple(describe_quantities(source))
+    about = {"up": "../", "systems": systems, "system": paper.system, "pictures": pictures}
+    files = {
+        f"papers/{paper.system}.html": render(
+            "paper", **about, is_paper=True, paper=paper, glossary=f"../{INDEX}"
+        )
+    }
+    for quantity in quantities:
+        files[f"quantities/{quantity.system}.{quantity.name}.html"] = render(
+            "quantity", **about, is_paper=False, quantity=quantity, glossary=f"../{INDEX}"
+        )
+    return Share(
+        files,
+        render("card", paper=paper),
+        [(int(finding.weight), render("finding", finding=finding)) for finding in paper.findings],
+        _list_met(paper, quantities),
+        [record.quantity for record in source.records],
+        [f"{name}: {pictures[name].failure}" for name in own if pictures[name].failure],
+    )
+
+
+def _list_met(paper: PaperView, quantities: Sequence[QuantityView]) -> Mapping[str, Sequence[str]]:
+    """List what occurs in the rows of a paper and in the forms of its quantities."""
+    rows = [entry.row for section in paper.sections for entry in section.entries]
+    rows += [row for quantity in quantities for row in (*quantity.rests_on, *quantity.rows)]
+    forms = [form for quantity in quantities for form in quantity.forms]
+    looks = [row.look for row in rows] + [form.look for form in forms]
+    rungs = [row.rung for row in rows] + [form.rung for form in forms]
+    found = {
+        "looks": {look.key for look in looks if look.meaning},
+        "marks": {mark for row in rows for mark in row.marks},
+        "rungs": {rung for names in rungs for rung in names.split(", ")},
+    }
+    return {kind: sorted(names) for kind, names in found.items()}
 
 
 def _render_index(
-    papers: Sequence[PaperView],
-    quantities: Sequence[QuantityView],
-    sources: Sequence[JudgedDerivation],
-    picture: Picture | None,
+    ledgers: Sequence[Ledger], shares: Sequence[Share], overview: Picture | None
 ) -> str:
-    judgements = [row for source in sources for row in source.ledger.judgements]
+    judgements = [row for ledger in ledgers for row in ledger.judgements]
+    # The gravest first, else in the order of the papers.
+    findings = sorted((line for share in shares for line in share.findings), key=lambda x: x[0])
     return render(
         "index",
         up="",
-        systems=[paper.system for paper in papers],
+        systems=[ledger.system for ledger in ledgers],
         system="",
         is_paper=False,
-        papers=papers,
-        findings=_sort_findings(papers),
+        cards=[share.card for share in shares],
+        findings=[line for _, line in findings],
         totals=tuple(count_totals(judgements)),
-        overview=picture,
-        legend=_find_legend(papers, quantities),
+        overview=overview,
+        legend=_find_legend(shares),
         at_hand=AT_HAND,
     )
 
 
-def _sort_findings(papers: Sequence[PaperView]) -> list[FindingView]:
-    """Return the findings of all papers, the gravest first, else in the order of the papers."""
-    found = [finding for paper in papers for finding in paper.findings]
-    return sorted(found, key=lambda finding: finding.weight)
-
-
-def _find_legend(papers: Sequence[PaperView], quantities: Sequence[QuantityView]) -> Legend:
-    """Find what occurs in the rows of the papers and in the forms of their quantities."""
-    rows = [e.row for paper in papers for section in paper.sections for e in section.entries]
-    rows += [row for quantity in quantities for row in (*quantity.rests_on, *quantity.rows)]
-    forms = [form for quantity in quantities for form in quantity.forms]
-    looks = {row.look for row in rows} | {form.look for form in forms}
-    marks = {mark for row in rows for mark in row.marks}
-    joined = [row.rung for row in rows] + [form.rung for form in forms]
-    rungs = {rung for names in joined for rung in names.split(", ")}
+def _find_legend(shares: Sequence[Share]) -> Legend:
+    looks, marks, rungs = (
+        {name for share in shares for name in share.met[kind]}
+        for kind in ("looks", "marks", "rungs")
+    )
     order = (NOT_JUDGED, *LEFT.values(), *LOOKS.values(), MEASURED)
     return Legend(
-        tuple(look for look in order if look in looks),
+        tuple(look for look in order if look.key in looks),
         {name: meaning for name, meaning in MARKED.items() if name in marks},
         {name: meaning for name, meaning in RUNGS.items() if name in rungs},
     )
