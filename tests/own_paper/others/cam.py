@@ -8,7 +8,6 @@ from mechproof.document.transcription import Transcription
 from mechproof.record import (
     Accuracy,
     Argument,
-    Correction,
     Form,
     Paper,
     PublishedSizes,
@@ -60,7 +59,7 @@ PAPER = Paper(
         PRINT.equation(
             "(3)",
             derived={acceleration: diff(LIFT, theta, 2)},
-            corrected=Correction(PRINT.prints["(3)"].replace("+\\frac", r"-\frac")),
+            corrected=PRINT.mend("(3)", "+\\frac", r"-\frac"),
         ),
     ),
     quantities=(

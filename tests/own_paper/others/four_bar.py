@@ -41,7 +41,7 @@ PAPER = Paper(
         PRINT.equation(
             "(2)",
             residual=CLOSURE / (2 * a * c),
-            corrected=Correction(PRINT.prints["(1)"]),
+            corrected=Correction(PRINT.find("(1)")),
         ),
         PRINT.equation("(3)", derived={ratio: RATIO}),
     ),
