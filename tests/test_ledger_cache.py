@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 import time
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from weights import first_of
@@ -16,7 +18,7 @@ from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.verification import find_ledgers
 from mechproof.proof.verdict import Verdict
 from mechproof.tools.cache import VARIABLE
-from mechproof.tools.reads import HERE, list_program
+from mechproof.tools.reads import HERE, _find_helpers, list_program
 
 HEAD = """
 import os, sys, time
@@ -112,6 +114,20 @@ def test_a_module_that_another_derivation_loaded_counts(folder: Folder) -> None:
     folder.write("FACTOR = 3", "helper_of_two_papers.py")
     folder.judge()
     assert folder.was_loaded
+
+
+def test_a_module_under_the_name_of_a_library_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A library of that name was loaded before, from a folder of installed packages."""
+    for folder in ("site-packages", "own"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "shadowed.py").touch()
+        one = ModuleType("shadowed")
+        one.__file__ = str(tmp_path / folder / "shadowed.py")
+        monkeypatch.setitem(sys.modules, "shadowed", one)
+        found = {path.parent.name for path in _find_helpers() if path.stem == "shadowed"}
+        assert found == {folder} - {"site-packages"}
 
 
 def test_another_program_or_another_version_counts(

@@ -13,7 +13,17 @@ from mechproof.coq.terms import UnwritableError, list_needs, name_symbols, write
 from mechproof.coq.theorems import build_theorems
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Distinct, Equality, Equation, Holds, Paper, PrintedNumber, Variable
+from mechproof.record import (
+    ANGLE,
+    Distinct,
+    Equality,
+    Equation,
+    Holds,
+    Paper,
+    PrintedNumber,
+    PublishedSizes,
+    Variable,
+)
 
 e, x = symbols("e x", real=True)
 EQUAL = Equality(sin(x) ** 2 / (1 - e), (1 - cos(x) ** 2) / (1 - e))
@@ -55,6 +65,23 @@ def test_a_changed_script_is_refused(statement: object, old: str, new: str) -> N
     assert old in text
     with pytest.raises(ReadBackError):
         compare_script(text.replace(old, new), theorems)
+
+
+def test_letters_with_one_published_value_are_told_apart() -> None:
+    """At all round angles of these sizes both letters are the same number."""
+    a, b = symbols("a b", positive=True)
+    row = Equation("(1)", "1", Equality((a + b) * sin(x) ** 2, (a + b) * (1 - cos(x) ** 2)))
+    lengths = (Variable(s, "a length", within=Interval.open(0, S.Infinity)) for s in (a, b))
+    sizes = (PublishedSizes("a table", {a: S(2), b: S(2)}),)
+    paper = Paper(
+        "mine", "notes", (*lengths, Variable(x, "an angle", ANGLE)), (row,), published=sizes
+    )
+    theorems = build_theorems(row, Verdict.PROVED, Domain.of(paper))
+    text = write_script("mine", theorems)
+    compare_script(text, theorems)
+    assert "(a + b)" in text
+    with pytest.raises(ReadBackError):
+        compare_script(text.replace("(a + b)", "(a + a)"), theorems)
 
 
 SHARED = sqrt(sqrt(2) + sqrt(3) + sqrt(5) + sp.pi)

@@ -161,9 +161,11 @@ def test_a_tag_may_have_a_sign_that_begins_comments() -> None:
 
 
 def test_what_a_display_cites_is_no_part_of_it() -> None:
-    first, second = find(r"$$a=1\cite{S6,S48}$$ $$b=2$$")
+    first, second = find(r"$$a=1\cite{S6, S48}$$ $$b=2$$")
     assert (first.cites, first.latex.string) == (("S6", "S48"), "a=1")
     assert second.cites == ()
+    (third,) = find(r"$$c=3\cite[p.~3]{S6}$$")
+    assert (third.cites, third.latex.string) == (("S6",), "c=3")
 
 
 def test_macros_in_a_circle_are_told() -> None:

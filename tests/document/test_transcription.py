@@ -119,10 +119,19 @@ def test_members_of_displays_are_read_in_letters_of_the_block_or_given_ones(writ
 
 
 def test_a_correction_is_a_print_with_something_else_in_it(write: Write) -> None:
-    paper = write(PAPER)
+    paper = write(PAPER + r"\[r=\rho+r_0\tag{9}\]")
     assert paper.mend("the domain", "0", "1") == Correction(r"e\ge1")
-    with pytest.raises(ValueError, match=r"display the domain has no 2$"):
-        paper.mend("the domain", "2", "1")
+    assert paper.mend("(9)", "r", "q") == Correction(r"q=\rho+q_0")
+    assert paper.mend("(9)", r"\rho", "q") == Correction("r=q+r_0")
+
+
+@pytest.mark.parametrize(("old", "new"), [("2", "1"), ("", "1"), ("0", "0"), ("g", "h")])
+def test_a_correction_changes_what_is_printed(write: Write, old: str, new: str) -> None:
+    paper = write(PAPER)
+    with pytest.raises(
+        ValueError, match=rf"display the domain has no '{old}' that '{new}' changes"
+    ):
+        paper.mend("the domain", old, new)
 
 
 def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
@@ -197,19 +206,30 @@ def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:
     assert sorted(numbers) == ["(1)", "(2), as meant", "(3)", "(5)"]
 
 
-def test_a_statement_of_a_whole_display_judges_all_its_signs(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("row", "numbers"),
+    [
+        ("", ["sizes, first equals sign", "sizes, second equals sign"]),
+        (
+            'PRINT.datum("sizes", all_of(Definition(r, 2 * r), Definition(phi, 3 * phi))),',
+            ["sizes"],
+        ),
+        (
+            'PRINT.datum("sizes", Definition(r, 2 * r)),',
+            ["sizes, first equals sign", "sizes", "sizes, second equals sign"],
+        ),
+    ],
+)
+def test_what_states_as_many_things_judges_all_signs_of_a_display(
+    tmp_path: Path, row: str, numbers: list[str]
+) -> None:
     (tmp_path / "paper.tex").write_text(CRANK + r"\[r=2~\mathrm{mm},\ \varphi=3\tag*{sizes}\]")
     module = tmp_path / "crank.py"
-    names = {}
-    for row in ("", 'PRINT.datum("sizes", Definition(r, 2 * r)),'):
-        text = MODULE.replace("LENGTH,", "LENGTH, Definition,").replace("rows=(", f"rows=({row}")
-        module.write_text(text)
-        (ledger,) = judge_derivations([module], use_cache=False)
-        names[row] = [one.number for one in ledger.paper.rows if one.number.startswith("sizes")]
-    assert list(names.values()) == [
-        ["sizes, first equals sign", "sizes, second equals sign"],
-        ["sizes"],
-    ]
+    text = MODULE.replace("LENGTH,", "LENGTH, Definition, all_of,")
+    module.write_text(text.replace("rows=(", f"rows=({row}"))
+    (ledger,) = judge_derivations([module], use_cache=False)
+    found = [one.number for one in ledger.paper.rows if one.number.startswith("sizes")]
+    assert sorted(found) == sorted(numbers)
 
 
 def test_a_print_that_cannot_be_read_is_an_error_of_the_derivation(tmp_path: Path) -> None:

@@ -140,6 +140,12 @@ def test_quotients_are_cancelled_and_factored_as_by_sympy(quotient: sp.Expr) -> 
         sp.sqrt(x) * (x - 1),
         x**2 - sp.pi**2,
         sp.Integer(12),
+        sp.Integer(0),
+        sp.Mul(0, x + 1, evaluate=False),
+        # Of other letters, the same factor.
+        (x + 1) * (x * c + c),
+        x * (x * c + x),
+        (x - c) * (x * r - c * r),
     ],
 )
 def test_factors_are_those_of_sympy_in_its_order(polynomial: sp.Expr) -> None:

@@ -72,14 +72,17 @@ def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]
 
 
 def _factor_product(product: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
-    found: dict[sp.Poly, int] = {}
+    found: dict[sp.Expr, tuple[sp.Poly, int]] = {}
     number = sp.S.One
     for base, power in (argument.as_base_exp() for argument in sp.Mul.make_args(product)):
         coefficient, factors = _factor_part(base)
         number *= coefficient**power
         for factor, times in factors:
-            found[factor] = found.get(factor, 0) + times * _to_count(power)
-    return number, [(f.as_expr(), n) for f, n in sorted(found.items(), key=_sort_key)]
+            first, known = found.get(factor.as_expr(), (factor, 0))
+            found[factor.as_expr()] = first, known + times * _to_count(power)
+    if not (number.is_Rational and number):
+        raise sp.PolynomialError(f"zero, or divided by it: {product}")
+    return number, [(f.as_expr(), n) for f, n in sorted(found.values(), key=_sort_key)]
 
 
 def _to_count(power: sp.Expr) -> int:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from itertools import chain, islice, product
 
 import sympy as sp
@@ -165,10 +166,12 @@ def _state(relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = (
     hypotheses = _list_hypotheses(relation, domain, between)
     _refuse_long(hypotheses)
     symbols = list_letters(relation, *hypotheses)
-    points = islice(_list_points(symbols, domain, (relation, *hypotheses)), _POINTS)
-    compared = tuple(islice(points, _COMPARED))
-    for point in chain(compared, points):
+    said = (relation, *hypotheses)
+    points = islice(_list_points(symbols, domain, said), _POINTS)
+    first = tuple(islice(points, _COMPARED))
+    for point in chain(first, points):
         if all(is_true(h, point) for h in hypotheses):
+            compared = first if _tell_apart(first) else (*first, *_draw(symbols, domain, said))
             return Theorem(symbols, hypotheses, relation, point, points=compared)
     raise UnwritableError("no point of the domain satisfies all hypotheses")
 
@@ -184,6 +187,22 @@ def _refute(relations: Sequence[sp.Basic], domain: Domain) -> Theorem:
             if all(holds[:-1]) and holds[-1] is False:
                 return Theorem(symbols, hypotheses, _negate(relation), point, False, (point,))
     raise UnwritableError("no point was found at which it fails")
+
+
+def _tell_apart(points: Sequence[Point]) -> bool:
+    """Return whether no two letters have the same value at every point."""
+    values = list(zip(*(point.values() for point in points), strict=True))
+    return len(set(values)) == len(values)
+
+
+def _draw(
+    symbols: Sequence[sp.Basic], domain: Domain, relations: Sequence[sp.Basic]
+) -> tuple[Point, ...]:
+    """Draw points without regard to published sizes, of which some are equal."""
+    with suppress(UnwritableError):
+        unpublished = replace(domain, published=())
+        return tuple(islice(_list_points(symbols, unpublished, relations), _COMPARED))
+    return ()
 
 
 def is_true(relation: sp.Basic, point: Point) -> bool | None:

@@ -42,7 +42,7 @@ _COLUMNS = re.compile(r"\A\s*\{\d+\}")
 # What macros abbreviate that begins or ends a display.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
-_CITE = re.compile(r"\\cite\s*\{([^{}]*)\}")
+_CITE = re.compile(r"\\cite\s*(?:\[[^\[\]]*\]\s*)*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _SHOWN = re.compile(
     r"\\(?P<kind>arabic|Alph|alph|Roman|roman)\s*\{(?P<counter>\w+)\}|\\the(?P<the>[a-z]+)"
@@ -248,7 +248,9 @@ def _read_display(
         ]
     for name, whole, parts in named:
         labels = tuple(found[1] for found in _LABEL.finditer(whole.string))
-        cites = tuple(key for found in _CITE.finditer(whole.string) for key in found[1].split(","))
+        cites = tuple(
+            key.strip() for found in _CITE.finditer(whole.string) for key in found[1].split(",")
+        )
         for number, latex in enumerate(parts, start=1):
             one = name or f"display {next(unnumbered)}"
             shown = f"{one}, part {number}" if name and len(parts) > 1 else one

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -40,10 +41,12 @@ _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)
 # Seconds for one equation.
 LIMIT = 60.0
-# Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
-# a process that was forked finds here what its parent had. SymPy would work relations out on their
+# Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
+Elsewhere = frozenset[tuple[str, int]]
+# Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
+# process that was forked finds here what its parent had. SymPy would work relations out on their
 # way through a pipe.
-Key = tuple[str, str | None, frozenset[str]]
+Key = tuple[str, str | None, Elsewhere]
 opened: dict[Key, list[Task]] = {}
 
 
@@ -52,15 +55,24 @@ def name_equation(number: str) -> str:
     return _SIGN.sub("", number)
 
 
-def leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
+def leave_out(rows: Sequence[Task | Left], elsewhere: Elsewhere) -> Iterator[Task | Left]:
     """Yield the rows that are judged nowhere else, by themselves or with all signs of their print.
 
-    Of what is not read the signs are not known.
+    A row elsewhere judges all signs of its print if it states as many things. Of what is not read
+    the signs are not known.
     """
-    equations = {*map(name_equation, elsewhere)}
+    known = {text for text, _ in elsewhere}
+    equations = {*map(name_equation, known)}
+    signs = Counter(name_equation(one.row.number) for one in rows if isinstance(one, Task))
+    stated = defaultdict[str, int](int)
+    for text, parts in elsewhere:
+        stated[text] = max(stated[text], parts)
     for one in rows:
-        row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
-        if not judged & {row.number, name_equation(row.number), row.printed_latex}:
+        row = one.row if isinstance(one, Task) else one
+        equation = name_equation(row.number)
+        is_whole = stated[equation] >= max(1, signs[equation])
+        is_told = is_whole if isinstance(one, Task) else equation in equations
+        if not (is_told or known & {row.number, row.printed_latex}):
             yield one
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,8 @@ from mechproof.latex import Reader
 from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 
 R = TypeVar("R", bound=Row)
+# Kept by `split`, as it is a group.
+_COMMAND = re.compile(r"(\\[a-zA-Z]+)")
 
 
 class Transcription:
@@ -99,14 +102,17 @@ class Transcription:
         return self._make(Datum, number, says, more)
 
     def mend(self, number: str, old: str, new: str, says: Statement | None = None) -> Correction:
-        """Return a display with something else in the place of a part, as what should be printed.
+        """Return a display with something else in each place of a part, as what should be printed.
 
-        Raises `ValueError` for what is not printed there.
+        Letters in the names of commands are no part. Raises `ValueError` for what is not printed
+        there, and for the same again.
         """
         printed = self.find(number)
-        if old not in printed:
-            raise ValueError(f"{self.file}: display {number} has no {old}")
-        return Correction(printed.replace(old, new), says)
+        pieces = [printed] if "\\" in old else _COMMAND.split(printed)
+        mended = "".join(p if _COMMAND.fullmatch(p) else p.replace(old, new) for p in pieces)
+        if not old or mended == printed:
+            raise ValueError(f"{self.file}: display {number} has no {old!r} that {new!r} changes")
+        return Correction(mended, says)
 
     def _make(self, kind: type[R], number: str, says: Statement | None, more: dict[str, Any]) -> R:
         display = self._find(number)

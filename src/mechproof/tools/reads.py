@@ -13,12 +13,13 @@ from hashlib import sha256
 from importlib.metadata import distributions
 from importlib.util import source_from_cache
 from pathlib import Path
+from types import ModuleType
 
 HERE = Path(__file__).resolve().parents[1]
 STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
-# The names of modules that are a library's or the package's: there are thousands.
-_libraries: set[str] = set()
+# Modules that are a library's or the package's, by name: there are thousands.
+_libraries: dict[str, ModuleType] = {}
 # What modules of the package and of derivations are called.
 OWN = ("mechproof", "_mechproof")
 # Papers and what is generated from them: of no paper but their own.
@@ -62,11 +63,13 @@ def _find_helpers() -> set[Path]:
 
     A derivation may use them without opening them, where another one did before.
     """
-    loaded = {n: getattr(sys.modules.get(n), "__file__", None) for n in {*sys.modules} - _libraries}
-    files = {name: file for name, file in loaded.items() if file}
-    _libraries.update(n for n, file in files.items() if n.startswith(OWN) or _is_library(file))
-    resolved = {Path(file).resolve() for name, file in files.items() if name not in _libraries}
-    return {file for file in resolved if _is_own(file)}
+    others = {n: m for n, m in list(sys.modules.items()) if _libraries.get(n) is not m}
+    files = {name: getattr(module, "__file__", None) for name, module in others.items()}
+    for name, file in files.items():
+        if file and (name.startswith(OWN) or _is_library(file)):
+            _libraries[name] = others[name]
+    own = {f for n, f in files.items() if f and _libraries.get(n) is not others[n]}
+    return {file for file in (Path(one).resolve() for one in own) if _is_own(file)}
 
 
 def _is_own(file: Path) -> bool:
