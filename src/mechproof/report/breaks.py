@@ -12,13 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 from xml.etree.ElementTree import Element, SubElement, fromstring, tostring
 
 from markupsafe import Markup
 
 from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 
-RELATIONS = "=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢"
+RELATIONS = frozenset("=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢")
+BETWEEN = RELATIONS | {*SIGNS}
+OPENS, CLOSES = frozenset(OPENING), frozenset(CLOSING)
 # A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
 WIDE, NARROW = 34, 6
 # Brackets are opened if no piece keeps more of the width than that.
@@ -32,6 +35,8 @@ SCRIPTED = frozenset({"msub", "msup", "msubsup"})
 # those of sums are large: how many letters they are as wide as.
 SMALLER, SPACED = 0.71, 2.4
 BIG = "∑∏∫"
+# What was measured, as long as it is there: each element is asked for at every depth above it.
+_widths: WeakKeyDictionary[Element, float] = WeakKeyDictionary()
 
 
 class Broken(NamedTuple):
@@ -61,29 +66,36 @@ def write_broken(math: str, display: Display) -> Broken:
 
 
 def _measure_both(parts: Sequence[Element]) -> tuple[float, float]:
-    return sum(map(measure, parts)), sum(measure(part, is_folded=True) for part in parts)
+    return sum(map(measure, parts)), sum(_measure(part, is_folded=True) for part in parts)
 
 
-def measure(element: Element, *, is_folded: bool = False) -> float:
-    """Return about how many letters a formula is wide: as the widest of what stands above others.
+def measure(element: Element) -> float:
+    """Return about how many letters a formula is wide; to fold it changes nothing of that."""
+    if element not in _widths:
+        _widths[element] = _measure(element, is_folded=False)
+    return _widths[element]
+
+
+def _measure(element: Element, *, is_folded: bool) -> float:
+    """Return how wide an element is: as the widest of what stands above others.
 
     A root is wider by its sign.
     """
     if element.tag == "annotation":
         return 0.0
     if is_folded and element.get("class") == FOLDED:
-        return max(measure(cell, is_folded=True) for cell in element.iter("mtd"))
+        return max(_measure(cell, is_folded=True) for cell in element.iter("mtd"))
+    widths = [_measure(p, is_folded=True) if is_folded else measure(p) for p in element]
     if element.tag in STACKED:
-        return max(measure(part, is_folded=is_folded) for part in element)
+        return max(widths)
     if element.tag in SCRIPTED:
-        base, *scripts = (measure(part, is_folded=is_folded) for part in element)
+        base, *scripts = widths
         return base + SMALLER * max(scripts)
     sign = _sign_of(element)
-    is_between = sign in (*RELATIONS, *SIGNS) and element.get("form") in (None, "infix")
+    is_between = sign in BETWEEN and element.get("form") in (None, "infix")
     if sign and (sign in BIG or is_between):
         return SPACED
-    own = len(element.text or "") + (element.tag == "msqrt")
-    return own + sum(measure(part, is_folded=is_folded) for part in element)
+    return len(element.text or "") + (element.tag == "msqrt") + sum(widths)
 
 
 def _fold(element: Element, room: float, *, is_large: bool) -> None:
@@ -179,7 +191,7 @@ def _write(parts: Sequence[Element], display: Display, source: Element | None) -
 
 def _begin(parts: Sequence[Element]) -> None:
     """Let a sign at the beginning keep the gaps that it has between two members."""
-    if _sign_of(parts[0]) in (*RELATIONS, *SIGNS) and "form" not in parts[0].attrib:
+    if _sign_of(parts[0]) in BETWEEN and "form" not in parts[0].attrib:
         parts[0].set("form", "infix")
 
 
@@ -208,7 +220,7 @@ def _break(parts: list[Element], most: float) -> list[list[Element]]:
     joined = [found[0]]
     for piece in found[1:]:
         is_narrow = sum(map(measure, joined[-1])) < NARROW
-        if is_narrow and _sign_of(piece[0]) in tuple(RELATIONS):
+        if is_narrow and _sign_of(piece[0]) in RELATIONS:
             joined[-1] = joined[-1] + piece
         else:
             joined.append(piece)
@@ -228,7 +240,7 @@ def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
     for part in parts:
         sign = _sign_of(part)
         is_blank = part.tag in ("mspace", "mtext") and not sign.strip()
-        begins = part.get("form") is None and sign in (*RELATIONS, *SIGNS) and depth <= deepest
+        begins = part.get("form") is None and sign in BETWEEN and depth <= deepest
         if piece and (begins or (ends and not is_blank)):
             yield piece
             piece = []
@@ -248,4 +260,4 @@ def _go_deeper(part: Element, sign: str) -> int:
     """Return 1 for a bracket that opens, -1 for one that closes; bars do as they are marked."""
     if sign == "|":
         return {"prefix": 1, "postfix": -1}.get(part.get("form", ""), 0)
-    return (sign in tuple(OPENING)) - (sign in tuple(CLOSING))
+    return (sign in OPENS) - (sign in CLOSES)

@@ -36,7 +36,7 @@ def write_block(latex: str) -> Markup:
 
 def _write_lines(latex: str, _: str) -> str:
     pieces, width, folded = write_broken(write_formula(latex, "block"), "block")
-    narrow = f";--folded:{folded:.0f}" if folded < width else ""
+    narrow = f";--folded:{folded:.0f}" if round(folded) < round(width) else ""
     written = Markup('<div class="formula" style="--signs:{:.0f}{}">{}</div>')
     return written.format(width, narrow, pieces)
 
