@@ -10,7 +10,7 @@ import pytest
 from command import OPEN, PROVED, write
 
 from mechproof.codegen.regenerate import LIST
-from mechproof.pipeline import stages as pipeline
+from mechproof.pipeline import stages
 from mechproof.pipeline.stages import PipelineError, regenerate
 from mechproof.pipeline.validation import ValidationError
 
@@ -72,7 +72,7 @@ def test_a_fault_of_any_stage_writes_nothing(
     fault: Callable[..., None],
     said: str,
 ) -> None:
-    monkeypatch.setattr(pipeline, stage, fault)
+    monkeypatch.setattr(stages, stage, fault)
     with pytest.raises(PipelineError, match=said):
         regenerate([write(tmp_path, PROVED)], tmp_path / "generated")
     assert not (tmp_path / "generated").exists()

@@ -155,10 +155,10 @@ def regenerate(
         refuse("--improve and --check: give one of them, a check writes nothing")
     if better:
         offer_forms((), places, write=True, limit=SEARCH_LIMIT)
-    from mechproof.pipeline import stages as pipeline
+    from mechproof.pipeline import stages
 
     try:
-        done = pipeline.regenerate(
+        done = stages.regenerate(
             find_locations((), places),
             places.generated,
             check=check,
@@ -166,7 +166,7 @@ def regenerate(
             limit=limit,
             progress=show_progress,
         )
-    except pipeline.PipelineError as error:
+    except stages.PipelineError as error:
         fail(str(error))
     for change in done.changes:
         say(change.describe() if check else _describe_step(change))
@@ -204,11 +204,11 @@ def measure(
     places = find_places(derivations, root)
     if not places.generated.is_dir():
         refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
-    from mechproof.pipeline import stages as pipeline
+    from mechproof.pipeline import stages
 
     directory = None if places.is_packaged else places.derivations
     try:
-        measured = pipeline.measure(
+        measured = stages.measure(
             quantities or (),
             directory,
             places.generated,
@@ -223,7 +223,7 @@ def measure(
     try:
         for file, headline in measured:
             say(f"{file}: {headline}" if headline else str(file))
-    except pipeline.PipelineError as error:
+    except stages.PipelineError as error:
         fail(str(error))
 
 

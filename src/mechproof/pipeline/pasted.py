@@ -95,15 +95,8 @@ def _answer(pasted: Pasted) -> Checked | str:
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
     pasted = replace(pasted, latex=_unwrap(pasted.latex))
-    counts = _find_counts(pasted)
-    variables = _declare(pasted, counts)
-    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
-    reader = Reader(variables, notation, COMMAND)
-    variables = _give_values(variables, pasted, reader)
-    reader = Reader(variables, notation, COMMAND)
-    relations = [r for text in pasted.where for r in read_relations(text, reader)]
-    _refuse_values(relations)
-    printed = _read_conditions(pasted.latex, reader)
+    variables, notation, relations = _read_letters(pasted)
+    printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
     relations += printed
     said = {s for relation in relations for s in relation.free_symbols}
     variables, where = narrow(variables, relations)
@@ -120,20 +113,25 @@ def judge_pasted(pasted: Pasted) -> Checked:
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
 
 
+def _read_letters(pasted: Pasted) -> tuple[tuple[Variable, ...], Notation, list[sp.Basic]]:
+    """Return the letters with their values, how they are written, and what is said of them."""
+    counts = _find_counts(pasted)
+    variables = _declare(pasted, counts)
+    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
+    variables = _give_values(variables, pasted, Reader(variables, notation, COMMAND))
+    reader = Reader(variables, notation, COMMAND)
+    relations = [r for text in pasted.where for r in read_relations(text, reader)]
+    _refuse_values(relations)
+    return variables, notation, relations
+
+
 def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:
     """Return what is pasted, of an equation the right side, and the sets of its letters.
 
     `ValueError` (also `ReadingError`) for what cannot be read, and for relations between letters.
     """
     pasted = replace(pasted, latex=_unwrap(pasted.latex))
-    counts = _find_counts(pasted)
-    variables = _declare(pasted, counts)
-    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
-    reader = Reader(variables, notation, COMMAND)
-    variables = _give_values(variables, pasted, reader)
-    reader = Reader(variables, notation, COMMAND)
-    relations = [r for text in pasted.where for r in read_relations(text, reader)]
-    _refuse_values(relations)
+    variables, notation, relations = _read_letters(pasted)
     variables, where = narrow(variables, relations)
     if where:
         raise ValueError(f"--where {where[0]}: it is no range of one letter")
