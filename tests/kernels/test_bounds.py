@@ -15,12 +15,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from derived import declared_paper_of
 
-from mechproof.derivations import elliptic_planetary, track_wheel
 from mechproof.record import Accuracy, Quantity
 
 EPS = float(np.finfo(float).eps)
-PAPERS = {paper.system: paper for paper in (elliptic_planetary.PAPER, track_wheel.PAPER)}
 Point = tuple[Any, ...]
 
 
@@ -29,7 +28,8 @@ class Oracle:
 
     def __init__(self, system: str, quantity: Quantity, count: int = 0) -> None:
         self.quantity, self.count = quantity, count
-        given = {v.symbol: v.given for v in PAPERS[system].variables if v.given is not None}
+        letters = declared_paper_of(system).variables
+        given = {v.symbol: v.given for v in letters if v.given is not None}
         self.inputs = [s for a in quantity.arguments for s in a.symbols]
         self.names: dict[sp.Basic, sp.Symbol] = {}
         value = self._instance(quantity.definition.subs(given).subs(given))
@@ -260,7 +260,7 @@ POINTS: dict[tuple[str, str], tuple[Callable[[], Iterator[Point]], int, int]] = 
 
 
 def find_quantity(system: str, name: str) -> Quantity:
-    return next(q for q in PAPERS[system].quantities if q.name == name)
+    return next(q for q in declared_paper_of(system).quantities if q.name == name)
 
 
 def accuracy_of(quantity: Quantity) -> Accuracy:

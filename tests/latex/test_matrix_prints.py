@@ -59,7 +59,7 @@ MATRICES = [
     (r"x\,v\times(w+\vec{u})", x * E["v"].cross(E["w"] + E["u"])),
     (r"[v]_\times w", E["v"].cross(E["w"])),
     (r"[(x, y, s)]_{\times}", sp.Matrix([[0, -s, y], [s, 0, -x], [-y, x, 0]])),
-    (r"\mathbf B^{-1}\;[A]v", E["B"].inv() * E["A"] * E["v"]),
+    (r"\mathbf B^{-1}\;[A]v", E["B"].inv("ADJ") * E["A"] * E["v"]),
     (r"[A](v\times w)", E["A"] * E["v"].cross(E["w"])),
     (r"(1, 0, 0)\times(0, 1, 0)", sp.Matrix([[0, 0, 1]])),
     (r"[A]\times\mathbf B", E["A"] * E["B"]),

@@ -205,7 +205,7 @@ def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, 
 
 
 PLACED = sorted(
-    {(s.kernel.name, s.form.name) for s in subjects().values() if set(s.where) <= PLACES.keys()}
+    {(claim.quantity, claim.form) for claim in claims() if set(claim.where) <= PLACES.keys()}
     - {("acceleration", "half-angle quotient with low word")}
 )
 
