@@ -141,3 +141,12 @@ def test_precision_is_raised_until_enough_bits_are_correct_and_then_put_back():
     assert ball.rel_accuracy_bits() >= 80
     assert not balls.evaluate_until(sp.log(y), AT, 80).is_finite()
     assert balls.flint.ctx.prec == before
+
+
+def test_two_numbers_are_told_apart_and_equal_ones_are_as_they_are() -> None:
+    near = balls.evaluate(1 + sp.Rational(1, 10**40), {}, 256), balls.evaluate(sp.S.One, {}, 256)
+    one, other = balls.show_apart(*near)
+    assert one != other
+    assert balls.show_apart(near[1], near[1]) == (balls.show(near[1]), balls.show(near[1]))
+    wide = balls.evaluate(sp.sqrt(2), {}, 256)
+    assert "the difference is" in balls.show_apart(wide, wide)[1]

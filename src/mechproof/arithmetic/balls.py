@@ -94,7 +94,12 @@ def show(ball: Ball, digits: int = 12) -> str:
 
 
 def show_apart(left: Ball, right: Ball) -> tuple[str, str]:
-    """Return two balls as texts, with as many digits as tell them apart."""
+    """Return two balls as texts, with as many digits as tell them apart.
+
+    Two numbers that are equal, where one should be the smaller, need no more than one.
+    """
+    if left == right:
+        return show(left), show(right)
     for digits in (12, 24, 48, 96):
         texts = show(left, digits), show(right, digits)
         with working_precision(4 * digits + 64):
