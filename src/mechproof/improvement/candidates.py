@@ -17,9 +17,7 @@ from mechproof.lab.sampling.points import choose_evenly, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.lab.worst_search import draw_sets
-from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel, build_kernel
-from mechproof.programs.scalar import map_affinely
 from mechproof.record import Form, Quantity
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import flatten_stage
@@ -106,7 +104,7 @@ class Candidate:
         """Compute the form in doubles, as its kernel does."""
         (stage,), shape = self.kernel.code.stages, self.kernel.code.shape
         with np.errstate(all="ignore"):
-            straight = flatten_stage(_spell_out(stage), {})
+            straight = flatten_stage(stage.spell_out(), {})
             found = run(straight, self._name(arguments), IN_DOUBLES)
         values = np.stack([np.broadcast_to(v, len(arguments[0])) for v in found], -1)
         return values.reshape(len(values), *shape)
@@ -121,10 +119,6 @@ class Candidate:
                 given |= zip(map(str, argument.symbols), array.T, strict=True)
                 given |= zip(vectors[argument.name], array.T, strict=True)
         return given
-
-
-def _spell_out(stage: Stage) -> Stage:
-    return replace(stage, evaluate=map_affinely(stage.running)) if stage.affine else stage
 
 
 def can_be_searched(quantity: Quantity) -> bool:
