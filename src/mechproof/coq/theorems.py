@@ -27,6 +27,7 @@ from mechproof.record import (
     Statement,
 )
 from mechproof.record.parts import find_free, find_parts
+from mechproof.record.statements import list_parts
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40
@@ -62,7 +63,7 @@ def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
         relations = list(_list_relations(row.statement, domain))
         return [*_state_inner_needs(relations, domain), _refute(relations, domain)]
     theorems: list[Theorem] = []
-    for part in _list_parts(row.statement):
+    for part in list_parts(row.statement):
         if isinstance(part, Distinct):
             relations = list(_equate(part.left, part.right, domain))
             theorems += _state_inner_needs(relations, domain)
@@ -94,15 +95,6 @@ def _refuse_long(relations: Sequence[sp.Basic]) -> None:
         parts = iter(dict.fromkeys(parts))
     if sum(1 for _ in islice(parts, _LONGEST)) == _LONGEST:
         raise UnwritableError(f"it has {_LONGEST} parts or more")
-
-
-def _list_parts(statement: Statement) -> Iterator[Statement]:
-    """Yield the parts of a conjunction, of conjunctions in it, too."""
-    if isinstance(statement, Conjunction):
-        for part in statement.parts:
-            yield from _list_parts(part)
-    else:
-        yield statement
 
 
 def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
