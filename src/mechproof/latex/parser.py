@@ -201,6 +201,10 @@ class Parser:
         terms = [self.read_term()]
         while self.text in self.signs:
             terms.append(self.read_term())
+        return self.add_up(terms, start)
+
+    def add_up(self, terms: Sequence[tuple[int, Node]], start: int) -> Node:
+        """Return the sum of terms with their signs, one alone as it is."""
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return Add(tuple(terms), start=start, end=self.end)
