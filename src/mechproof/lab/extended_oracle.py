@@ -25,6 +25,7 @@ from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Program
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.record import Quantity
 from mechproof.record.relations import find_slack
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Values, run
@@ -91,16 +92,24 @@ class Extended:
 
     def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
         """Give every input its values: numbers, components, elements before the axis of points."""
-        given: Values = {name: kind(digits) for name, digits in DIGITS_OF.items()}
-        vectors = dict(self.code.vectors)
-        for argument, array in zip(self.subject.quantity.arguments, arguments, strict=True):
-            columns = np.moveaxis(array.astype(kind), 0, -1)
-            if len(argument.symbols) == 1:
-                given[argument.name] = columns
-            else:
-                given |= zip(map(str, argument.symbols), columns, strict=True)
-                given |= zip(vectors[argument.name], columns, strict=True)
-        return given
+        constants = {name: kind(digits) for name, digits in DIGITS_OF.items()}
+        return {**constants, **name_values(self.subject.quantity, self.code, arguments, kind)}
+
+
+def name_values(
+    quantity: Quantity, code: KernelCode, arguments: Arguments, kind: type[np.floating[Any]]
+) -> Values:
+    """Return the values of arguments, of vectors by the names of their components in the code."""
+    given: Values = {}
+    vectors = dict(code.vectors)
+    for argument, array in zip(quantity.arguments, arguments, strict=True):
+        columns = np.moveaxis(array.astype(kind), 0, -1)
+        if len(argument.symbols) == 1:
+            given[argument.name] = columns
+        else:
+            given |= zip(map(str, argument.symbols), columns, strict=True)
+            given |= zip(vectors[argument.name], columns, strict=True)
+    return given
 
 
 def _holds(condition: Program | None, given: Values, arithmetic: Arithmetic) -> Any:
