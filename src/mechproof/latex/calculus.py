@@ -146,9 +146,7 @@ def is_over(parser: Parser) -> bool:
 
 def is_differential(parser: Parser) -> bool:
     """Return whether a d stands here, within an integral, that begins no declared name."""
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    is_letter = bool(follows) and follows[0].text in ("_", "'")
-    if parser.text != "d" or not parser.integrals or is_letter:
+    if parser.text != "d" or not parser.integrals or parser.peek() in ("_", "'"):
         return False
     match = parser.names.match(parser.tokens, parser.place)
     if match and match.end == parser.place + 1:

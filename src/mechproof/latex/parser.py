@@ -114,7 +114,12 @@ class Parser:
     @property
     def text(self) -> str:
         """Return the sign that is next, empty at the end."""
-        return self.tokens[self.place].text if self.place < len(self.tokens) else ""
+        return self.peek(0)
+
+    def peek(self, count: int = 1) -> str:
+        """Return the sign that is so many behind the next one, empty beyond the end."""
+        place = self.place + count
+        return self.tokens[place].text if place < len(self.tokens) else ""
 
     @property
     def start(self) -> int:
