@@ -30,8 +30,6 @@ from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
 from mechproof.mechanisms.units import Units
 
-__all__ = ["EllipticPlanetary"]
-
 
 @dataclass(frozen=True)
 class EllipticPlanetary(Drive):

@@ -24,8 +24,6 @@ from mechproof.mechanisms.time_derivatives import differentiate, interpolate
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 
-__all__ = ["Drive", "Motion"]
-
 Floats = NDArray[np.float64]
 RAD_PER_S = math.tau / 60
 

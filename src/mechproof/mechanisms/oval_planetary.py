@@ -44,8 +44,6 @@ from mechproof.mechanisms.oval_planetary_kinds import (
 )
 from mechproof.mechanisms.units import Units
 
-__all__ = ["Classified", "CylindricalPair", "OvalPair", "OvalPlanetary"]
-
 
 @dataclass(frozen=True)
 class OvalPlanetary(Drive):
