@@ -106,11 +106,11 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
         case Equality():
             yield from _equate(statement.printed, statement.rebuilt, domain)
         case Holds():
-            relation = _write_out(domain.resolve(statement.relation))
+            relation = prepare(domain.resolve(statement.relation))
             yield from relation.args if isinstance(relation, sp.And) else (relation,)
         case PrintedNumber():
             half = sp.Rational(1, 2) / 10 ** len(statement.printed.partition(".")[2])
-            value = _write_out(domain.resolve(statement.value))
+            value = prepare(domain.resolve(statement.value))
             yield sp.Le(
                 sp.Abs(value - sp.Rational(statement.printed), evaluate=False), half, evaluate=False
             )
@@ -119,16 +119,12 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
 
 
 def _equate(left: sp.Basic, right: sp.Basic, domain: Domain) -> Iterator[sp.Basic]:
-    left, right = (_write_out(domain.resolve(side)) for side in (left, right))
+    left, right = (prepare(domain.resolve(side)) for side in (left, right))
     if not isinstance(left, sp.MatrixBase):
         yield sp.Eq(left, right, evaluate=False)
         return
     for place in product(range(left.rows), range(left.cols)):
         yield sp.Eq(left[place], right[place], evaluate=False)
-
-
-def _write_out(expression: sp.Basic) -> sp.Basic:
-    return prepare(expression)
 
 
 def _state_inner_needs(relations: Iterable[sp.Basic], domain: Domain) -> list[Theorem]:
