@@ -30,8 +30,6 @@ from mechproof.measured import (
 from mechproof.measured_ranges import Size, check_ranges, find_cells
 from mechproof.tools.extras import tell_install
 
-__all__ = ["Choice", "choose"]
-
 # Ways of these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000

@@ -25,31 +25,6 @@ from typing import Any, Literal
 from mechproof.tools.files import write_whole
 from mechproof.tools.json_rows import read_fields, write_lines
 
-__all__ = [
-    "COPY",
-    "FOLDER",
-    "IN_C",
-    "KERNELS",
-    "MEASURED",
-    "ON_GPU",
-    "Cell",
-    "CellErrors",
-    "Machine",
-    "MeasuredTailoring",
-    "MeasuredWay",
-    "Record",
-    "Searched",
-    "SetErrors",
-    "Timing",
-    "find_files",
-    "goes_by",
-    "read_record",
-    "read_records",
-    "round_off",
-    "round_up",
-    "write_record",
-]
-
 Kind = Literal["kernel", "form", "source", "peer"]
 Span = tuple[float, float]
 # Arguments of one call: numbers, and tuples of numbers where an argument has axes of its own.

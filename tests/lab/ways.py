@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from quantities import find_subject
 
-from mechproof.lab.error import Errors, Summary, find_errors, summarise
+from mechproof.lab.error import Errors, find_errors, summarise
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, draw_points
 from mechproof.lab.ways import Arguments, Way
+from mechproof.measured import SetErrors
 
 EPS = float(np.finfo(float).eps)
 ELLIPTIC, OVAL = "elliptic_planetary.position", "oval_planetary.position"
@@ -65,7 +66,7 @@ def run(quantity: str, name: str, arguments: Arguments) -> Errors:
     return compare(quantity, name, arguments)
 
 
-def sum_up(quantity: str, name: str, arguments: Arguments) -> Summary:
+def sum_up(quantity: str, name: str, arguments: Arguments) -> SetErrors:
     """Summarise the same, wrong branches included."""
     errors = run(quantity, name, arguments)
     return summarise(errors, truth_of(quantity, arguments), find_subject(quantity).period)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import reduce
+from operator import methodcaller
 from typing import Any
 
 import sympy as sp
@@ -26,36 +27,23 @@ CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
     -sp.oo: lambda: NOT_FINITE,
 }
 
+ENTIRE = (
+    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
+    *(sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
+)
+
+# Flint calls them as SymPy does.
+_ALIKE = (
+    *(*ENTIRE, sp.log, sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
+    *(sp.sinc, sp.floor),
+)
 FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
-    sp.sin: lambda x: x.sin(),
-    sp.cos: lambda x: x.cos(),
-    sp.tan: lambda x: x.tan(),
-    sp.cot: lambda x: x.cot(),
-    sp.asin: lambda x: x.asin(),
-    sp.acos: lambda x: x.acos(),
-    sp.atan: lambda x: x.atan(),
+    **{kind: methodcaller(kind.__name__) for kind in _ALIKE},
     sp.atan2: lambda y, x: _arctangent(y, x),
-    sp.exp: lambda x: x.exp(),
-    sp.log: lambda x: x.log(),
-    sp.sec: lambda x: x.sec(),
-    sp.csc: lambda x: x.csc(),
-    sp.sinh: lambda x: x.sinh(),
-    sp.cosh: lambda x: x.cosh(),
-    sp.tanh: lambda x: x.tanh(),
-    sp.coth: lambda x: x.coth(),
-    sp.sech: lambda x: x.sech(),
-    sp.csch: lambda x: x.csch(),
-    sp.asinh: lambda x: x.asinh(),
-    sp.acosh: lambda x: x.acosh(),
-    sp.atanh: lambda x: x.atanh(),
-    sp.erf: lambda x: x.erf(),
-    sp.erfc: lambda x: x.erfc(),
     sp.factorial: lambda x: (x + 1).gamma(),
     ValueWhere: lambda value, needed: value,
     DerivativeWhere: lambda value, needed: value,
-    sp.sinc: lambda x: x.sinc(),
     sp.Mod: lambda x, y: x - y * (x / y).floor(),
-    sp.floor: lambda x: x.floor(),
     sp.ceiling: lambda x: x.ceil(),
     sp.Heaviside: lambda x, at_zero: _step(x, at_zero),
     sp.Abs: abs,
@@ -81,11 +69,6 @@ COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.asin: lambda z, analytic: z.asin() if _within_slit(z, analytic) else NOT_ANALYTIC,
     sp.acos: lambda z, analytic: z.acos() if _within_slit(z, analytic) else NOT_ANALYTIC,
 }
-
-ENTIRE = (
-    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
-    *(sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
-)
 
 
 def are_equal(left: Ball, right: Ball) -> bool | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import reduce
-from operator import add, mul
+from operator import add, methodcaller, mul
 from types import MappingProxyType
 from typing import Any
 
@@ -17,13 +17,11 @@ ORDER = 63
 Series = Any
 _FUNCTIONS: Mapping[type[sp.Basic], Callable[[Series], Series]] = MappingProxyType(
     {
-        sp.sin: lambda a: a.sin(),
-        sp.cos: lambda a: a.cos(),
-        sp.tan: lambda a: a.tan(),
-        sp.exp: lambda a: a.exp(),
-        sp.log: lambda a: a.log(),
-        sp.atan: lambda a: a.atan(),
-        sp.asin: lambda a: a.asin(),
+        # Flint calls them as SymPy does.
+        **{
+            kind: methodcaller(kind.__name__)
+            for kind in (sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.atan, sp.asin)
+        },
         expm1: lambda a: a.exp() - 1,
         log1p: lambda a: (1 + a).log(),
     }

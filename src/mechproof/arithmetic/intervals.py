@@ -216,6 +216,11 @@ def between(low: Ends, high: Ends) -> Interval:
     return Interval(np.where(endless, np.nan, low), np.where(endless, np.nan, high))
 
 
+def list_spans(boxes: Array) -> list[Interval]:
+    """Return the interval of each side, in many boxes at once, shape (boxes, sides, 2)."""
+    return [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+
+
 ONE = exactly(1.0)
 with working_precision(BITS):
     PI = enclose_ball(arb.pi())

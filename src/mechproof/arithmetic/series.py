@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import reduce
-from operator import add, mul
+from operator import add, methodcaller, mul
 from types import MappingProxyType
 from typing import Any
 
@@ -144,10 +144,6 @@ def _raise(base: Series, exponent: sp.Basic) -> Series:
     raise NotImplementedError(f"no series of a power {exponent}")
 
 
-def _largest(*terms: Series) -> Series:
-    return reduce(_larger, terms)
-
-
 def _larger(a: Series, b: Series) -> Series:
     one, other = list_terms(a)[0], list_terms(b)[0]
     if one >= other:
@@ -177,16 +173,13 @@ _RULES: Mapping[type[sp.Basic], Callable[..., Series]] = MappingProxyType(
     {
         sp.Add: lambda *terms: reduce(add, terms),
         sp.Mul: lambda *terms: reduce(mul, terms),
-        sp.sin: arb_series.sin,
-        sp.cos: arb_series.cos,
-        sp.tan: arb_series.tan,
-        sp.asin: arb_series.asin,
-        sp.acos: arb_series.acos,
-        sp.atan: arb_series.atan,
-        sp.exp: arb_series.exp,
-        sp.log: arb_series.log,
+        # Flint calls them as SymPy does.
+        **{
+            kind: methodcaller(kind.__name__)
+            for kind in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.exp, sp.log)
+        },
         sp.atan2: _direction,
-        sp.Max: _largest,
+        sp.Max: lambda *terms: reduce(_larger, terms),
         sp.Abs: _size,
     }
 )

@@ -292,6 +292,3 @@ def _join(side: sp.Basic, joined: Names) -> sp.Basic:
 
 def _point_right(side: sp.Basic) -> sp.Basic:
     return side.replace(sp.atan2, lambda above, along: sp.atan(above / along, evaluate=False))
-
-
-__all__ = ["find_variable", "prove_by_derivative"]

@@ -237,13 +237,3 @@ _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
     type(sp.pi): lambda number, names: "PI",
     type(sp.E): lambda number, names: "(exp 1)",
 }
-
-__all__ = [
-    "Names",
-    "UnwritableError",
-    "list_integrals",
-    "list_needs",
-    "name_symbols",
-    "write_relation",
-    "write_term",
-]

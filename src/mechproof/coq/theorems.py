@@ -27,6 +27,7 @@ from mechproof.record import (
     Statement,
 )
 from mechproof.record.parts import find_free, find_parts
+from mechproof.record.statements import list_parts
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40
@@ -62,7 +63,7 @@ def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
         relations = list(_list_relations(row.statement, domain))
         return [*_state_inner_needs(relations, domain), _refute(relations, domain)]
     theorems: list[Theorem] = []
-    for part in _list_parts(row.statement):
+    for part in list_parts(row.statement):
         if isinstance(part, Distinct):
             relations = list(_equate(part.left, part.right, domain))
             theorems += _state_inner_needs(relations, domain)
@@ -96,15 +97,6 @@ def _refuse_long(relations: Sequence[sp.Basic]) -> None:
         raise UnwritableError(f"it has {_LONGEST} parts or more")
 
 
-def _list_parts(statement: Statement) -> Iterator[Statement]:
-    """Yield the parts of a conjunction, of conjunctions in it, too."""
-    if isinstance(statement, Conjunction):
-        for part in statement.parts:
-            yield from _list_parts(part)
-    else:
-        yield statement
-
-
 def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
     """Yield what a statement asserts, with the symbols that the paper declares written out."""
     match statement:
@@ -114,11 +106,11 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
         case Equality():
             yield from _equate(statement.printed, statement.rebuilt, domain)
         case Holds():
-            relation = _write_out(domain.resolve(statement.relation))
+            relation = prepare(domain.resolve(statement.relation))
             yield from relation.args if isinstance(relation, sp.And) else (relation,)
         case PrintedNumber():
             half = sp.Rational(1, 2) / 10 ** len(statement.printed.partition(".")[2])
-            value = _write_out(domain.resolve(statement.value))
+            value = prepare(domain.resolve(statement.value))
             yield sp.Le(
                 sp.Abs(value - sp.Rational(statement.printed), evaluate=False), half, evaluate=False
             )
@@ -127,16 +119,12 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
 
 
 def _equate(left: sp.Basic, right: sp.Basic, domain: Domain) -> Iterator[sp.Basic]:
-    left, right = (_write_out(domain.resolve(side)) for side in (left, right))
+    left, right = (prepare(domain.resolve(side)) for side in (left, right))
     if not isinstance(left, sp.MatrixBase):
         yield sp.Eq(left, right, evaluate=False)
         return
     for place in product(range(left.rows), range(left.cols)):
         yield sp.Eq(left[place], right[place], evaluate=False)
-
-
-def _write_out(expression: sp.Basic) -> sp.Basic:
-    return prepare(expression)
 
 
 def _state_inner_needs(relations: Iterable[sp.Basic], domain: Domain) -> list[Theorem]:

@@ -30,7 +30,8 @@ from mechproof.document.tasks import Task
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Left, Place, Verdict
-from mechproof.record import Conjunction, Equation, Paper, Row, Statement
+from mechproof.record import Equation, Paper, Row
+from mechproof.record.statements import list_parts
 from mechproof.tools.processes import run_tasks
 
 _EITHER = (
@@ -114,13 +115,11 @@ def check_rest(
 ) -> CheckedPaper:
     """Judge what a paper's source has besides the numbers and prints of rows, as `check` does."""
     elsewhere = frozenset(
-        (text, _count_parts(row.says)) for row in rows for text in (row.number, row.printed_latex)
+        (text, len([*list_parts(row.says)]) if row.says else 1)
+        for row in rows
+        for text in (row.number, row.printed_latex)
     )
     return _check((str(path), None, elsewhere), limit, report)
-
-
-def _count_parts(says: Statement | None) -> int:
-    return sum(map(_count_parts, says.parts)) if isinstance(says, Conjunction) else 1
 
 
 def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:

@@ -19,8 +19,6 @@ from mechproof.plot.motion import Planetary, check_planetary
 from mechproof.plot.pitch_curves import Wheel
 from mechproof.tools.files import write_whole
 
-__all__ = ["export"]
-
 # What writes the pitch curves, by the end of the file's name.
 CURVES: dict[str, Callable[[tuple[Wheel, ...], float], str]] = {
     ".dxf": write_dxf,

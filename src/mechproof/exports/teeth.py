@@ -18,8 +18,6 @@ from mechproof.exports.curves import place_in_mm
 from mechproof.plot.motion import Planetary, check_planetary
 from mechproof.tools.extras import require_modules
 
-__all__ = ["cut_teeth"]
-
 
 def cut_teeth(
     mechanism: Planetary,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -12,14 +11,13 @@ from sympy import IndexedBase
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import ALL_BITS, Errors, find_errors
+from mechproof.lab.extended_oracle import name_values
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.sampling.points import choose_evenly, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.lab.worst_search import draw_sets
-from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel, build_kernel
-from mechproof.programs.scalar import map_affinely
 from mechproof.record import Form, Quantity
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import flatten_stage
@@ -106,25 +104,11 @@ class Candidate:
         """Compute the form in doubles, as its kernel does."""
         (stage,), shape = self.kernel.code.stages, self.kernel.code.shape
         with np.errstate(all="ignore"):
-            straight = flatten_stage(_spell_out(stage), {})
-            found = run(straight, self._name(arguments), IN_DOUBLES)
+            straight = flatten_stage(stage.spell_out(), {})
+            given = name_values(self.quantity, self.kernel.code, arguments, np.float64)
+            found = run(straight, given, IN_DOUBLES)
         values = np.stack([np.broadcast_to(v, len(arguments[0])) for v in found], -1)
         return values.reshape(len(values), *shape)
-
-    def _name(self, arguments: Arguments) -> Mapping[str, Array]:
-        given: dict[str, Array] = {}
-        vectors = dict(self.kernel.code.vectors)
-        for argument, array in zip(self.quantity.arguments, arguments, strict=True):
-            if len(argument.symbols) == 1:
-                given[argument.name] = array
-            else:
-                given |= zip(map(str, argument.symbols), array.T, strict=True)
-                given |= zip(vectors[argument.name], array.T, strict=True)
-        return given
-
-
-def _spell_out(stage: Stage) -> Stage:
-    return replace(stage, evaluate=map_affinely(stage.running)) if stage.affine else stage
 
 
 def can_be_searched(quantity: Quantity) -> bool:

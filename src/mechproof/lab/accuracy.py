@@ -123,24 +123,19 @@ def _measure_way(
         arguments, truth, held = _take(subject, arguments, chosen), truth[chosen], held[chosen]
     with np.errstate(all="ignore"):
         errors = find_errors(way.compute(*arguments), truth)
-    found = summarise(errors, truth, subject.period)
+    found = summarise(errors, truth, subject.period, point_set.name, way.name)
     # The accuracy bound speaks of these points only.
     inside = errors.scaled[held & truth.decided]
     keeps_point = way is subject.ways[0] and truth.decided.any()
-    return SetErrors(
-        set=point_set.name,
-        way=way.name,
-        points=found.points,
-        undecided=found.undecided,
-        nan=found.nan,
-        infinite=found.infinite,
-        wrong_branch=found.wrong_branch,
+    worst = int(np.argmax(np.where(truth.decided, errors.scaled, -1.0)))
+    return replace(
+        found,
         worst_ulp=round_up(found.worst_ulp),
         mean_ulp=round_off(found.mean_ulp),
         mean_bits=round_off(found.mean_bits),
         worst_absolute=round_up(found.worst_absolute),
         worst_scaled=round_up(float(np.max(inside))) if inside.size else None,
-        worst_at=_point(subject, arguments, found.worst_point) if keeps_point else None,
+        worst_at=_point(subject, arguments, worst) if keeps_point else None,
     )
 
 

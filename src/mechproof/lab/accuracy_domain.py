@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
 from mechproof.lab.subject import Subject
-from mechproof.lab.ways import Arguments, Array
+from mechproof.lab.ways import Arguments, Array, list_columns
 from mechproof.record.relations import is_comparison
 
 
@@ -49,9 +49,7 @@ def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Arra
     plain = {s: sp.Symbol(str(s)) for s in symbols if isinstance(s, sp.IndexedBase)}
     elements = {item: plain[item.base] for item in relation.atoms(sp.Indexed)}
     test = sp.lambdify([plain.get(s, s) for s in symbols], relation.xreplace(elements), "numpy")
-    counts = [len(argument.symbols) for argument in subject.quantity.arguments]
-    parts = zip(counts, map(np.asarray, arguments), strict=True)
-    columns = [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]
+    columns = list_columns(subject.quantity, arguments)
     if not plain:
         # SymPy's code for "or" joins its parts into one array.
         columns = list(np.broadcast_arrays(*columns))

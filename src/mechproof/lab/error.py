@@ -13,6 +13,7 @@ import numpy as np
 
 from mechproof.lab.oracle import Truth
 from mechproof.lab.ways import Array
+from mechproof.measured import SetErrors
 
 # A lost value loses every bit of a double.
 ALL_BITS = 64.0
@@ -42,23 +43,6 @@ class Errors:
         """Return log2(1 + ulps), at most 64: a lost value loses all bits."""
         bits: Array = np.minimum(np.log2(1 + self.ulp), ALL_BITS)
         return bits
-
-
-@dataclass(frozen=True)
-class Summary:
-    """Errors of one way on one point set; the worst point by its index."""
-
-    points: int
-    undecided: int
-    nan: int
-    infinite: int
-    wrong_branch: int
-    worst_ulp: float
-    mean_ulp: float
-    mean_bits: float
-    worst_absolute: float
-    worst_scaled: float
-    worst_point: int
 
 
 def find_errors(result: Any, truth: Truth) -> Errors:
@@ -111,14 +95,17 @@ def count_wrong_branches(errors: Errors, period: float | None) -> int:
     return int(np.sum(np.abs(errors.absolute[finite]) > period / 2))
 
 
-def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summary:
-    """Count and rank the errors of one way on one point set."""
+def summarise(
+    errors: Errors, truth: Truth, period: float | None = None, name: str = "", way: str = ""
+) -> SetErrors:
+    """Count the errors of one way on one point set, and find the largest, wherever they are."""
     decided = truth.decided
     if not decided.any():
-        return Summary(len(decided), truth.undecided, 0, 0, 0, *NOTHING, -1)
+        return SetErrors(name, way, len(decided), truth.undecided, 0, 0, 0, *NOTHING)
     flat = errors.result.reshape(len(decided), -1)[decided]
-    worst = int(np.argmax(np.where(decided, errors.scaled, -1.0)))
-    return Summary(
+    return SetErrors(
+        set=name,
+        way=way,
         points=len(decided),
         undecided=truth.undecided,
         nan=int(np.isnan(flat).any(axis=1).sum()),
@@ -129,5 +116,4 @@ def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summ
         mean_bits=float(np.mean(errors.bits[decided])),
         worst_absolute=float(np.max(errors.absolute[decided])),
         worst_scaled=float(np.max(errors.scaled[decided])),
-        worst_point=worst,
     )

@@ -7,7 +7,7 @@ are those of FpDebug (Benz et al. 2012); they lead a search here, and balls judg
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,19 +17,19 @@ from mechproof.lab.oracle import Truth
 from mechproof.lab.sampling.region import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.code import KernelCode
 from mechproof.programs.evaluation import arrange, entries
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Program
 from mechproof.programs.rewrites import apply_rewrites
-from mechproof.programs.scalar import map_affinely
 from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.record import Quantity
 from mechproof.record.relations import find_slack
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Values, run
-from mechproof.roundoff.steps import StraightLineProgram, flatten_stage
+from mechproof.roundoff.steps import flatten_stage
 
 IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
@@ -50,7 +50,10 @@ class Extended:
         plain = self._name_values(arguments, np.float64)
         with np.errstate(all="ignore"):
             taken = [_holds(stage.when, plain, IN_PLACE) for stage in self.code.stages]
-            found = [run(_flatten(stage), given, IN_EXTENDED) for stage in self.code.stages]
+            found = [
+                run(flatten_stage(stage.spell_out(), {}), given, IN_EXTENDED)
+                for stage in self.code.stages
+            ]
             values = found[-1]
             for here, others in zip(taken[-2::-1], found[-2::-1], strict=True):
                 values = tuple(np.where(here, o, v) for o, v in zip(others, values, strict=True))
@@ -89,27 +92,28 @@ class Extended:
 
     def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
         """Give every input its values: numbers, components, elements before the axis of points."""
-        given: Values = {name: kind(digits) for name, digits in DIGITS_OF.items()}
-        vectors = dict(self.code.vectors)
-        for argument, array in zip(self.subject.quantity.arguments, arguments, strict=True):
-            columns = np.moveaxis(array.astype(kind), 0, -1)
-            if len(argument.symbols) == 1:
-                given[argument.name] = columns
-            else:
-                given |= zip(map(str, argument.symbols), columns, strict=True)
-                given |= zip(vectors[argument.name], columns, strict=True)
-        return given
+        constants = {name: kind(digits) for name, digits in DIGITS_OF.items()}
+        return {**constants, **name_values(self.subject.quantity, self.code, arguments, kind)}
+
+
+def name_values(
+    quantity: Quantity, code: KernelCode, arguments: Arguments, kind: type[np.floating[Any]]
+) -> Values:
+    """Return the values of arguments, of vectors by the names of their components in the code."""
+    given: Values = {}
+    vectors = dict(code.vectors)
+    for argument, array in zip(quantity.arguments, arguments, strict=True):
+        columns = np.moveaxis(array.astype(kind), 0, -1)
+        if len(argument.symbols) == 1:
+            given[argument.name] = columns
+        else:
+            given |= zip(map(str, argument.symbols), columns, strict=True)
+            given |= zip(vectors[argument.name], columns, strict=True)
+    return given
 
 
 def _holds(condition: Program | None, given: Values, arithmetic: Arithmetic) -> Any:
     return True if condition is None else run(condition, given, arithmetic)[0]
-
-
-def _flatten(stage: Stage) -> StraightLineProgram:
-    """Put a stage into one row of steps, an affine one with the points mapped."""
-    if stage.affine:
-        stage = replace(stage, evaluate=map_affinely(stage.running))
-    return flatten_stage(stage, {})
 
 
 def extend(subject: Subject) -> Extended | None:

@@ -172,15 +172,19 @@ def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Way]:
 
 def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:
     symbols = [s for argument in quantity.arguments for s in argument.symbols]
-    counts = [len(argument.symbols) for argument in quantity.arguments]
     function = sp.lambdify(symbols, list(entries(definition)), "numpy", cse=cse)
     shape = result_shape(definition)
 
     def compute(*arguments: Array) -> Array:
-        parts = zip(counts, map(np.asarray, arguments), strict=True)
-        columns = [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]
-        results = np.broadcast_arrays(*function(*columns))
+        results = np.broadcast_arrays(*function(*list_columns(quantity, arguments)))
         common = results[0].shape
         return np.stack(results, axis=-1).reshape(*common, *shape) if shape else results[0]
 
     return compute
+
+
+def list_columns(quantity: Quantity, arguments: Arguments) -> list[Array]:
+    """Return the values of each symbol: those of a vector by its last axis."""
+    counts = [len(argument.symbols) for argument in quantity.arguments]
+    parts = zip(counts, map(np.asarray, arguments), strict=True)
+    return [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]

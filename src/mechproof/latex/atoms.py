@@ -94,8 +94,7 @@ def _read_bracket(parser: Parser, start: int) -> Node:
         parser.take()
         return tables.read_cases(parser, start)
     closing = _CLOSED_BY[parser.text]
-    following = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
-    if following == [r"\dots", closing]:
+    if (parser.peek(1), parser.peek(2)) == (r"\dots", closing):
         return _repeat_bracket(parser, start)
     parts = parser.read_inside(parser.text, lambda: read_list(parser), closing)
     if len(parts) == 1:

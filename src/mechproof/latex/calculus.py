@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex import letters
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.tree import Add, Integration, Letter, Node, Number, Repeated
+from mechproof.latex.tree import Integration, Letter, Node, Number, Repeated
 from mechproof.latex.undeclared import printed_name
 
 if TYPE_CHECKING:
@@ -115,9 +115,7 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
     if opened.differential is None:
         parser.place, terms = place, terms[:1]
         del opened.running[bound:]
-    if len(terms) == 1 and terms[0][0] == 1:
-        return terms[0][1]
-    return Add(tuple(terms), start=start, end=parser.end)
+    return parser.add_up(terms, start)
 
 
 def _end_with_differential(parser: Parser, opened: Open) -> None:
@@ -148,9 +146,7 @@ def is_over(parser: Parser) -> bool:
 
 def is_differential(parser: Parser) -> bool:
     """Return whether a d stands here, within an integral, that begins no declared name."""
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    is_letter = bool(follows) and follows[0].text in ("_", "'")
-    if parser.text != "d" or not parser.integrals or is_letter:
+    if parser.text != "d" or not parser.integrals or parser.peek() in ("_", "'"):
         return False
     match = parser.names.match(parser.tokens, parser.place)
     if match and match.end == parser.place + 1:

@@ -42,8 +42,7 @@ def is_function(parser: Parser) -> bool:
 
 def _is_logarithm(parser: Parser) -> bool:
     """Return whether a logarithm stands here that says its base."""
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    return parser.text == r"\log" and bool(follows) and follows[0].text == "_"
+    return parser.text == r"\log" and parser.peek() == "_"
 
 
 def _function_sign(parser: Parser) -> str:

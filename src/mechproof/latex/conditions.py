@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.relations import join
-from mechproof.latex.signs import DOTS, GAPS, WIDE, Token
+from mechproof.latex.signs import CLOSING, DOTS, GAPS, OPENING, WIDE, Token, measure_depths
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
 from mechproof.latex.words import AND, IF
 
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 _INEQUALITIES = ("<", ">", r"\le", r"\ge", r"\ne")
 _RELATING = (*_INEQUALITIES, "=", r"\approx", r"\equiv", r"\in")
 _UP, _DOWN = ("<", r"\le"), (">", r"\ge")
-_OPENING = ("(", "[", "{", r"\lvert")
-_CLOSING = (")", "]", "}", r"\rvert")
 _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
 
 
@@ -33,20 +31,12 @@ _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&"
 def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Return signs without the gaps that are mere blanks: those before no condition."""
     texts = [token.text for token in tokens]
-    depths = list(_measure_depths(texts))
+    depths = list(measure_depths(texts))
     return tuple(
         token
         for place, token in enumerate(tokens)
         if token.text not in GAPS or (depths[place] == 0 and _may_part(texts, depths, place))
     )
-
-
-def _measure_depths(texts: Sequence[str]) -> Iterator[int]:
-    depth = 0
-    for text in texts:
-        depth -= text in _CLOSING or text.startswith(r"\end{")
-        yield depth
-        depth += text in _OPENING or text.startswith(r"\begin{")
 
 
 def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
@@ -56,7 +46,7 @@ def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
     if before is None or after is None or WIDE in texts[before:place]:
         return False
     is_sign = texts[after] == "-" and after + 1 < len(texts) and texts[after + 1] not in GAPS
-    begins = is_sign or texts[after] not in (*_OPERATORS, *_OPENING[:3], *_CLOSING, "-")
+    begins = is_sign or texts[after] not in (*_OPERATORS, *OPENING[:3], *CLOSING, "-")
     if not begins or texts[after].startswith((r"\text", r"\forall")):
         return False
     if texts[before] in (*_OPERATORS, "-") or texts[before][1:] in FUNCTIONS:
@@ -104,7 +94,7 @@ def is_bracketed(parser: Parser) -> bool:
         return False
     depth = 0
     for token in parser.tokens[parser.place :]:
-        depth += (token.text in _OPENING) - (token.text in _CLOSING)
+        depth += (token.text in OPENING) - (token.text in CLOSING)
         if depth == 0:
             return False
         if depth == 1 and token.text in (*_RELATING, *IF, r"\forall"):

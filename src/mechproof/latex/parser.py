@@ -114,7 +114,12 @@ class Parser:
     @property
     def text(self) -> str:
         """Return the sign that is next, empty at the end."""
-        return self.tokens[self.place].text if self.place < len(self.tokens) else ""
+        return self.peek(0)
+
+    def peek(self, count: int = 1) -> str:
+        """Return the sign that is so many behind the next one, empty beyond the end."""
+        place = self.place + count
+        return self.tokens[place].text if place < len(self.tokens) else ""
 
     @property
     def start(self) -> int:
@@ -201,6 +206,10 @@ class Parser:
         terms = [self.read_term()]
         while self.text in self.signs:
             terms.append(self.read_term())
+        return self.add_up(terms, start)
+
+    def add_up(self, terms: Sequence[tuple[int, Node]], start: int) -> Node:
+        """Return the sum of terms with their signs, one alone as it is."""
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return Add(tuple(terms), start=start, end=self.end)

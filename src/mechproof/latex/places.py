@@ -28,11 +28,12 @@ def read_enclosed(parser: Parser) -> Node:
 
 def is_bar(parser: Parser) -> bool:
     """Return whether a bar with a place stands here, and none that closes another one."""
-    follows = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
     before = [token.text for token in parser.tokens[: parser.place]]
     is_closing = before.count(LEFT) + before.count(r"\lvert") > before.count(r"\rvert")
     is_closing = bool(parser.bars) if parser.text == "|" else is_closing
-    return parser.text in _BARS and not is_closing and follows == ["_", "{"]
+    return (
+        parser.text in _BARS and not is_closing and (parser.peek(1), parser.peek(2)) == ("_", "{")
+    )
 
 
 def read_bar(parser: Parser, term: Node, place: int) -> Node:

@@ -47,7 +47,7 @@ def join(conditions: Sequence[Chain]) -> tuple[tuple[Node, ...], tuple[str, ...]
 def _read_shared(parser: Parser) -> list[Chain]:
     """Read a relation, x,y>0 as one of each letter."""
     heads = [parser.read_sum()]
-    while parser.text == "," and not _is_else_next(parser):
+    while parser.text == "," and parser.peek() not in ELSE:
         parser.take()
         heads.append(parser.read_sum())
     if parser.text == r"\in":
@@ -60,11 +60,6 @@ def _read_shared(parser: Parser) -> list[Chain]:
     if not relations:
         raise parser.refuse("a condition needs a relation sign")
     return [Chain((head, *rest), tuple(relations)) for head in heads]
-
-
-def _is_else_next(parser: Parser) -> bool:
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    return bool(follows) and follows[0].text in ELSE
 
 
 def read_interval(parser: Parser) -> tuple[Chain, Chain]:
@@ -91,9 +86,7 @@ def read_interval(parser: Parser) -> tuple[Chain, Chain]:
 
 def _read_end(parser: Parser) -> Node:
     """Read an end of an interval; the comma behind digits is none within a number here."""
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    is_alone = bool(follows) and follows[0].text in (",", ")", "]")
-    if is_digit(parser.text) and is_alone:
+    if is_digit(parser.text) and parser.peek() in (",", ")", "]"):
         return read_number(parser, in_list=True)
     return parser.read_sum()
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import GAPS, Token
+from mechproof.latex.signs import GAPS, Token, measure_depths
 
 ARROWS = (r"\to", r"\Rightarrow", r"\implies", r"\Longrightarrow")
 _ROWS = ("matrix", "aligned", "gathered", "split")
@@ -32,12 +32,8 @@ def split(tokens: Sequence[Token]) -> list[Line]:
 
 
 def _measure(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
-    """Yield signs with how deep they stand in brackets and environments."""
-    depth = 0
-    for token in tokens:
-        depth -= token.text in (")", "]", "}", r"\rvert") or token.text.startswith(r"\end{")
-        yield depth, token
-        depth += token.text in ("(", "[", "{", r"\lvert") or token.text.startswith(r"\begin{")
+    """Return signs with how deep they stand in brackets and environments."""
+    return zip(measure_depths(token.text for token in tokens), tokens, strict=True)
 
 
 def _is_rows(tokens: Sequence[Token]) -> bool:

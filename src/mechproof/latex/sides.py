@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.latex.products import is_matrix, show_entries
-from mechproof.latex.tree import Add, Bracket, Degrees, Entries, Measure, Node, Number
+from mechproof.latex.tree import Add, Degrees, Entries, Measure, Node, Number, strip
 from mechproof.record import PrintedNumber, family_of
 
 _PLACES = 2
@@ -21,9 +21,9 @@ def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
     left, right = sides
     if not (is_matrix(left) and is_matrix(right)) or left.shape != right.shape[::-1]:
         return sides
-    if isinstance(_strip(nodes[1]), Entries) and 1 in left.shape:
+    if isinstance(strip(nodes[1]), Entries) and 1 in left.shape:
         return left, right.T
-    if isinstance(_strip(nodes[0]), Entries) and 1 in left.shape:
+    if isinstance(strip(nodes[0]), Entries) and 1 in left.shape:
         return left.T, right
     return sides
 
@@ -38,10 +38,6 @@ def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
         is_formula = isinstance(value, sp.Expr) and not value.is_Matrix and value.free_symbols
         if arc and function.args[0].is_Symbol and is_formula:
             yield function.args[0], arc(value)
-
-
-def _strip(node: Node) -> Node:
-    return _strip(node.inside) if isinstance(node, Bracket) else node
 
 
 def name_entries(side: Any) -> Any:
@@ -91,7 +87,7 @@ def is_opposite(difference: Any, residual: Any) -> bool:
 
 def round_to(node: Node, value: Any) -> PrintedNumber | None:
     """Return that a value rounds to a printed number; None where another thing is printed."""
-    node = _strip(node)
+    node = strip(node)
     if isinstance(node, Degrees):
         node, value = node.number, value * 180 / sp.pi
     sign = ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -62,6 +62,20 @@ class Token:
     text: str
     start: int
     end: int
+
+
+# What holds signs together, beside environments.
+OPENING = ("(", "[", "{", r"\lvert")
+CLOSING = (")", "]", "}", r"\rvert")
+
+
+def measure_depths(texts: Iterable[str]) -> Iterator[int]:
+    """Yield how deep each sign stands in brackets and environments."""
+    depth = 0
+    for text in texts:
+        depth -= text in CLOSING or text.startswith(r"\end{")
+        yield depth
+        depth += text in OPENING or text.startswith(r"\begin{")
 
 
 @lru_cache(1024)

@@ -62,8 +62,8 @@ def _read_entry(parser: Parser) -> Node:
 def _is_list(parser: Parser) -> bool:
     """Return whether an entry is numbers alone, with printed gaps between them."""
     tokens = list(takewhile(lambda t: is_digit(t.text) or t.text == ".", parser.rest))
-    follows = parser.tokens[parser.place + len(tokens) :][:1]
-    is_end = not follows or follows[0].text in ("&", r"\\") or follows[0].text.startswith(r"\end")
+    follows = parser.peek(len(tokens))
+    is_end = follows in ("", "&", r"\\") or follows.startswith(r"\end")
     between = [parser.source.latex[one.end : other.start] for one, other in pairwise(tokens)]
     return is_end and any(gap.strip(" ") for gap in between)
 

@@ -36,6 +36,7 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
     shows_matrix,
+    strip,
     walk,
 )
 from mechproof.latex.words import AND
@@ -61,19 +62,15 @@ def write_sign(sign: str) -> str:
 
 def _closed(node: Node) -> str:
     """Write what may stand beside `^` and below `/`."""
-    node = _strip(node)
+    node = strip(node)
     is_plain = isinstance(node, _CLOSED) and not (isinstance(node, Call) and node.exponent)
     return write(node) if is_plain else f"({write(node)})"
 
 
 def _factor(node: Node) -> str:
-    node = _strip(node)
+    node = strip(node)
     is_sum = isinstance(node, Add | Cases | Chain | Derivation | Product | Quotient)
     return f"({write(node)})" if is_sum else write(node)
-
-
-def _strip(node: Node) -> Node:
-    return _strip(node.inside) if isinstance(node, Bracket) else node
 
 
 def _letter(node: Letter) -> str:
@@ -82,7 +79,7 @@ def _letter(node: Letter) -> str:
 
 
 def _add(node: Add) -> str:
-    terms = [(sign, _strip(term)) for sign, term in node.terms]
+    terms = [(sign, strip(term)) for sign, term in node.terms]
     texts = [f"({write(t)})" if isinstance(t, Add | Cases) else write(t) for _, t in terms]
     signs = [" + " if sign > 0 else " - " for sign, _ in terms]
     text = "".join(sign + part for sign, part in zip(signs, texts, strict=True))
@@ -99,13 +96,13 @@ def _product(node: Product) -> str:
 
 
 def _quotient(node: Quotient) -> str:
-    above = _strip(node.above)
+    above = strip(node.above)
     is_sum = isinstance(above, Add | Cases | Product | Quotient)
     return (f"({write(above)})" if is_sum else write(above)) + f"/{_closed(node.below)}"
 
 
 def _call(node: Call) -> str:
-    inside = ", ".join(write(_strip(a)) for a in node.arguments) if node.arguments else "nothing"
+    inside = ", ".join(write(strip(a)) for a in node.arguments) if node.arguments else "nothing"
     power = f"^{_closed(node.exponent)}" if node.exponent else ""
     return f"{node.function.name}({inside}){power}"
 
@@ -114,28 +111,28 @@ def _repeated(node: Repeated) -> str:
     index = node.index.symbol
     apart = "".join(f", {index} != {write(other)}" for other in node.apart)
     limits = f"{index} = {write(node.low)}..{write(node.high)}{apart}"
-    return f"{node.name}[{limits}]({write(_strip(node.term))})"
+    return f"{node.name}[{limits}]({write(strip(node.term))})"
 
 
 def _integration(node: Integration) -> str:
     limits = f"[{write(node.low)}..{write(node.high)}]" if node.low and node.high else ""
-    d = f" d({write(_strip(node.differential))})" if node.differential else " without differential"
+    d = f" d({write(strip(node.differential))})" if node.differential else " without differential"
     return f"integral{limits}({_factor(node.integrand)}{d})"
 
 
 def _derivation(node: Derivation) -> str:
     order = f"^{node.order}" if node.order > 1 else ""
     d = "∂" if node.is_partial else "d"
-    return f"{d}{order}({write(_strip(node.of))})/{d}({write(node.by)}){order}"
+    return f"{d}{order}({write(strip(node.of))})/{d}({write(node.by)}){order}"
 
 
 def _approach(node: Approach) -> str:
     side = {"+": " from above", "-": " from below"}.get(node.side, "")
-    return f"limit[{write(node.by)} -> {write(node.point)}{side}]({write(_strip(node.term))})"
+    return f"limit[{write(node.by)} -> {write(node.point)}{side}]({write(strip(node.term))})"
 
 
 def _root(node: Radical) -> str:
-    inside = write(_strip(node.radicand))
+    inside = write(strip(node.radicand))
     return f"root({inside}, {write(node.degree)})" if node.degree else f"sqrt({inside})"
 
 
@@ -180,7 +177,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Integration: _integration,
     Derivation: _derivation,
     Approach: _approach,
-    Extremum: lambda node: f"{node.name}[{write(node.by)}]({write(_strip(node.term))})",
+    Extremum: lambda node: f"{node.name}[{write(node.by)}]({write(strip(node.term))})",
     At: lambda node: f"({write(node.term)} at {write(node.by)} = {write(node.point)})",
     Table: _table,
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",

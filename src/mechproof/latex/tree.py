@@ -240,6 +240,11 @@ def shows_matrix(node: Node) -> bool:
     return is_named or isinstance(node, Entries | Table)
 
 
+def strip(node: Node) -> Node:
+    """Return what stands in the brackets around it."""
+    return strip(node.inside) if isinstance(node, Bracket) else node
+
+
 def walk(part: object) -> Iterator[Node]:
     """Yield all nodes of a print."""
     if isinstance(part, Node):

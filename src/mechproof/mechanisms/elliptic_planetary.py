@@ -30,8 +30,6 @@ from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
 from mechproof.mechanisms.units import Units
 
-__all__ = ["EllipticPlanetary"]
-
 
 @dataclass(frozen=True)
 class EllipticPlanetary(Drive):
@@ -127,29 +125,8 @@ class EllipticPlanetary(Drive):
         """R1/R2: turns of the satellite relative to the carrier, per turn of the carrier."""
         return self.R1 / self.R2
 
-    def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d phi3/d phi1 at the carrier angles `phi1`; see `kernels.elliptic_planetary`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(kernels.ratio(angles, self.R1, self.R2, self.e), "1")
-
-    def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return the output angles phi3(phi1), continuous over any number of turns."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(kernels.position(angles, self.R1, self.R2, self.e), "rad")
-
-    def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d ratio/d phi1 at the carrier angles `phi1`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(kernels.acceleration(angles, self.R1, self.R2, self.e), "1/rad")
-
-    def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d acceleration/d phi1 at the carrier angles `phi1`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(kernels.jerk(angles, self.R1, self.R2, self.e), "1/rad**2")
+    def _call(self, name: str, phi1: ArrayLike) -> Any:
+        return getattr(kernels, name)(phi1, self.R1, self.R2, self.e)
 
     def extremes(
         self, of: Literal["ratio", "acceleration", "jerk"] = "ratio", *, degrees: bool = False

@@ -9,8 +9,6 @@ from __future__ import annotations
 from mechproof.arguments.scalars import check_real, choose_one, refuse, require
 from mechproof.kernels import elliptic_planetary as kernels
 
-__all__ = ["find_sizes"]
-
 Sizes = tuple[float, float, float]
 EPS = 2.0**-52
 

@@ -10,8 +10,6 @@ import numpy as np
 
 from mechproof.arguments.scalars import check_real, refuse
 
-__all__ = ["Given", "Number", "check_number"]
-
 Number = float | Fraction
 # Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
 Given = float | Fraction | Decimal | str

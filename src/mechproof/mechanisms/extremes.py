@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["PLACES", "Extremes"]
-
 # The fields that are angles, and their unit.
 PLACES = {"at_maximum": "rad", "at_minimum": "rad", "period": "rad"}
 

@@ -17,8 +17,6 @@ from numpy.typing import NDArray
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernel_support.order import from_order, to_order
 
-__all__ = ["FINEST", "WIDENING", "follow_kind", "invert", "invert_odd"]
-
 Floats = NDArray[np.float64]
 Orders = NDArray[np.int64]
 

@@ -21,9 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import refuse
 from mechproof.mechanisms.time_derivatives import differentiate, interpolate
+from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
-
-__all__ = ["Drive", "Motion"]
 
 Floats = NDArray[np.float64]
 RAD_PER_S = math.tau / 60
@@ -47,20 +46,28 @@ class Drive(Displayed):
     """A mechanism whose output angle phi3 is a function of the carrier's angle phi1."""
 
     @abstractmethod
-    def position(self, phi1: ArrayLike) -> Any:
-        """Return the output angles phi3(phi1)."""
+    def _call(self, name: str, phi1: ArrayLike) -> Any:
+        """Return the values of a kernel of the mechanism."""
 
-    @abstractmethod
-    def ratio(self, phi1: ArrayLike) -> Any:
-        """Return d phi3/d phi1."""
+    def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return d phi3/d phi1 at the carrier angles `phi1`; see the kernels of the mechanism."""
+        return self._give("ratio", phi1, "1", degrees)
 
-    @abstractmethod
-    def acceleration(self, phi1: ArrayLike) -> Any:
-        """Return d ratio/d phi1."""
+    def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return the output angles phi3(phi1), continuous over any number of turns."""
+        return self._give("position", phi1, "rad", degrees)
 
-    @abstractmethod
-    def jerk(self, phi1: ArrayLike) -> Any:
-        """Return d acceleration/d phi1."""
+    def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return d ratio/d phi1 at the carrier angles `phi1`."""
+        return self._give("acceleration", phi1, "1/rad", degrees)
+
+    def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
+        """Return d acceleration/d phi1 at the carrier angles `phi1`."""
+        return self._give("jerk", phi1, "1/rad**2", degrees)
+
+    def _give(self, name: str, phi1: ArrayLike, unit: str, degrees: bool) -> Any:
+        units = Units(degrees)
+        return units.give(self._call(name, units.take("phi1", phi1, "rad")), unit)
 
     def at(
         self,

@@ -12,8 +12,6 @@ from mechproof.mechanisms.exact import Given, Number, check_number
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.units import Units
 
-__all__ = ["CylindricalPair", "OvalPair", "check_size"]
-
 
 @dataclass(frozen=True)
 class OvalPair:

@@ -44,8 +44,6 @@ from mechproof.mechanisms.oval_planetary_kinds import (
 )
 from mechproof.mechanisms.units import Units
 
-__all__ = ["Classified", "CylindricalPair", "OvalPair", "OvalPlanetary"]
-
 
 @dataclass(frozen=True)
 class OvalPlanetary(Drive):
@@ -90,30 +88,6 @@ class OvalPlanetary(Drive):
         sizes = {name: Fraction(repr(size)) for name, size in printed.items()}
         e2 = sizes.pop("e2")
         return cls(OvalPair(sizes["e1"]) if "e1" in sizes else CylindricalPair(**sizes), e2)
-
-    def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d phi3/d phi1 at the carrier angles `phi1`; see `kernels.oval_planetary`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(self._call("ratio", angles), "1")
-
-    def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return the output angles phi3(phi1), continuous over any number of turns."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(self._call("position", angles), "rad")
-
-    def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d ratio/d phi1 at the carrier angles `phi1`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(self._call("acceleration", angles), "1/rad")
-
-    def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
-        """Return d acceleration/d phi1 at the carrier angles `phi1`."""
-        units = Units(degrees)
-        angles = units.take("phi1", phi1, "rad")
-        return units.give(self._call("jerk", angles), "1/rad**2")
 
     def extremes(self, *, degrees: bool = False) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.

@@ -20,17 +20,6 @@ from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_items, require
 from mechproof.mechanisms.exact import Given, check_number
 
-__all__ = [
-    "MODULES",
-    "OvalTeeth",
-    "Teeth",
-    "ellipse_perimeter",
-    "find_nearest_teeth",
-    "find_oval_teeth",
-    "find_teeth",
-    "oval_perimeter",
-]
-
 Floats = NDArray[np.float64]
 
 # Series I of ISO 54, mm.

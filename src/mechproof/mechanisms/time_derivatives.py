@@ -12,8 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import require
 
-__all__ = ["differentiate", "interpolate"]
-
 Floats = NDArray[np.float64]
 
 DEGREE = 5

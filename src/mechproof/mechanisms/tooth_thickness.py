@@ -31,8 +31,6 @@ from mechproof.mechanisms.inversion import follow_kind, invert
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 
-__all__ = ["ToothThickness"]
-
 
 @dataclass(frozen=True)
 class ToothThickness(Displayed):

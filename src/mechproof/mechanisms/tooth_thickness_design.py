@@ -29,8 +29,6 @@ from mechproof.arguments.scalars import check_probability, choose_one, refuse, r
 from mechproof.conformity import Law, Shares
 from mechproof.mechanisms.inversion import invert
 
-__all__ = ["Window", "check_symmetric", "choose_risk", "find_acceptance", "find_factor", "get_risk"]
-
 Window = tuple[float, float]
 Function = Callable[[float], float]
 # Shares for errors so many times as large, and for a window of tolerance and one of acceptance.

@@ -13,8 +13,6 @@ from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
 from mechproof.laws.kinds import list_parameters, move
 from mechproof.laws.windows import Array
 
-__all__ = ["add_normals", "exact_shares", "scale_law"]
-
 # Absolute tolerance of the adaptive quadrature over errors that are not normal.
 ABSOLUTE = 1e-8
 

@@ -52,8 +52,6 @@ from mechproof.mechanisms.tooth_thickness_design import (
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
 from mechproof.tools.notebook import Displayed
 
-__all__ = ["IT_120_TO_180", "ThicknessInspection"]
-
 # ISO 286-1, standard tolerances of sizes above 120 up to 180 mm, in mm, by grade.
 IT_120_TO_180: Mapping[int, float] = MappingProxyType(
     {5: 0.018, 6: 0.025, 7: 0.040, 8: 0.063, 9: 0.100, 10: 0.160, 11: 0.250}

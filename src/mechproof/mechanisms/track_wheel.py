@@ -43,8 +43,6 @@ from mechproof.mechanisms.track_wheel_design import (
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 
-__all__ = ["TrackWheel"]
-
 Triple = tuple[float, float, float]
 
 

@@ -23,8 +23,6 @@ from collections.abc import Mapping
 from mechproof.arguments.scalars import check_real, choose_one, require
 from mechproof.mechanisms.units import Units
 
-__all__ = ["QUARTER", "check_offset", "check_tilt", "choose_wish", "find_angles", "solve_tilt"]
-
 QUARTER = math.pi / 2
 
 

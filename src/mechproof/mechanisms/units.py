@@ -16,8 +16,6 @@ from mechproof.arguments.arrays import check_flag
 from mechproof.arguments.scalars import PLAIN, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 
-__all__ = ["Units"]
-
 # What a unit of the kernels measures.
 MEASURED = {"rad": "an angle", "mm": "a length", "1": "a pure number"}
 Tuple = TypeVar("Tuple", bound=NamedTuple)

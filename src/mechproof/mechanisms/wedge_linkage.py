@@ -31,8 +31,6 @@ from mechproof.tools.notebook import Displayed
 if TYPE_CHECKING:
     from mechproof.tolerance import CornerRange, Size
 
-__all__ = ["PusherReachError", "RollerLeverReachError", "WedgeLinkage"]
-
 
 class PusherReachError(ValueError):
     """The guide BC cannot follow the pusher: the radicand of Q is negative."""

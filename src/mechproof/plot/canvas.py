@@ -18,21 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
-__all__ = [
-    "COLUMN",
-    "MILLIMETRE",
-    "SMALL",
-    "LineStyle",
-    "check_axes",
-    "check_drawn",
-    "import_matplotlib",
-    "label",
-    "make_canvas",
-    "tick_degrees",
-    "use_style",
-    "write",
-]
-
 # An inch is 25.4 mm; one column of a page is so many mm wide.
 MILLIMETRE = 1 / 25.4
 COLUMN = 85.0

@@ -23,16 +23,6 @@ from mechproof.plot.canvas import COLUMN, SMALL, make_canvas, use_style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
-__all__ = [
-    "DrawingError",
-    "Figure",
-    "draw",
-    "find_figures",
-    "render_svg",
-    "write_files",
-    "write_png",
-]
-
 PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 
     from mechproof.mechanisms.extremes import Extremes
 
-__all__ = ["motion"]
-
 Planetary = EllipticPlanetary | OvalPlanetary
 
 # Samples of a period: a step is less than a printer's dot.

@@ -18,8 +18,6 @@ from mechproof.plot.motion import Planetary, check_planetary
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["Wheel", "pitch_curves", "place_wheels"]
-
 Array = NDArray[np.float64]
 
 SAMPLES = 721

@@ -16,8 +16,6 @@ from mechproof.plot.canvas import SMALL, LineStyle, check_axes, check_drawn
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["shares"]
-
 HEIGHT = 65.0
 # How each share is drawn.
 LOOKS = {

@@ -15,8 +15,6 @@ from mechproof.tolerance import CertifiedRange, CornerRange, MonteCarloRange
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["tolerance"]
-
 HEIGHT = 65.0
 
 

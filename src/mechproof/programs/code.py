@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
-from mechproof.programs.program import Program
+from mechproof.programs.program import NOTHING, TEMPORARY, Operand, Operation, Program
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,16 @@ class Stage:
     def programs(self) -> tuple[Program, ...]:
         """List what there is to compute."""
         return (self.prepare,) if self.evaluate is None else (self.prepare, self.evaluate)
+
+    def change(self, change: Callable[[Program], Program]) -> Stage:
+        """Return the stage with each of its programs changed, but for one that computes nothing."""
+        prepare = self.prepare if self.prepare is NOTHING else change(self.prepare)
+        evaluate = None if self.evaluate is None else change(self.evaluate)
+        return replace(self, prepare=prepare, evaluate=evaluate)
+
+    def spell_out(self) -> Stage:
+        """Return the stage with a program in place of an affine map."""
+        return replace(self, evaluate=self.evaluate or map_affinely(self.running))
 
 
 @dataclass(frozen=True)
@@ -78,3 +89,21 @@ class KernelCode:
     def count_operations(self) -> tuple[int, ...]:
         """Count the operations of each stage."""
         return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)
+
+
+def map_affinely(point: tuple[str, ...]) -> Program:
+    """Return the program of M @ p + v, M given row by row, then v."""
+    count = len(point)
+    rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))
+    shift = tuple(f"v{i}" for i in range(count))
+    operations: list[Operation] = []
+    outputs = []
+    for i in range(count):
+        result: Operand = shift[i]
+        for j in reversed(range(count)):
+            name = f"{TEMPORARY}{len(operations) + 1}"
+            operations.append(Operation(name, "fma", (rows[i * count + j], point[j], result)))
+            result = name
+        outputs.append(result)
+    inputs = (*point, *rows, *shift)
+    return Program(inputs, tuple(operations), tuple(outputs)).normal_form()

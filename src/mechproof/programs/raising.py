@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.code import KernelCode, Stage, map_affinely
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import (
     CONSTANTS,
@@ -31,13 +31,10 @@ class WrittenForm:
         # Statements ask for several steps with the same ones kept.
         self._inserted: dict[tuple[sp.Symbol, ...], dict[sp.Symbol, sp.Expr]] = {}
         prepared = self._raise(stage.prepare, self._inputs, axes)
-        if stage.evaluate is None:
-            point = [self._inputs[name] for name in stage.running]
-            self._outputs = _map_affinely(prepared, point)
-        else:
-            given = (*(self._inputs[name] for name in stage.running), *prepared)
-            bound = dict(zip(stage.evaluate.inputs, given, strict=True))
-            self._outputs = self._raise(stage.evaluate, bound, axes)
+        evaluate = stage.evaluate or map_affinely(stage.running)
+        given = (*(self._inputs[name] for name in stage.running), *prepared)
+        bound = dict(zip(evaluate.inputs, given, strict=True))
+        self._outputs = self._raise(evaluate, bound, axes)
         self._shape = code.shape
 
     def output(self, *kept: sp.Symbol) -> sp.Basic:
@@ -132,16 +129,6 @@ def _name_inputs(
         else:
             found[argument.name] = symbol
     return found
-
-
-def _map_affinely(entries: tuple[sp.Expr, ...], point: list[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """Return M @ p + v, `entries` being M row by row, then v."""
-    count = len(point)
-    rows = [entries[i * count : (i + 1) * count] for i in range(count)]
-    return tuple(
-        sum((m * p for m, p in zip(row, point, strict=True)), start=shift)
-        for row, shift in zip(rows, entries[-count:], strict=True)
-    )
 
 
 def _check_turns(program: Program) -> None:

@@ -14,8 +14,6 @@ from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.program import (
-    NOTHING,
-    TEMPORARY,
     Operand,
     Operation,
     Program,
@@ -47,7 +45,7 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
 
 def put_off_divisions(kernel: Kernel) -> Kernel:
     """Return a kernel with programs that compute one point at a time."""
-    stages = tuple(map(defer_in_stage, kernel.code.stages))
+    stages = tuple(stage.change(defer_divisions) for stage in kernel.code.stages)
     adapted = replace(kernel, code=replace(kernel.code, stages=stages))
     components = {c for a in list_arguments(kernel) if a.width for c in a.components}
     return _rename_steps(adapted, components)
@@ -68,24 +66,8 @@ def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
         )
         return replace(rename(program, names), operations=steps)
 
-    stages = tuple(
-        replace(
-            stage,
-            prepare=change(stage.prepare) if stage.prepare is not NOTHING else NOTHING,
-            evaluate=change(stage.evaluate) if stage.evaluate else None,
-        )
-        for stage in kernel.code.stages
-    )
+    stages = tuple(stage.change(change) for stage in kernel.code.stages)
     return replace(kernel, code=replace(kernel.code, stages=stages))
-
-
-def defer_in_stage(stage: Stage) -> Stage:
-    """Return a stage with programs that put divisions off."""
-    return replace(
-        stage,
-        prepare=defer_divisions(stage.prepare),
-        evaluate=defer_divisions(stage.evaluate) if stage.evaluate else None,
-    )
 
 
 def list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
@@ -148,18 +130,15 @@ def list_conditions(kernel: Kernel) -> list[Program]:
 
 
 def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
-    stage = kernel.code.stages[number]
+    stage = kernel.code.stages[number].spell_out().change(lambda program: rename(program, names))
     last = number == len(kernel.code.stages) - 1
     name = f"_of_{kernel.name}" if last else f"_{number + 1}_of_{kernel.name}"
-    running = tuple(names.get(n, n) for n in stage.running)
-    scalar = Stage(
-        rename(stage.when, names) if stage.when else None,
-        running,
-        tuple(names.get(n, n) for n in stage.parameters),
-        rename(stage.prepare, names) if stage.prepare is not NOTHING else NOTHING,
-        rename(stage.evaluate, names) if stage.evaluate else map_affinely(running),
+    return name, replace(
+        stage,
+        when=rename(stage.when, names) if stage.when else None,
+        running=tuple(names.get(n, n) for n in stage.running),
+        parameters=tuple(names.get(n, n) for n in stage.parameters),
     )
-    return name, scalar
 
 
 def join_stage(stage: Stage) -> Program:
@@ -193,21 +172,3 @@ def _rename_all(program: Program, names: Mapping[Operand, Operand]) -> list[Oper
         )
         for step in program.operations
     ]
-
-
-def map_affinely(point: tuple[str, ...]) -> Program:
-    """Return the program of M @ p + v, M given row by row, then v."""
-    count = len(point)
-    rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))
-    shift = tuple(f"v{i}" for i in range(count))
-    operations: list[Operation] = []
-    outputs = []
-    for i in range(count):
-        result: Operand = shift[i]
-        for j in reversed(range(count)):
-            name = f"{TEMPORARY}{len(operations) + 1}"
-            operations.append(Operation(name, "fma", (rows[i * count + j], point[j], result)))
-            result = name
-        outputs.append(result)
-    inputs = (*point, *rows, *shift)
-    return Program(inputs, tuple(operations), tuple(outputs)).normal_form()

@@ -15,7 +15,7 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import factor_list, is_zero, reduce_polynomial, split
-from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
+from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
 from mechproof.proof.sums import canonicalise
@@ -112,15 +112,7 @@ class Field:
         for monomial, factor in list_terms(node.args[0]):
             c, s = self._multiple(monomial, factor)
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
-        quotients = {
-            sp.cos: lambda: cosine,
-            sp.sin: lambda: sine,
-            sp.tan: lambda: sine / cosine,
-            sp.cot: lambda: cosine / sine,
-            sp.sec: lambda: 1 / cosine,
-            sp.csc: lambda: 1 / sine,
-        }
-        return quotients[node.func]()
+        return BY_SINES[node.func](sine, cosine)
 
     def _translate_exponential(self, node: sp.Expr) -> sp.Expr:
         """Return a power of generators; hyperbolic functions are quotients of such powers."""

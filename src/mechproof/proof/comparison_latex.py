@@ -15,7 +15,6 @@ from sympy.printing.latex import LatexPrinter, translate
 
 from mechproof.arithmetic import balls
 from mechproof.record import (
-    Conjunction,
     Distinct,
     Equality,
     Holds,
@@ -24,6 +23,7 @@ from mechproof.record import (
     Variable,
 )
 from mechproof.record.parts import find_free, find_parts, replace_parts
+from mechproof.record.statements import list_parts
 from mechproof.record.substitution import resolve
 from mechproof.record.variables import list_given
 
@@ -112,16 +112,8 @@ def _compared(statement: Statement, letters: _Letters) -> str:
         return _write(statement.rebuilt, letters)
     if isinstance(statement, PrintedNumber):
         return _write(statement.value, letters)
-    parts = dict.fromkeys(_list_parts(statement))
+    parts = dict.fromkeys(list_parts(statement))
     return r",\quad ".join(filter(None, (_write_part(part, letters) for part in parts)))
-
-
-def _list_parts(statement: Statement) -> Iterator[Statement]:
-    if isinstance(statement, Conjunction):
-        for part in statement.parts:
-            yield from _list_parts(part)
-    else:
-        yield statement
 
 
 def _write_part(statement: Statement, letters: _Letters) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -10,7 +12,18 @@ from mechproof.arithmetic.polynomials import reduce_polynomial, split
 from mechproof.proof.set_values import COUNTS
 from mechproof.record.parts import replace_parts
 
-ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+# Functions of an angle by its sine and its cosine.
+BY_SINES: Mapping[type[sp.Expr], Callable[[sp.Expr, sp.Expr], sp.Expr]] = MappingProxyType(
+    {
+        sp.sin: lambda sine, cosine: sine,
+        sp.cos: lambda sine, cosine: cosine,
+        sp.tan: lambda sine, cosine: sine / cosine,
+        sp.cot: lambda sine, cosine: cosine / sine,
+        sp.sec: lambda sine, cosine: 1 / cosine,
+        sp.csc: lambda sine, cosine: 1 / sine,
+    }
+)
+ANGULAR = tuple(BY_SINES)
 HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
 
 

@@ -15,7 +15,7 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.coordinates import ANGULAR, HYPERBOLIC, list_terms
+from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_workable
@@ -207,20 +207,7 @@ def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
 def _expand(node: sp.Expr, monomial: sp.Expr, base: sp.Expr) -> sp.Expr:
     """Write a function of multiples of the base angle by the sine and the cosine of it."""
     argument = sp.expand(sp.expand(node.args[0]).subs(monomial, base))
-    return sp.expand_trig(_by_sines(node.func, argument))
-
-
-def _by_sines(function: type[sp.Expr], argument: sp.Expr) -> sp.Expr:
-    sine, cosine = sp.sin(argument), sp.cos(argument)
-    written = {
-        sp.sin: lambda: sine,
-        sp.cos: lambda: cosine,
-        sp.tan: lambda: sine / cosine,
-        sp.cot: lambda: cosine / sine,
-        sp.sec: lambda: 1 / cosine,
-        sp.csc: lambda: 1 / sine,
-    }
-    return written[function]()
+    return sp.expand_trig(BY_SINES[node.func](sp.sin(argument), sp.cos(argument)))
 
 
 def _list_tangents(run: sp.Interval) -> sp.Interval:

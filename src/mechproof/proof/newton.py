@@ -19,7 +19,7 @@ from flint import arb
 
 from mechproof.arithmetic import balls
 from mechproof.arithmetic.ball_evaluation import compile_expression
-from mechproof.arithmetic.cover import Box, Boxes, cover_below
+from mechproof.arithmetic.cover import Box, Boxes, as_box, cover_below
 from mechproof.arithmetic.intervals import Array
 from mechproof.arithmetic.layout import Values
 from mechproof.arithmetic.roots import Bracketed, frame, has_sign
@@ -146,7 +146,7 @@ def _cover(task: _Task, whole: Box) -> str:
 
     def bound(boxes: Boxes) -> Array:
         with balls.working_precision(_BITS):
-            return np.array([_find_height(task, _as_box(box)) for box in boxes])
+            return np.array([_find_height(task, as_box(box)) for box in boxes])
 
     # Without symbols there is one part, of no side.
     cover = cover_below(bound, whole or ((0.0, 0.0),), 1.0, _MOST, 0)
@@ -154,10 +154,6 @@ def _cover(task: _Task, whole: Box) -> str:
         return ""
     with balls.working_precision(_BITS):
         return _describe(task, cover.open)
-
-
-def _as_box(box: Boxes) -> Box:
-    return tuple((float(low), float(high)) for low, high in box)
 
 
 def _find_height(task: _Task, box: Box) -> float:

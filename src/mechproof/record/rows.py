@@ -60,11 +60,10 @@ class Correction:
             check_statement(self.says)
 
 
-@dataclass(frozen=True)
-class ChainLink:
-    """What one relation of a chain a = b = c has of its own; its words are those of `Row`."""
+@dataclass(frozen=True, kw_only=True)
+class _Told:
+    """What is told of a row, or of one relation of its print."""
 
-    says: Statement | None = None
     note: str = ""
     corrected: Correction | None = None
     readings: tuple[Reading, ...] = ()
@@ -78,7 +77,14 @@ class ChainLink:
 
 
 @dataclass(frozen=True)
-class Row:
+class ChainLink(_Told):
+    """What one relation of a chain a = b = c has of its own; its words are those of `Row`."""
+
+    says: Statement | None = None
+
+
+@dataclass(frozen=True)
+class Row(_Told):
     """One line of the ledger: what is printed and what it asserts.
 
     `printed_latex` is the whole print, chains a = b = c included. Without `says` it is read: each
@@ -98,16 +104,6 @@ class Row:
     number: str
     printed_latex: str
     says: Statement | None = None
-    note: str = ""
-    corrected: Correction | None = None
-    readings: tuple[Reading, ...] = ()
-    holds_on: Part | None = None
-    on: Part | None = None
-    singular: tuple[str, ...] = ()
-    marks: tuple[str, ...] = ()
-    derived: Derived = field(default_factory=lambda: MappingProxyType({}))
-    residual: sp.Expr | None = None
-    substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
     defines: tuple[sp.Basic, ...] = ()
     links: Mapping[int, ChainLink] = field(default_factory=lambda: MappingProxyType({}))
     cites: tuple[str, ...] = ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -162,6 +162,15 @@ Statement = (
     | NotCheckable
     | Unwritten
 )
+
+
+def list_parts(statement: Statement) -> Iterator[Statement]:
+    """Yield the parts of a conjunction, of conjunctions in it, too; else the statement itself."""
+    if isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from list_parts(part)
+    else:
+        yield statement
 
 
 def all_of(*parts: Statement) -> Conjunction:

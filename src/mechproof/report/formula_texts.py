@@ -25,8 +25,6 @@ from mechproof.record import Paper
 from mechproof.record.substitution import resolve
 from mechproof.report.mathml import write_formula
 
-__all__ = ["LANGUAGES", "Formula", "formula"]
-
 # Attributes that are code to be copied, and what people call the languages.
 LANGUAGES = {
     "python": "Python",

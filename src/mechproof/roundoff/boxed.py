@@ -14,7 +14,7 @@ from fractions import Fraction
 import numpy as np
 
 from mechproof.arithmetic.cover import Box, Boxes, Side
-from mechproof.arithmetic.intervals import EPS, ONE, Array, between
+from mechproof.arithmetic.intervals import EPS, ONE, Array, list_spans
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.grouping import bound_in_groups
@@ -71,7 +71,7 @@ class BoxedProgram:
         return bound_in_groups(compute, boxes) * EPS
 
     def _analyse(self, boxes: Boxes, forced: tuple[int, ...]) -> ErrorAnalysis:
-        spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+        spans = list_spans(boxes)
         positive = [bool(np.all(boxes[:, i, 0] >= 0)) for i in range(boxes.shape[1])]
         poles = sum(step.kind == "tan" for step in self.straight.steps)
         variables = BoxVariables(spans, positive, poles, forced)

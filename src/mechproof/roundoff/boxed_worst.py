@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -47,8 +48,7 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
         columns += [*(rng.choice((-1.0, 1.0), size) * rng.uniform(0.5, 1.0, size))]
     start = tuple(columns)
 
-    def estimate(points: climb.Points) -> Array:
-        return _estimate(program, points)
+    estimate = partial(_estimate, program)
 
     def judge(points: climb.Points) -> Array:
         return np.array([_judge(program, point) for point in zip(*points, strict=True)])

@@ -14,13 +14,13 @@ import sympy as sp
 
 from mechproof.arithmetic.cover import Boxes
 from mechproof.arithmetic.intervals import EPS, Array
-from mechproof.programs.code import Stage
+from mechproof.programs.code import Stage, map_affinely
+from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.operations import SYMBOLIC, Arithmetic
 from mechproof.programs.program import CONSTANTS, Program
-from mechproof.programs.scalar import defer_in_stage, map_affinely
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
@@ -224,7 +224,7 @@ def _compile(
     exact: StraightLineProgram,
     scale: WrittenScale | None,
 ) -> ComputedStage:
-    compiled = defer_in_stage(stage)
+    compiled = stage.change(defer_divisions)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(find_compensated(expanded))
     _check_kinds(straight)

@@ -15,7 +15,7 @@ import sympy as sp
 
 from mechproof.arithmetic.balls import to_ball
 from mechproof.arithmetic.cover import Box, Boxes, Side
-from mechproof.arithmetic.intervals import ONE, PI, Interval, between, enclose_ball, exactly
+from mechproof.arithmetic.intervals import ONE, PI, Interval, enclose_ball, exactly, list_spans
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.fused import add_exactly
@@ -50,7 +50,7 @@ class ChartRegion:
         self, boxes: Boxes, poles: int, forced: tuple[int, ...] = (), zeros: int = 0
     ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
         """Return the variables of boxes, its coordinates as monomials and the angle's turn."""
-        spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+        spans = list_spans(boxes)
         if self.turns is not None:
             # The reciprocal of the angle, which is known when its rest is.
             spans.append(ONE)

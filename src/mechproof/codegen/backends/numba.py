@@ -18,12 +18,7 @@ from mechproof.codegen.backends.loops import (
     name_elements,
     take_out_loops,
 )
-from mechproof.codegen.backends.numpy import (
-    REGENERATED,
-    format_source,
-    render_template,
-    tell_origin,
-)
+from mechproof.codegen.backends.numpy import REGENERATED, render_python, tell_origin
 from mechproof.codegen.backends.scalar_texts import (
     LoopCall,
     ScalarKernel,
@@ -39,7 +34,6 @@ from mechproof.codegen.syntax import Syntax
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import list_scalars
 from mechproof.programs.sums import LOOPS, TermLoop, fold_sums
@@ -119,11 +113,9 @@ def render_elementary() -> str:
     data: dict[str, object] = {
         "docstring": (*ELEMENTARY_TEXT, _name_support(), "", REGENERATED),
         "largest": DOUBLE.largest,
-        "imports": [],
         "functions": [write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in BODIES],
     }
-    data["imports"] = list_imports(render_template("numba_elementary.py.jinja", data), SUPPORT)
-    source = format_source(render_template("numba_elementary.py.jinja", data))
+    source = render_python("numba_elementary.py.jinja", data, SUPPORT)
     check_elementary(source)
     return source
 
@@ -157,13 +149,11 @@ def render_scalars(
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
-        "imports": [],
         "letters": [f"_{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, language) for found in reductions],
         "kernels": written,
     }
-    data["imports"] = list_imports(render_template("numba_module.py.jinja", data), SUPPORT)
-    source = format_source(render_template("numba_module.py.jinja", data))
+    source = render_python("numba_module.py.jinja", data, SUPPORT)
     check_translation(source, kernels, together)
     return source
 

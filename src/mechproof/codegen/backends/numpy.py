@@ -151,13 +151,18 @@ def render_module(
         "kernels": kernels,
         "conditions": conditions,
         "sizes": sizes,
-        "imports": [],
         "functions": name_functions(text.kernel.code for text in kernels),
     }
-    # What the body names is imported.
-    body = render_template("numpy_module.py.jinja", data)
-    data["imports"] = list_imports(body, SUPPORT)
-    return format_source(render_template("numpy_module.py.jinja", data))
+    return render_python("numpy_module.py.jinja", data, SUPPORT)
+
+
+def render_python(
+    name: str, data: Mapping[str, object], support: Mapping[str, tuple[str, ...]]
+) -> str:
+    """Lay out a module and format it; what its body names of the support is imported."""
+    body = render_template(name, {**data, "imports": []})
+    imports = list_imports(body, support)
+    return format_source(render_template(name, {**data, "imports": imports}))
 
 
 def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:

@@ -127,14 +127,7 @@ def _spell_out(kernel: Kernel, script: Script) -> Kernel:
     def change(program: Program) -> Program:
         return replace(program, operations=tuple(_mean(s, script) for s in program.operations))
 
-    stages = tuple(
-        replace(
-            stage,
-            prepare=change(stage.prepare),
-            evaluate=change(stage.evaluate) if stage.evaluate else None,
-        )
-        for stage in kernel.code.stages
-    )
+    stages = tuple(stage.change(change) for stage in kernel.code.stages)
     return replace(kernel, code=replace(kernel.code, stages=stages))
 
 

@@ -7,8 +7,6 @@ from typing import Any
 
 from mechproof.mechanisms.dwells.band import Swing, start_swing
 
-__all__ = ["Drive", "Open", "as_ball", "is_above", "sure"]
-
 Decision = bool | None
 
 

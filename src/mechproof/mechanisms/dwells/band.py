@@ -12,8 +12,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-__all__ = ["Interval", "Swing", "find_longest", "find_longest_of_equal"]
-
 Interval = tuple[float, float]
 
 

@@ -9,8 +9,6 @@ from mechproof.mechanisms.dwells.band import Interval, find_longest, find_longes
 from mechproof.mechanisms.exact import Given, check_number
 from mechproof.mechanisms.oval_planetary_kinds import OnePair, classify
 
-__all__ = ["find_longest_dwell"]
-
 NEVER = (math.nan, math.nan)
 ALWAYS = (-math.inf, math.inf)
 

@@ -34,8 +34,6 @@ from mechproof.mechanisms.dwells.balls import Drive, Open, as_ball, is_above, su
 from mechproof.mechanisms.dwells.band import find_longest, find_longest_of_equal, start_swing
 from mechproof.mechanisms.dwells.spans import MARGIN, Span
 
-__all__ = ["Asked", "find_spans"]
-
 
 class Asked(NamedTuple):
     """Carrier angle, half the band and the largest eccentricity, all exact."""

@@ -18,8 +18,6 @@ from typing import Any, NamedTuple
 from mechproof.mechanisms.dwells.balls import Open, as_ball, is_above, sure
 from mechproof.mechanisms.dwells.spans import MARGIN, Place, Span
 
-__all__ = ["Asked", "find_longest", "find_spans"]
-
 End = Any  # a Fraction, or a ball
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Literal, NamedTuple
 
-__all__ = ["MARGIN", "Place", "Span"]
-
 # Where the carrier passes a dwell: about x = pi, about x = 0, or where the output turns.
 Place = Literal["slowest", "fastest", "turns"]
 # Ends of intervals that are no fractions are enclosed to this.

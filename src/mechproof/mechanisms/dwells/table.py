@@ -13,8 +13,6 @@ from mechproof.arguments.scalars import check_count, check_items, refuse, requir
 from mechproof.mechanisms.dwells.spans import Place, Span
 from mechproof.mechanisms.exact import Number, check_number
 
-__all__ = ["Dwell", "Dwells", "Rank", "find_dwells"]
-
 CONVEX = Fraction(1, 3)
 SHOWN = 20
 PRECISION = 128

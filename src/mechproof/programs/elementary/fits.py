@@ -9,15 +9,15 @@ certifies the supremum norm of an error in the same way, with intervals for coef
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
 
 import mpmath as mp
-from flint import arb, arb_series, ctx
+from flint import arb, arb_series
 
+from mechproof.arithmetic.series import working
 from mechproof.programs.elementary.formats import DIGITS, DOUBLE, Format
 
 # Beyond the ends, for the rounding of what is reduced to an interval.
@@ -181,21 +181,11 @@ def enclose(target: Target, fitted: Rational) -> float:
     """Bound the relative error of the function, from 0 to the end of its interval."""
     with mp.workdps(DIGITS):
         last = str(mp.sqrt(target.last()) if target.first is None else target.last())
-    with _working():
+    with working(ORDER + 2, BITS):
         first = arb(target.first or 0)
         step = (arb(last) - first) / PIECES
         ends = [first + step * i for i in range(PIECES + 1)]
     return max(enclose_pieces(partial(target.sides, fitted), pairwise(ends)))
-
-
-@contextmanager
-def _working() -> Iterator[None]:
-    precision, length = ctx.prec, ctx.cap
-    ctx.prec, ctx.cap = BITS, ORDER + 2
-    try:
-        yield
-    finally:
-        ctx.prec, ctx.cap = precision, length
 
 
 def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[float]:
@@ -204,7 +194,7 @@ def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[floa
     Both may vanish with their argument at 0, where an interval begins.
     """
     bounds = []
-    with _working():
+    with working(ORDER + 2, BITS):
         for low, high in pieces:
             half = (high - low) / 2
             # From 0 both are expanded there.

@@ -2,49 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from mechproof.programs.trace import Value
+from mechproof.programs.trace import TRACED, Value
 
-
-def fma(a: Value, b: Value | float, c: Value | float) -> Value:
-    """Return a*b + c with one rounding."""
-    return a.apply("fma", a, b, c)
-
-
-def multiply_add(a: Value, b: Value | float, c: Value | float) -> Value:
-    """Return a*b + c, whose product may be rounded, too, where there is no fma."""
-    return a.apply("multiply_add", a, b, c)
-
-
-def maximum(a: Value, b: Value | float) -> Value:
-    """Return the larger number, NaN if one is."""
-    return a.apply("maximum", a, b)
-
-
-def rint(a: Value) -> Value:
-    """Return the whole number next to a."""
-    return a.apply("rint", a)
-
-
-def floor(a: Value) -> Value:
-    """Return the largest whole number that is not above a."""
-    return a.apply("floor", a)
-
-
-def power_of_two(n: Value) -> Value:
-    """Return 2**n for a whole number n, where that is a normal number."""
-    return n.apply("power_of_two", n)
-
-
-def root(a: Value) -> Value:
-    """Return the square root of a."""
-    return a.apply("sqrt", a)
-
-
-def choose(condition: Value, a: Value | float, b: Value | float) -> Value:
-    """Return a where the condition holds, b elsewhere."""
-    return condition.apply("choose", condition, a, b)
+Recorded = Callable[..., Value]
+# As the rows of operations state them.
+fma: Recorded = TRACED["fma"]
+multiply_add: Recorded = TRACED["multiply_add"]
+maximum: Recorded = TRACED["maximum"]
+rint: Recorded = TRACED["rint"]
+floor: Recorded = TRACED["floor"]
+power_of_two: Recorded = TRACED["power_of_two"]
+root: Recorded = TRACED["sqrt"]
+choose: Recorded = TRACED["choose"]
 
 
 def copysign(a: Value | float, b: Value) -> Value:

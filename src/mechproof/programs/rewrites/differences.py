@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import expm1, log1p
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.products import Factors
+from mechproof.programs.rewrites.products import Factors, is_root
 
 # For f(a) - f(b): what it equals by a, b and d = a - b, and the values that have to be positive.
 Theorem = Callable[[sp.Expr, sp.Expr, sp.Expr], tuple[sp.Expr, tuple[sp.Expr, ...]]]
@@ -75,7 +75,7 @@ def difference_of_roots(evaluation: Evaluation) -> Evaluation:
     legal: list[sp.Basic] = []
 
     def convert(total: sp.Add) -> sp.Expr:
-        roots = [t for t in total.args if any(map(_is_root, sp.Mul.make_args(t)))]
+        roots = [t for t in total.args if any(map(is_root, sp.Mul.make_args(t)))]
         if len(total.args) != 2 or not roots:
             return total
         root = min(roots, key=lambda term: (term.could_extract_minus_sign(), str(term)))
@@ -89,7 +89,3 @@ def difference_of_roots(evaluation: Evaluation) -> Evaluation:
         lambda e: e.replace(lambda node: isinstance(node, sp.Add), convert), factors.steps
     )
     return changed.oblige(legal)
-
-
-def _is_root(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and node.exp == sp.S.Half

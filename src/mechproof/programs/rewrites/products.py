@@ -76,3 +76,8 @@ def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
         return bool(number < 0)
     signs = {term.could_extract_minus_sign() for term in base.args}
     return len(signs) == 2 and power % 2 == 1 and product.could_extract_minus_sign()
+
+
+def is_root(node: sp.Basic) -> bool:
+    """Tell whether a node is a square root."""
+    return isinstance(node, sp.Pow) and node.exp == sp.S.Half

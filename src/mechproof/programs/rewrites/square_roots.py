@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.products import Factors
+from mechproof.programs.rewrites.products import Factors, is_root
 
 
 def hypotenuse(evaluation: Evaluation) -> Evaluation:
@@ -23,8 +23,7 @@ def hypotenuse(evaluation: Evaluation) -> Evaluation:
 
     def is_root_of_squares(node: sp.Basic) -> bool:
         return (
-            isinstance(node, sp.Pow)
-            and node.exp == sp.S.Half
+            is_root(node)
             and isinstance(node.base, sp.Add)
             and all(isinstance(a, sp.Pow) and a.exp == 2 for a in node.base.args)
         )
@@ -49,11 +48,11 @@ def conjugate_root(evaluation: Evaluation) -> Evaluation:
     legal: list[sp.Basic] = []
 
     def is_sum_with_root(node: sp.Basic) -> bool:
-        return isinstance(node, sp.Add) and sum(map(_is_root, node.args)) == 1
+        return isinstance(node, sp.Add) and sum(map(is_root, node.args)) == 1
 
     @cache
     def convert(node: sp.Add) -> sp.Expr:
-        (root,) = filter(_is_root, node.args)
+        (root,) = filter(is_root, node.args)
         u, w, q = (evaluation.new_symbol(name, factors.steps) for name in "uwq")
         value = node - root
         difference = (root.base - value**2).replace(
@@ -67,10 +66,6 @@ def conjugate_root(evaluation: Evaluation) -> Evaluation:
 
     changed = evaluation.transform(lambda e: e.replace(is_sum_with_root, convert), factors.steps)
     return changed.oblige(legal)
-
-
-def _is_root(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and node.exp == sp.S.Half
 
 
 def difference_of_squares(evaluation: Evaluation) -> Evaluation:
