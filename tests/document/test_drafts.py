@@ -28,6 +28,19 @@ def draft(text: str, name: str = "paper.tex") -> str:
         ("b=h+e", ["# a letter here, Euler's number elsewhere:", "e :"]),
         (r"z=\begin{bmatrix}0&1\end{bmatrix}v", ["z :"]),
         (r"z=\begin{bmatrix}0&1\end{bmatrix}", ["z 1x2 :"]),
+        (
+            r"Q(\psi)=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}",
+            [r"Q(\psi) | Q 2x2 :"],
+        ),
+        (r"p=[Q]p+g,\quad p=\begin{bmatrix}h\\k\\l\end{bmatrix}", ["Q 3x3 :", "g 3x1 :"]),
+        (r"{}^F_GQ\,{}^Gp={}^Fp,\quad{}^Gp=\begin{bmatrix}h\\k\\l\end{bmatrix}", ["{}^{F}p 3x1 :"]),
+        (r"|Q|=\left|\begin{array}{cc}h&k\\l&m\end{array}\right|=hm-kl", ["Q 2x2 :"]),
+        (r"c=cos(h)+cos^{-1}(k)", [r"function cos is \cos", r"function \cos^{-1} is \arccos"]),
+        (
+            r"N=[U]+\sin\psi[k]\end{equation}\begin{equation}k=h\begin{bmatrix}0\\0\\1\end{bmatrix}"
+            r"\end{equation}\begin{equation}U=\begin{bmatrix}h&0&0\\0&m&0\\0&0&1\end{bmatrix}",
+            ["[k] 3x3 :", "U 3x3 :"],
+        ),
     ],
 )
 def test_letters_are_named_as_they_are_declared(display: str, lines: list[str]) -> None:
@@ -192,3 +205,25 @@ def test_what_a_draft_names_is_read(tmp_path: Path) -> None:
     file.write_text(text)
     file.with_suffix(".letters").write_text(draft(text, "paper.md"))
     assert {row.outcome for row in mechproof.check(file).rows} == {"DEFINITION"}
+
+
+TURNED = r"""
+$$Q(\psi)=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}$$
+$$Z=Q(\mu)Q(\nu)=\begin{pmatrix}\cos(\mu+\nu)&\sin(\mu+\nu)\\-\sin(\mu+\nu)&\cos(\mu+\nu)\end{pmatrix}$$
+$$|D|=\left|\begin{array}{cc}h&k\\l&m\end{array}\right|=hm-kl$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "outcomes"),
+    [
+        (TURNED, {"DEFINITION", "PROVED"}),
+        (TURNED.replace(r"&\sin(\mu+", r"&\cos(\mu+"), {"DEFINITION", "PROVED", "REFUTED"}),
+        (TURNED.replace("hm-kl", "hm+kl"), {"DEFINITION", "PROVED", "REFUTED"}),
+    ],
+)
+@pytest.mark.usefixtures("judged_here")
+def test_matrices_are_read_with_the_sizes_of_a_draft(text: str, outcomes: set[str]) -> None:
+    assert {
+        row.outcome for row in mechproof.check("paper.tex", draft(text) + text).rows
+    } == outcomes

@@ -22,7 +22,13 @@ PRINTED = {
 }
 VARIABLES = tuple(Variable(symbol, "", latex=(latex,)) for symbol, latex in PRINTED.items())
 UNIT = Variable(sp.MatrixSymbol("I", 3, 3), "", given=sp.eye(3), latex=("[I]",))
-READER = Reader((*VARIABLES, UNIT), Notation(functions={"Inv": lambda matrix: matrix.inv()}))
+GIVEN = Variable(
+    sp.MatrixSymbol("Q", 1, 2), "", given=sp.ImmutableMatrix([[x, 2 * x]]), latex=("Q(x)", "Q")
+)
+OPEN = Variable(sp.MatrixSymbol("S", 1, 2), "", latex=("S(x)", "S"))
+READER = Reader(
+    (*VARIABLES, UNIT, GIVEN, OPEN), Notation(functions={"Inv": lambda matrix: matrix.inv()})
+)
 
 
 def read(latex: str) -> Any:
@@ -52,8 +58,12 @@ NUMBERS = [
     (r"x\times y", x * y),
     (r"[A][2, 3:3]", A[1, 2]),
     (r"\text{abs}\begin{pmatrix}x-y\end{pmatrix}", sp.Abs(x - y)),
+    (r"\operatorname{inv}(x)", sp.tan(x) - x),
 ]
 MATRICES = [
+    (r"\operatorname{inv}(P)", show(P).inv()),
+    (r"2\cos x[P]", 2 * sp.cos(x) * show(P)),
+    ("Q(y)", sp.Matrix([[y, 2 * y]])),
     (r"\vec{u}\times v", E["u"].cross(E["v"])),
     (r"v\times\vec{u}", -E["u"].cross(E["v"])),
     (r"x\,v\times(w+\vec{u})", x * E["v"].cross(E["w"] + E["u"])),
@@ -110,6 +120,12 @@ REFUSED = [
     (r"\cos x(y+1)", "a bracket after"),
     (r"\|P\|", "where a number is meant"),
     (r"[x]_\times", "do not fit"),
+    (r"\cos x[y]", "belong to the argument"),
+    (r"\operatorname{inv}(v)", "do not fit"),
+    ("S(y)", "nothing says what S is for x = y"),
+    (r"[P]_{xy}", r"\[P\]_{xy} is not declared"),
+    (r"\begin{bmatrix}x&\dots&y\end{bmatrix}", "how many they are"),
+    (r"\begin{bmatrix}x&...&y\end{bmatrix}", "how many they are"),
 ]
 
 

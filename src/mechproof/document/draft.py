@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
@@ -19,11 +20,14 @@ from mechproof.document.letters import (
     collect_letters,
     drop_transposition,
     is_vector,
+    make_reader,
     name_symbol,
 )
 from mechproof.document.rows import Document
 from mechproof.document.said import Said, find_said
+from mechproof.document.shapes import Shapes
 from mechproof.document.sources import Source
+from mechproof.latex import ReadingError
 
 _RATE = re.compile(
     r"\\d?dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
@@ -35,6 +39,8 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[
 _NEAR = 400
 # Seconds to find out whether a letter is a matrix.
 _LIMIT = 10.0
+# The arguments of a letter.
+_ARGUMENTS = re.compile(r"(?<=.)\([^()]*\)\Z")
 _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 # A derivative of a letter by another.
 _QUOTIENT = re.compile(
@@ -77,7 +83,12 @@ def draft_block(source: Source) -> str:
     has_euler = _is_euler(prints)
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
-    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT)
+    letters = [*collected.letters, *collected.guessed]
+    found = _find_shapes(plain, collected)
+    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT) | found.known
+    unclear = [x for x in letters if name_symbol(x) in found.unclear or _is_motion(x, shapes)]
+    stems = {name_symbol(_strip_arguments(x)) for x in unclear}
+    shapes = {name: size for name, size in shapes.items() if name not in stems}
     entries = _list_entries(collected, shapes, prints, _find_running(source))
     inline = _find_inline(source, entries)
     for name, one in inline:
@@ -91,6 +102,10 @@ def draft_block(source: Source) -> str:
         for name, entry in entries.items()
         for line in _write(name, entry, shapes.get(name), said.get(name))
     ]
+    lines += [f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses]
+    for name in dict.fromkeys(map(_strip_arguments, unclear)):
+        lines.append(f"# {name} has several sizes: declare a letter for each, and say where it is")
+        lines.append(f"# which: in (1): {name} is …")
     lines += _EULER if has_euler else []
     lines += _propose_values(displays, entries, said, inline)
     running = {name: one.running for one in entries.values() for name in one.names}
@@ -109,6 +124,34 @@ def draft_block(source: Source) -> str:
         lines.append(f"# {displays[number].name}, line {place.line}: its letters are missing here:")
         lines.append(f"#   {' '.join(reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
+
+
+@dataclass(frozen=True)
+class _Sizes:
+    """The sizes of letters, by their names; which stand in brackets, and which have several.
+
+    `crosses` are the vectors that stand in brackets for the matrix of their cross product.
+    """
+
+    known: dict[str, tuple[int, int]]
+    crosses: tuple[str, ...]
+    unclear: tuple[str, ...]
+
+
+def _find_shapes(prints: Sequence[str], collected: Collected) -> _Sizes:
+    """Return the sizes of letters; with these more is read, which may tell others."""
+    letters = [*collected.letters, *collected.guessed]
+    found: dict[str, tuple[int, int]] = {}
+    while True:
+        reader, read = make_reader(letters, collected, found), []
+        for latex in prints:
+            with suppress(ReadingError, RecursionError):
+                read.append((latex, reader.parse(latex, upper=1).chains))
+        shapes = Shapes(read)
+        known = {str(symbol): shape for symbol, shape in shapes.find().items()}
+        if known.keys() <= found.keys():
+            return _Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
+        found |= known
 
 
 def _propose_values(
@@ -226,18 +269,52 @@ def _list_entries(
         base, running = _split(letter)
         if base.endswith("'") and respect in letters:
             by.setdefault(name_symbol(base.rstrip("'")), respect)
+    functions = _find_functions(letters, shapes, prints)
     for letter in letters:
+        stem = _strip_arguments(letter)
+        if name_symbol(stem) in functions:
+            whole = functions[name_symbol(stem)]
+            entry = entries.setdefault(name_symbol(whole), _Entry())
+            entry.names |= {whole: None, stem: None}
+            continue
         base, running = _split(letter)
         plain = base.rstrip("'")
         if by.get(name_symbol(plain), "t") != "t":
             base = plain
         running = running or by.get(name_symbol(base), "")
-        if running and (is_vector(base) or name_symbol(base) in shapes):
+        if running and (is_vector(base) or {name_symbol(base), name_symbol(letter)} & {*shapes}):
             base, running = letter, ""
         entry = entries.setdefault(name_symbol(base), _Entry())
         entry.names[base] = None
         entry.running = entry.running or running
     return entries
+
+
+def _find_functions(
+    letters: Sequence[str], shapes: Mapping[str, tuple[int, int]], prints: Sequence[str]
+) -> dict[str, str]:
+    """Return the matrices that are never printed without arguments, and their first print."""
+    found: dict[str, str] = {}
+    for letter in letters:
+        stem = _strip_arguments(letter)
+        alone = re.compile(rf"{re.escape(stem)}(?![\w{{]|\s*(?:\\left\s*)?\()")
+        if stem != letter and name_symbol(letter) in shapes and not any(map(alone.search, prints)):
+            found.setdefault(name_symbol(stem), letter)
+    return found
+
+
+def _is_motion(letter: str, shapes: Mapping[str, tuple[int, int]]) -> bool:
+    """Return whether a number x(t) has the name of a matrix x."""
+    is_number = name_symbol(letter) not in shapes and not is_vector(letter)
+    return (
+        is_number
+        and bool(_DEPENDS.match(letter))
+        and name_symbol(_strip_arguments(letter)) in shapes
+    )
+
+
+def _strip_arguments(letter: str) -> str:
+    return _ARGUMENTS.sub("", letter).strip()
 
 
 def _split(letter: str) -> tuple[str, str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -28,6 +29,7 @@ REMEDIES = Remedies(
 )
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
 _INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
+_ITALICS = re.compile(r"([A-Za-z]+) in italics: a function")
 # What is mostly meant by the power -1 of a function.
 INVERSES = {
     **{"sin": "arcsin", "cos": "arccos", "tan": "arctan"},
@@ -95,6 +97,7 @@ class Collected:
     functions: Mapping[str, str]
     unread: Mapping[int, str]
     guessed: list[str] = field(default_factory=list)
+    imaginary: str = ""
 
 
 def collect_letters(
@@ -119,7 +122,8 @@ def collect_letters(
         else:
             letters |= dict.fromkeys(found)
     kept = [x for x in letters if "#" not in x]
-    return Collected(kept, [*guesses.factors], guesses.functions, unread, [*guesses.letters])
+    factors, guessed = [*guesses.factors], [*guesses.letters]
+    return Collected(kept, factors, guesses.functions, unread, guessed, imaginary)
 
 
 @dataclass
@@ -145,6 +149,11 @@ class _Guesses:
             is_new = printed not in self.functions
             self.functions[printed] = rf"\{INVERSES[inverse[1]]}"
             return is_new
+        italics = _ITALICS.search(error.reason)
+        if self.declares and italics:
+            is_new = italics[1] not in self.functions
+            self.functions[italics[1]] = rf"\{italics[1]}"
+            return is_new
         asked = _ASKS.search(error.reason)
         named = _NAMES.search(error.remedy) if self.declares else None
         if asked:
@@ -164,6 +173,29 @@ class _Guesses:
         return is_open and bool(_NO_LETTER[name].search(self.all_prints))
 
 
+def make_reader(
+    letters: Iterable[str],
+    said: Collected | _Guesses,
+    sizes: Mapping[str, tuple[int, int]] = MappingProxyType({}),
+) -> Reader:
+    """Return a reader that knows these letters, their sizes, and what else is guessed of prints."""
+    symbols = {x: sp.Symbol(name_symbol(x)) for x in letters}
+    symbols |= {
+        x: sp.MatrixSymbol(str(symbol), *sizes[str(symbol)])
+        for x, symbol in symbols.items()
+        if str(symbol) in sizes
+    }
+    names = tuple(Variable(symbol, "", latex=(x,)) for x, symbol in symbols.items())
+    functions = {x.removeprefix("\\"): FUNCTIONS[is_[1:]] for x, is_ in said.functions.items()}
+    notation = Notation(
+        factors=tuple(said.factors),
+        functions=functions,
+        name_unit=name_unit,
+        imaginary=said.imaginary,
+    )
+    return Reader(names, notation, REMEDIES)
+
+
 def _enter(name: str, names: dict[str, None]) -> bool:
     is_new = name not in names
     names[name] = None
@@ -173,17 +205,8 @@ def _enter(name: str, names: dict[str, None]) -> bool:
 def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
     """Return the letters of a print, or why it cannot be read."""
     while True:
-        names = tuple(Variable(sp.Symbol(name_symbol(x)), "", latex=(x,)) for x in guesses.letters)
-        functions = {x[1:]: FUNCTIONS[is_[1:]] for x, is_ in guesses.functions.items()}
-        factors = tuple(guesses.factors)
-        notation = Notation(
-            factors=factors,
-            functions=functions,
-            name_unit=name_unit,
-            imaginary=guesses.imaginary,
-        )
         try:
-            return Reader(names, notation, REMEDIES).collect(latex)
+            return make_reader(guesses.letters, guesses).collect(latex)
         except ReadingError as error:
             if not guesses.take(error):
                 return error.reason

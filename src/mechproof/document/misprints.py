@@ -58,7 +58,9 @@ def find_misprint(
     """
     sides = entry.sides
     met = {s for side in sides for s in side.free_symbols}
-    known = {s: v for s, v in domain.given.items() if s in met and isinstance(v, sp.Expr)}
+    given_by = {s: v for s, v in domain.given.items() if isinstance(v, sp.Expr)}
+    known = {s: v for s, v in given_by.items() if s in met}
+    zeros = {s: v for s, v in given_by.items() if v == 0}
     defined = {s: value for s, value in known.items() if s in printed}
     alike = list_alike(met.union(*(value.free_symbols for value in defined.values())), domain)
     places = _find_failures(sides, given, domain, alike)
@@ -66,7 +68,9 @@ def find_misprint(
     repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
     changes = list_changes(entry, list_alike(met, domain), defined)
     for change in islice(changes, MOST if places else 0):
-        if _holds_often(change.sides, values) and not _is_trivial(change.sides, repeated, known):
+        if _holds_often(change.sides, values) and not _is_trivial(
+            change.sides, repeated, known | zeros
+        ):
             evidence = _show(sides, given, domain, places)
             return Misprint(evidence, change) if evidence else None
     return None
@@ -125,11 +129,13 @@ def _is_trivial(
     """Return whether an equation says nothing, or what stands elsewhere up to a number.
 
     A letter that is a function of itself says nothing of others. Of a letter that stands alone
-    what defines it is put in, too.
+    what defines it is put in, too, and zero for those that it defines to be zero.
     """
     if any(one.is_Symbol and other.free_symbols == {one} for one, other in _turn(sides)):
         return True
+    zeros = {letter: value for letter, value in defined.items() if value == 0}
     shown = [sides, tuple(defined.get(side, side) for side in sides)]
+    shown.append(tuple(side.subs(zeros) for side in sides))
     for rest in (sp.expand(one - other) for one, other in shown):
         alike = (one for one in repeated if one.free_symbols == rest.free_symbols)
         if rest == 0 or any(sp.cancel(rest / one).is_number for one in alike):

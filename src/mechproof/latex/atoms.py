@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import read_measure
+from mechproof.latex.names import find_brace
 from mechproof.latex.numerals import read_number
 from mechproof.latex.products import make_cross_matrix
 from mechproof.latex.signs import DOTS
@@ -107,10 +108,21 @@ def _read_cross(parser: Parser, bracket: Bracket) -> Node:
     r"""Read [a]_\times, the matrix by which a cross product multiplies."""
     texts = [token.text for token in parser.rest[:4]]
     if texts != ["_", "{", r"\times", "}"]:
+        _refuse_index(parser, bracket.start)
         return bracket
     parser.place += 4
     make = PrintedFunction("cross", make_cross_matrix)
     return Call(make, (bracket.inside,), start=bracket.start, end=parser.end)
+
+
+def _refuse_index(parser: Parser, start: int) -> None:
+    """Refuse an index behind a square bracket: a matrix in coordinates that it names."""
+    if parser.text == "_":
+        end = parser.tokens[find_brace(parser.tokens, parser.place + 2)].end
+        printed = parser.source.latex[start:end]
+        raise parser.refuse(
+            f"{printed} is not declared", parser.remedies.name.format(printed), start
+        )
 
 
 def read_list(parser: Parser) -> list[Node]:
@@ -160,7 +172,8 @@ def _enclose(parser: Parser, inside: Node, start: int) -> Node:
         return Magnitude(inside, start=start, end=parser.end)
     if isinstance(table, Table) or is_symbol:
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
-    if parser.collects and isinstance(table, Letter) and _shows_determinant(parser):
+    is_open = parser.collects and _shows_determinant(parser)
+    if is_open and isinstance(table, Letter) and str(table.symbol) not in parser.names.symbols:
         raise parser.refuse(
             f"bars around {table.text} beside a determinant: of a matrix, or an absolute value?",
             parser.remedies.name.format(table.text),

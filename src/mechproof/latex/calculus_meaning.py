@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex.pieces import has_value
-from mechproof.latex.tree import Approach, At, Derivation, Integration, Repeated
+from mechproof.latex.products import is_matrix
+from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Repeated
 from mechproof.latex.values import depends, differentiate, make_running, settle
 from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
 
@@ -103,14 +104,20 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
 def give_value(meaning: Meaning, node: At) -> sp.Expr:
     """Return the value of a term where a letter has a value."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
-    term = meaning.take_number(node.term, meaning.side(node.term))
+    term = meaning.side(node.term)
+    if not isinstance(node.term, Letter):
+        term = meaning.take_number(node.term, term)
     value = settle(term, meaning.values, {variable: point})
     all_steps = [(s, *rates) for s, (by, rates) in meaning.moving.items() if by == variable]
     moving = {step for steps in all_steps for step in steps}
     for steps in all_steps:
         _check_seams(meaning, node, steps, (term, point))
     unknown = (moving & value.free_symbols or {value} & {term}) - meaning.values.keys()
-    if unknown and (value.is_Symbol or not unknown <= {value}):
+    if isinstance(node.term, Letter) and is_matrix(value):
+        unknown, is_open = {node.term.symbol}, value == term
+    else:
+        is_open = bool(unknown) and (value.is_Symbol or not unknown <= {value})
+    if is_open:
         raise meaning.source.refuse(
             node.start,
             f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",

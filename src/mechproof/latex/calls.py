@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex import atoms, calculus, conditions
+from mechproof.latex.characters import is_letter
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import (
@@ -64,7 +65,7 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> Node:
     else:
         function = parser.functions[_function_sign(parser)]
         parser.take()
-    exponent = _read_exponent(parser)
+    exponent = _read_exponent(parser, function.name)
     arguments = _read_arguments(parser, place)
     if parser.text == "^" and (exponent or is_argument):
         _refuse_power_behind(parser)
@@ -77,7 +78,7 @@ def _read_logarithm(parser: Parser) -> Node:
     r"""Read \log_a x, the natural logarithm of x by that of a."""
     start = parser.take().start
     base = parser.read_script("_")
-    exponent = _read_exponent(parser)
+    exponent = _read_exponent(parser, "log")
     natural = parser.functions[r"\ln"]
     above = Call(natural, _read_arguments(parser, parser.place), start=start, end=parser.end)
     _refuse_power_behind(parser)
@@ -86,10 +87,10 @@ def _read_logarithm(parser: Parser) -> Node:
     return Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
 
 
-def _read_exponent(parser: Parser) -> Node | None:
+def _read_exponent(parser: Parser, name: str) -> Node | None:
     if parser.text != "^":
         return None
-    start, name = parser.start, parser.tokens[parser.place - 1].text.strip("\\")
+    start = parser.start
     exponent = parser.read_script("^")
     if _is_minus_one(exponent, parser):
         raise parser.refuse(
@@ -184,7 +185,19 @@ def _is_matrix_next(parser: Parser) -> bool:
     """Return whether a matrix stands next, which is no part of the argument before it."""
     match = parser.names.match(parser.tokens, parser.place)
     is_named = match is not None and isinstance(match.name.symbol, sp.MatrixSymbol)
-    return is_named or parser.text.startswith(r"\begin{")
+    return is_named or parser.text.startswith(r"\begin{") or _is_bracketed_matrix(parser)
+
+
+def _is_bracketed_matrix(parser: Parser) -> bool:
+    r"""Return whether [K] stands next, K a matrix; while letters are collected any letter."""
+    match = parser.names.match(parser.tokens, parser.place + 1)
+    if parser.collects and match is None:
+        texts = [token.text for token in parser.rest[:3]]
+        return texts[::2] == ["[", "]"] and is_letter(texts[1])
+    if match is None or not isinstance(match.name.symbol, sp.MatrixSymbol):
+        return False
+    closing = [token.text for token in parser.tokens[match.end : match.end + 1]]
+    return parser.text == "[" and closing == ["]"]
 
 
 def _check_bracket(parser: Parser, place: int) -> None:

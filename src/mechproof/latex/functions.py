@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
-from mechproof.latex.products import show_entries
+from mechproof.latex.products import invert, is_matrix, show_entries
 
 Make = Callable[..., sp.Expr]
 
@@ -19,8 +19,9 @@ def _lb(argument: sp.Expr) -> sp.Expr:
     return sp.log(argument) / sp.log(2)
 
 
-def _involute(angle: sp.Expr) -> sp.Expr:
-    return sp.tan(angle) - angle
+def _inv(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
+    """Return the involute of an angle, the inverse of a matrix."""
+    return invert(argument) if is_matrix(argument) else sp.tan(argument) - argument
 
 
 def _det(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
@@ -53,7 +54,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.acosh: ("arch", "acosh", "arcosh", "Arch", "Arcosh"),
     sp.atanh: ("arth", "atanh", "artanh", "Arth", "Artanh"),
     sp.atan2: ("atan2", "arctan2", "arctg2"),
-    _involute: ("inv",),
+    _inv: ("inv",),
     _det: ("det",),
     _trace: ("tr", "Tr"),
     sp.log: ("ln",),
@@ -68,6 +69,8 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.Min: ("min",),
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
+# Those that take matrices.
+OF_MATRICES = ("det", "tr", "Tr", "inv")
 # Not the same everywhere: the base of log, the range of the arc cotangent.
 AMBIGUOUS = {"log": "its base (10, e, 2)", "arcctg": "its range", "arccot": "its range"}
 CONSTANTS: Mapping[str, sp.Expr] = {r"\pi": sp.pi, r"\infty": sp.oo, r"\mathrm{e}": sp.E}

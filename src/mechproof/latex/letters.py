@@ -128,7 +128,8 @@ def _refuse_italics(parser: Parser) -> None:
     if name := next(begun, ""):
         raise parser.refuse(
             f"{name} in italics: a function or a product?",
-            rf"Print \{name}, or \cdot between the letters.",
+            rf"Print \{name}, or \cdot between the letters. "
+            + parser.remedies.function.format(name).replace(rf"\{name}", name),
         )
 
 

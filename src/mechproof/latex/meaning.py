@@ -19,7 +19,7 @@ from mechproof.latex.calculus_meaning import (
 )
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
-from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.matrix_meaning import (
     ENTRIES,
     give_entries,
@@ -29,7 +29,7 @@ from mechproof.latex.matrix_meaning import (
     give_table,
     give_transposed,
 )
-from mechproof.latex.products import is_matrix
+from mechproof.latex.products import invert, is_matrix
 from mechproof.latex.tree import (
     Add,
     Approach,
@@ -181,8 +181,7 @@ class Meaning:
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             raise self.source.refuse(node.start, _UNFIT)
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
-            # Elimination would simplify at each step.
-            return base.adjugate(method="berkowitz") / base.det(method="berkowitz")
+            return invert(base)
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
                 node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
@@ -206,7 +205,7 @@ class Meaning:
     def _call(self, node: Call) -> sp.Expr:
         if not node.arguments:
             return FunctionWithoutArgument(sp.Symbol(node.function.name))
-        is_known = node.function.name in FUNCTIONS and node.function.name not in ("det", "tr", "Tr")
+        is_known = node.function.name in FUNCTIONS and node.function.name not in OF_MATRICES
         read = self._number if is_known else self.of
         arguments = [read(argument) for argument in node.arguments]
         value = node.function.make(*arguments)

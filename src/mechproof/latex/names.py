@@ -54,6 +54,12 @@ class Names:
         """Return the name that is exactly these signs."""
         return next((n for n in self._by_first.get(signs[0], ()) if n.signs == signs), None)
 
+    def find_argument(self, symbol: sp.Basic) -> Name | None:
+        r"""Return the letter of which a symbol is declared as a function: \theta of R(\theta)."""
+        named = (n.signs for names in self._by_first.values() for n in names if n.symbol == symbol)
+        inside = (s[s.index("(") + 1 : -1] for s in named if "(" in s and s[-1] == ")")
+        return next(filter(None, (self.find(*signs) for signs in inside if signs)), None)
+
     def longer(self, name: Name, sign: str) -> Name | None:
         """Return a name that goes on with a sign where this one ends."""
         start = (*name.signs, sign)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import begins_member
 from mechproof.latex.tree import At, Letter, Node
@@ -95,7 +97,11 @@ def _is_letter_inside(parser: Parser) -> bool:
 
 
 def _find_running(parser: Parser, letter: Letter) -> Letter | None:
-    """Return the letter that a letter depends on."""
+    """Return the letter that a letter depends on, or of which a matrix is declared a function."""
+    if isinstance(letter.symbol, sp.MatrixSymbol):
+        name = parser.names.find_argument(letter.symbol)
+        start, end = letter.start, letter.end
+        return Letter(name.symbol, name.latex, start=start, end=end) if name else None
     for symbol, (by, rates) in parser.notation.moving.items():
         if letter.symbol in (symbol, *rates):
             return Letter(by, str(by), start=letter.start, end=letter.end)

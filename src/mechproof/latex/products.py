@@ -30,6 +30,15 @@ def show_entries(value: Any) -> Any:
     return value.as_explicit() if isinstance(value, sp.MatrixExpr) else value
 
 
+def invert(matrix: Any) -> Any:
+    """Return the inverse of a matrix; `ValueError` for one that is not square."""
+    shown = show_entries(matrix)
+    if not shown.is_square:
+        raise ValueError("only square matrices have an inverse")
+    # Elimination would simplify at each step.
+    return shown.adjugate(method="berkowitz") / shown.det(method="berkowitz")
+
+
 def make_cross_matrix(vector: Any) -> sp.ImmutableMatrix:
     """Return the matrix of a cross product; `ValueError` for what has not three entries."""
     x, y, z = show_entries(vector)

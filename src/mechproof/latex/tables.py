@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix", "smallmatrix")
+_DOTS = (r"\dots", r"\vdots", r"\ddots")
 _CASES = ("cases", "dcases", "Bmatrix")
 
 
@@ -51,6 +52,11 @@ def _read_table(parser: Parser, kind: str) -> Table:
 
 def _read_entry(parser: Parser) -> Node:
     r"""Read an entry; numbers with gaps between them, `0 \; 0`, are a row of a block."""
+    if parser.text in _DOTS or [token.text for token in parser.rest[:2]] == [".", "."]:
+        raise parser.refuse(
+            "dots for entries of a matrix: how many they are is not said",
+            "Print all entries, for a certain number of them.",
+        )
     if not _is_list(parser):
         return parser.read_sum()
     start, found = parser.start, []

@@ -1,0 +1,251 @@
+r"""Sizes of vectors and matrices that follow from how a paper adds, multiplies and prints them.
+
+What is told by no table, sum, product or cross product stays open, and so does a factor that may
+be a number or a square matrix; `[R]` with one letter in it is a matrix, of a vector the matrix of
+its cross product.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+import sympy as sp
+
+from mechproof.document.letters import is_vector
+from mechproof.latex.tree import (
+    Add,
+    Bracket,
+    Call,
+    Chain,
+    Constant,
+    Excerpt,
+    Letter,
+    Magnitude,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Radical,
+    Table,
+    Transposed,
+    walk,
+)
+
+Shape = tuple[int, int]
+
+
+def _is_vector(node: Node) -> bool:
+    return isinstance(node, Letter) and is_vector(node.text)
+
+
+NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
+_NUMBERS = (Number, Constant, Radical)
+# Scripts at the left for two frames, and what they belong to.
+_CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
+# A table of more entries is none of blocks.
+_BLOCKS = 2
+
+
+class Shapes:
+    """The shapes of letters, by their symbols; `brackets` are the places of square brackets.
+
+    `crosses` are the vectors that stand in square brackets for the matrix of their cross product,
+    `unclear` are letters of several shapes.
+    """
+
+    def __init__(self, prints: Sequence[tuple[str, Sequence[Chain]]]) -> None:
+        self.known: dict[sp.Basic, Shape] = {}
+        self.crosses: dict[sp.Basic, None] = {}
+        self.unclear: dict[sp.Basic, None] = {}
+        self.frames: dict[str, Shape] = {}
+        self._prints = prints
+        self._latex = ""
+        for node in self._walk_all():
+            if isinstance(node, Letter) and isinstance(node.symbol, sp.MatrixSymbol):
+                self.known[node.symbol] = int(node.symbol.rows), int(node.symbol.cols)
+        self._shows_matrices = any(
+            isinstance(node, Table) or self._is_matrix(node) for node in self._walk_all()
+        )
+
+    def _walk_all(self) -> Iterable[Node]:
+        for latex, chains in self._prints:
+            self._latex = latex
+            yield from walk(tuple(chains))
+
+    def find(self) -> dict[sp.Basic, Shape]:
+        """Return the shapes of the letters that are no numbers."""
+        before: list[int] = []
+        while before != (after := [len(self.known), len(self.crosses), len(self.unclear)]):
+            if before and before[-1] != after[-1]:
+                # Nothing may follow from one of several shapes.
+                self.known.clear()
+                self.crosses.clear()
+            before = after
+            for node in self._walk_all():
+                self._look(node)
+                if isinstance(node, Letter) and (shape := self._find_other_frame(node)):
+                    self._push(node, shape)
+        return {symbol: shape for symbol, shape in self.known.items() if shape != NUMBER}
+
+    def _look(self, node: Node) -> None:
+        """Take what one node says."""
+        if isinstance(node, Chain) and {*node.relations} <= {"="}:
+            shape = next(filter(None, map(self.measure, node.members)), None)
+            for member in node.members:
+                if shape:
+                    self._push(member, shape)
+            self._take_determinant(node.members)
+        elif isinstance(node, Add) and (shape := self.measure(node)):
+            self._push(node, shape)
+        elif isinstance(node, Product) and self._is_cross(node):
+            for factor in node.factors:
+                self._push(factor, COLUMN)
+        elif isinstance(node, Product):
+            self._look_at_frames(node.factors)
+        elif isinstance(node, Call) and node.function.name not in ("det", "tr", "Tr", "inv"):
+            for argument in node.arguments:
+                self._push(argument, NUMBER)
+        elif isinstance(node, Table) and max(len(node.rows), len(node.rows[0])) > _BLOCKS:
+            for entry in (entry for row in node.rows for entry in row):
+                self._push(entry, NUMBER)
+
+    def _look_at_frames(self, factors: Sequence[Node]) -> None:
+        """Take what changes the frame of a vector as a square matrix."""
+        for one, other in pairwise(factors):
+            shape = self.measure(other)
+            is_column = shape is not None and shape[1] == 1 != shape[0]
+            if shape and is_column and isinstance(one, Letter) and _CHANGES_FRAME.match(one.text):
+                self._push(one, (shape[0], shape[0]))
+
+    def _take_determinant(self, members: Sequence[Node]) -> None:
+        """Take bars around a letter beside a printed determinant for its own."""
+        calls = (x.arguments[0] for x in members if isinstance(x, Call) and x.arguments)
+        for table in (x for x in calls if isinstance(x, Table)):
+            for member in members:
+                if isinstance(member, Magnitude):
+                    self._push(member.inside, (len(table.rows), len(table.rows[0])))
+
+    def _is_matrix(self, node: Node) -> bool:
+        """Return whether a letter stands alone in square brackets."""
+        if not (isinstance(node, Bracket) and isinstance(node.inside, Letter)):
+            return False
+        return self._latex[node.start : node.end].removeprefix(r"\left").strip().startswith("[")
+
+    def _is_cross(self, node: Product) -> bool:
+        """Return whether a cross stands between two vectors, not numbers or matrices."""
+        is_open = all(
+            self.measure(x) in (None, COLUMN) and not self._is_matrix(x) for x in node.factors
+        )
+        return self._shows_matrices and node.signs == (r"\times",) and is_open
+
+    def measure(self, node: Node) -> Shape | None:
+        """Return the shape of a part, None if it is not known."""
+        if isinstance(node, Letter):
+            return self.known.get(node.symbol) or self._find_other_frame(node)
+        if isinstance(node, Excerpt):
+            sides = [limits[1] - limits[0] + 1 for limits in node.ranges if limits]
+            return (sides[0], sides[1]) if len(sides) > 1 else None
+        if isinstance(node, Bracket):
+            letter = node.inside
+            is_cross = isinstance(letter, Letter) and letter.symbol in self.crosses
+            return CROSS if is_cross and self._is_matrix(node) else self.measure(letter)
+        if isinstance(node, Add):
+            return next(filter(None, (self.measure(term) for _, term in node.terms)), None)
+        if isinstance(node, Product):
+            return COLUMN if self._is_cross(node) else self._multiply(node.factors)
+        if isinstance(node, Quotient):
+            return self.measure(node.above)
+        if isinstance(node, Power):
+            return self.measure(node.base)
+        if isinstance(node, Transposed):
+            shape = self.measure(node.of)
+            return shape and (shape[1], shape[0])
+        if isinstance(node, Table):
+            heights, widths = self._measure_blocks(node)
+            return (sum(heights), sum(widths)) if heights and widths else None
+        is_number = isinstance(node, _NUMBERS) or (isinstance(node, Call) and node.arguments)
+        return NUMBER if is_number else None
+
+    def _find_other_frame(self, letter: Letter) -> Shape | None:
+        """Return the shape of the same letter between other frames."""
+        own = _CHANGES_FRAME.match(letter.text)
+        return self.frames.get(own[1]) if own else None
+
+    def _measure_blocks(self, table: Table) -> tuple[list[int], list[int]]:
+        """Return the heights of the rows and the widths of the columns; none where one is open."""
+        shapes = [[self.measure(entry) for entry in row] for row in table.rows]
+        is_large = max(len(table.rows), len(table.rows[0])) > _BLOCKS
+        if is_large or all(one == NUMBER for row in shapes for one in row):
+            return [1] * len(table.rows), [1] * len(table.rows[0])
+        blocks = [[one for one in row if one != NUMBER] for row in shapes]
+        columns = [[one for one in column if one != NUMBER] for column in zip(*shapes, strict=True)]
+        if not any(one for row in blocks for one in row):
+            return [], []
+        heights = [next((one[0] for one in row if one), 0 if row else 1) for row in blocks]
+        widths = [next((one[1] for one in column if one), 0 if column else 1) for column in columns]
+        return ([], []) if 0 in heights or 0 in widths else (heights, widths)
+
+    def _multiply(self, factors: Sequence[Node]) -> Shape | None:
+        shapes = [shape for shape in map(self.measure, factors) if shape != NUMBER]
+        if not shapes:
+            return NUMBER
+        first, last = shapes[0], shapes[-1]
+        return (first[0], last[1]) if None not in shapes and first and last else None
+
+    def _push(self, node: Node, shape: Shape) -> None:
+        """Take the shape of a part for its letters."""
+        if isinstance(node, Letter) and not isinstance(node.symbol, sp.IndexedBase):
+            is_clear = self.known.get(node.symbol, shape) == shape
+            if node.symbol not in self.unclear and is_clear:
+                self.known[node.symbol] = shape
+                if frames := _CHANGES_FRAME.match(node.text):
+                    self.frames.setdefault(frames[1], shape)
+            elif not is_clear:
+                self.unclear[node.symbol] = None
+        elif isinstance(node, Bracket) and isinstance(node.inside, Letter):
+            is_column = self._is_matrix(node) and self.known.get(node.inside.symbol) == COLUMN
+            if is_column and shape == CROSS:
+                self.crosses[node.inside.symbol] = None
+            else:
+                self._push(node.inside, shape)
+        elif isinstance(node, Bracket):
+            self._push(node.inside, shape)
+        elif isinstance(node, Add):
+            for _, term in node.terms:
+                self._push(term, shape)
+        elif isinstance(node, Transposed):
+            self._push(node.of, (shape[1], shape[0]))
+        elif isinstance(node, Quotient):
+            self._push(node.above, shape)
+        elif isinstance(node, Power) and shape[0] == shape[1]:
+            self._push(node.base, shape)
+        elif isinstance(node, Product):
+            self._solve(node, shape)
+
+    def _solve(self, node: Product, shape: Shape) -> None:
+        """Take the shape of the one factor of a product that is not known."""
+        shapes = list(map(self.measure, node.factors))
+        if shape == NUMBER or self._is_cross(node):
+            return
+        if shapes.count(None) > 1:
+            # Beside a vector, other letters are numbers.
+            shapes = [
+                NUMBER if one is None and not _is_vector(x) else one
+                for x, one in zip(node.factors, shapes, strict=True)
+            ]
+        others = [x for x, one in zip(node.factors, shapes, strict=True) if one != NUMBER]
+        if len(others) == 1:
+            self._push(others[0], shape)
+        if len(others) == 1 or shapes.count(None) != 1:
+            return
+        place = shapes.index(None)
+        before = [one for one in shapes[:place] if one not in (None, NUMBER)]
+        behind = [one for one in shapes[place + 1 :] if one not in (None, NUMBER)]
+        rows = before[-1][1] if before else shape[0]
+        columns = behind[0][0] if behind else shape[1]
+        may_be_number = (before or behind) and rows == columns
+        if not may_be_number or self._is_matrix(node.factors[place]):
+            self._push(node.factors[place], (rows, columns))
