@@ -27,6 +27,11 @@ CASES = {
         [r"k=\cos 2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    # Of the values that are tried for the letters some make k + n zero.
+    "a form that has no value where letters are the opposite of others": (
+        [r"h=\frac{kn}{k+n}-\frac{an}{k+n}=\frac{(k-a)n}{k+n}"],
+        ["DEFINITION", "PROVED"],
+    ),
     "dots are derivatives": (
         [ROD, r"\dot x=-r\dot\varphi\sin\varphi", r"\dot x=r\dot\varphi\sin\varphi"],
         ["DEFINITION", "PROVED", "REFUTED"],

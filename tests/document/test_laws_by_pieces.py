@@ -102,6 +102,15 @@ CASES = {
         [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=2a\psi,\quad 0\le\psi\le m"],
         ["DEFINITION", "DEFINITION"],
     ),
+    "a law with one range, and its mean": (
+        [
+            r"s=h\psi,\quad 0\le\psi\le k",
+            r"m=\int_0^ks\,d\psi=\frac{hk^2}2",
+            r"n=\int_0^ks\,d\psi=\frac{hk^2}3",
+            r"s'=h,\quad 0\le\psi\le k",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION", "REFUTED", "PROVED"],
+    ),
     "pieces whose other letters are matrices": (
         [
             r"s=a\psi,\quad\psi\le k",
@@ -120,6 +129,7 @@ CASES = {
 SAID = {
     "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
     "values of a law by pieces": "%% where 0<k<u\n",
+    "a law with one range, and its mean": "%% where 0<k\n",
 }
 
 

@@ -130,6 +130,12 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
     "another assembly, in words": ((*TRAIN, "T_1+T_2-T_3=0"), "In the other case", ""),
     "a constraint, the block says": ((*TRAIN, "T_1+T_2-T_3=0"), "", "%% constraint (4)\n"),
     "a letter of its own": ((*TRAIN, r"T_1+T_2=m"), "", ""),
+    # x_0 is where it holds, no slip of x.
+    "a zero, and where it is": (
+        (r"y=r+\frac{x^2}{l}", r"x_0=\sqrt{rl}", "y=2r", "x^2-rl=0"),
+        "",
+        "%% x_0 : length\n",
+    ),
     "a position": ((ROD, SLIDER, r"\alpha=\beta", r"x=2r\cos\alpha"), "", ""),
     "a branch of the rod": ((ROD, SLIDER, r"x=r\cos\alpha-\sqrt{l^2-r^2\sin^2\alpha}"), "", ""),
     "the same on both sides": ((r"m=\cos\gamma", r"k\cos\gamma=k\sin\gamma"), "", ""),

@@ -88,6 +88,12 @@ MATRICES = [
         show(P).row_join(sp.Matrix([x, y])).col_join(sp.Matrix([[0, 0, 1]])),
     ),
     (r"\begin{pmatrix}P&0\\0&P\end{pmatrix}", sp.diag(show(P), show(P))),
+    # How far away the next row is printed says nothing; a row may begin with a bracket.
+    *(
+        (rf"\begin{{pmatrix}}x\\{space}-y\end{{pmatrix}}", sp.Matrix([x, -y]))
+        for space in ("[2mm]", " [0.5 em]", "[-1ex]", "*", "*[3pt]", r"[\jot]", r"[2\baselineskip]")
+    ),
+    (r"\begin{pmatrix}x\\ [2y]s\end{pmatrix}", sp.Matrix([x, 2 * y * s])),
 ]
 
 

@@ -10,7 +10,9 @@ from mechproof.arguments.scalars import check_function, check_number, check_text
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
 from mechproof.document.consequences import GIVEN
 from mechproof.document.constrained_rows import (
+    doubt_by_letters,
     excuse_by_constraints,
+    find_contradictions,
     find_misprints,
     follow_from_constraints,
     solve_constraints,
@@ -141,6 +143,8 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
+        rows |= dict(find_contradictions(tasks, rows))
+        rows |= dict(doubt_by_letters(tasks, rows))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

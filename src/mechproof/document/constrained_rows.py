@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import GIVEN, list_letters
-from mechproof.document.judging import Key, judge_beside, judge_excused, judge_misprint, judge_roots
+from mechproof.document.judging import (
+    WITH_DEFINITIONS,
+    Key,
+    judge_beside,
+    judge_excused,
+    judge_misprint,
+    judge_roots,
+)
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
-from mechproof.record import Conjunction, Equality
+from mechproof.record import Conjunction, Definition, Equality
 from mechproof.tools.processes import run_tasks
 
 # What may yet follow from constraints.
@@ -37,7 +44,7 @@ def follow_from_constraints(
         elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
             alone = rows[number].judgement
             if alone and alone.rung == GIVEN:
-                reason = f"{alone.reason}; it does not follow from {names}"
+                reason = f"{alone.reason}; that it follows from {names} was not shown"
                 yield number, make_row(tasks[number], replace(alone, reason=reason))
 
 
@@ -115,15 +122,76 @@ def find_misprints(
     without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
     still = _accuse(key, without, limit)
     pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    pairs += [(n, m) for n in accused for m in range(n + 1, len(tasks)) if _says(tasks, n, m)]
     refuted = accused.keys() - {n for n, _ in pairs}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
         names = ", ".join(tasks[other].row.number for other in sorted(others))
         said = f": {accused[n].reason}" if n in accused else ""
-        contradicts = (
-            f"it and {names} contradict each other: one is wrong, or of another case{said}"
-        )
+        contradicts = f"{_tell_contradiction(names)}{said}"
         yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
+
+
+def find_contradictions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse neither what is never true beside a definition after it, nor that definition."""
+    for n, task in enumerate(tasks):
+        is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
+        letters = _list_printed(task) if is_beside else set[sp.Basic]()
+        later = [m for m in range(n + 1, len(tasks)) if _defines(tasks[m], letters)]
+        for m in later:
+            yield n, make_row(task, _tell_contradiction(tasks[m].row.number))
+            yield m, make_row(tasks[m], _tell_contradiction(task.row.number))
+
+
+def doubt_by_letters(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Refute no row by a letter whose definition another print contradicts."""
+    doubted = [
+        task
+        for n, task in enumerate(tasks)
+        if task.sign.role is Role.DEFINITION and rows[n].state is State.NOT_JUDGED
+    ]
+    for n, task in enumerate(tasks):
+        letters = _list_used(task, tasks) if doubted and _is_refuted(rows[n]) else ()
+        if names := ", ".join(one.row.number for one in doubted if _defines(one, letters)):
+            yield n, make_row(task, f"it differs, but rests on {names}, which may be wrong itself")
+
+
+def _is_refuted(row: CheckedRow) -> bool:
+    return row.outcome == Verdict.REFUTED.value
+
+
+def _list_printed(task: Task) -> set[sp.Basic]:
+    """Return the letters that stand on the sides of a row."""
+    says = task.row.says
+    sides = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
+    return {s for side in sides for s in getattr(side, "free_symbols", ())}
+
+
+def _list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
+    """Return the letters of a row, and of what defines them."""
+    letters, before = _list_printed(task), set[sp.Basic]()
+    while letters != before:
+        before = letters
+        letters = letters.union(*(_list_printed(one) for one in tasks if _defines(one, letters)))
+    return letters
+
+
+def _defines(task: Task, letters: Collection[sp.Basic]) -> bool:
+    return task.sign.role is Role.DEFINITION and task.sign.letter in letters
+
+
+def _tell_contradiction(names: str) -> str:
+    return f"it and {names} contradict each other: one is wrong, or of another case"
+
+
+def _says(tasks: Sequence[Task], number: int, other: int) -> bool:
+    """Return whether a row is about the same letters as the definition of one of them."""
+    letters = _list_printed(tasks[number])
+    return _defines(tasks[other], letters) and _list_printed(tasks[other]) == letters
 
 
 def _accuse(

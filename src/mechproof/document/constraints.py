@@ -90,6 +90,9 @@ def list_divisors(expression: sp.Expr) -> list[sp.Expr]:
     powers = (one for one in expression.atoms(sp.Pow) if one.exp.could_extract_minus_sign())
     cosines = (sp.cos(one.args[0]) for one in expression.atoms(sp.tan))
     below = sp.Mul(*(power.base for power in powers), *cosines)
+    if any(power.exp.could_extract_minus_sign() for power in below.atoms(sp.Pow)):
+        # By the fractions in it is divided elsewhere.
+        below = sp.numer(sp.together(below))
     return [factor for factor, _ in sp.factor_list(below)[1]]
 
 
@@ -110,11 +113,13 @@ def _combine(
         terms = {sp.Mul(*map(sp.Pow, ring, m)) for p in parts for m in sp.Poly(p, *ring).monoms()}
         factors = sorted({sp.S.One, *ring, *terms}, key=sp.default_sort_key)
         degree = {p: sp.Poly(p, *ring).total_degree() for p in (target, *parts, *factors)}
+        # Squares of constraints may cancel only by circles.
+        most = max([degree[target], *(2 * degree[p] for p in parts if circles)])
         products = [
             (n, f)
             for n, part in enumerate(parts)
             for f in factors
-            if degree[f] + degree[part] <= degree[target]
+            if degree[f] + degree[part] <= most
         ]
         if len(products) > MOST_PRODUCTS:
             return None

@@ -41,6 +41,8 @@ _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)
 # Seconds for one equation.
 LIMIT = 60.0
+# How far a row is never true: those that define its letters may be wrong instead.
+WITH_DEFINITIONS = " with what defines its letters"
 # Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
@@ -131,7 +133,8 @@ def _judge_alone(task: Task) -> Judgement | str:
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
-        return replace(found, reason=f"it is never true: {found.reason}")
+        beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
+        return replace(found, reason=f"it is never true{beside}: {found.reason}")
     return _take_as_given(task, found)
 
 
@@ -185,6 +188,15 @@ def _is_nowhere_true(task: Task) -> bool:
     if isinstance(says, Holds):
         return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
     return False
+
+
+def _is_false_alone(task: Task) -> bool:
+    """Return whether a row is true nowhere, whatever defines its letters."""
+    one, other = task.sign.sides
+    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
+        return True
+    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    return decide(Holds(sp.Ne(one, other, evaluate=False)), domain).verdict is Verdict.PROVED
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:

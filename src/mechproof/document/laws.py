@@ -80,7 +80,7 @@ def order_pieces(pieces: Sequence[Piece]) -> list[Piece]:
     found = first[:1]
     while found[-1].high is not None and (following := starts.get(found[-1].range[1])):
         found.append(following)
-    return found if len(found) == len(ranges) > 1 else []
+    return found if len(found) == len(ranges) else []
 
 
 def join_pieces(pieces: Sequence[Piece]) -> sp.Piecewise:

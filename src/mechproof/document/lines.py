@@ -11,14 +11,14 @@ from collections.abc import Iterator, Sequence
 
 from mechproof.document.text import LocatedText, join
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import same_sign
+from mechproof.latex.signs import SPACING, same_sign
 
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(
     r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|align\*?|gather\*?|equation\*?)\}"
     r"(?:\{\d+\})?"
 )
-_SPACING = re.compile(r"\s*(?:\[-?[\d.]*\s*(?:px|pt|em|ex|cm|mm|\\[A-Za-z]+)\]|\*)")
+_SPACING = re.compile(SPACING)
 # A brace over equations, at the beginning of a line: a system, no values of a function.
 _SYSTEM = re.compile(
     r"\\begin\s*\{d?cases\}|\\left\s*\\\{\s*(?:\\begin\s*\{(?:array|matrix)\}(?:\s*\{[lcr|\s]*\})?)?"

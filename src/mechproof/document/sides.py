@@ -68,7 +68,7 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
     found = [side.xreplace({**values, letter: sp.Rational(n, 13)}).evalf() for n in (8, -17, 32)]
-    return all(one.is_number and abs(one - found[0]) < _SMALL for one in found)
+    return all(one.is_finite and abs(one - found[0]) < _SMALL for one in found)
 
 
 def _list_letters(side: Any) -> set[sp.Basic]:

@@ -101,6 +101,15 @@ def _change(
                 yield part.func(*arguments), printed, meant
 
 
+def _is_at_a_place(one: sp.Basic, other: sp.Basic) -> bool:
+    """Return whether of two letters one is the other with an index.
+
+    It is often its value at one place, so that neither is taken for a slip of the other.
+    """
+    (stem, _, index), (other_stem, _, other_index) = (str(s).partition("_") for s in (one, other))
+    return stem == other_stem and bool(index) != bool(other_index)
+
+
 def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> Iterator[sp.Expr]:
     """Yield what may have been meant in place of a part that is printed."""
     yield -part
@@ -108,7 +117,7 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     yield part / 2
     if part.is_Symbol:
         yield part**2
-        yield from letters
+        yield from (letter for letter in letters if not _is_at_a_place(part, letter))
         yield from (part + letter for letter in letters)
     elif isinstance(part, _TURNING):
         yield part**2

@@ -39,7 +39,8 @@ def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
     variable = meaning.of(node.differential)
     running, inside = _bind(meaning, node, integrand, variable)
     if node.low and node.high:
-        return sp.Integral(inside, (running, meaning.of(node.low), meaning.of(node.high)))
+        limits = meaning.of(node.low), meaning.of(node.high)
+        return sp.Integral(_take_range(inside, running, *limits), (running, *limits))
     if meaning.lower_limit is None:
         raise meaning.source.refuse(
             node.start,
@@ -47,6 +48,20 @@ def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
             meaning.remedies.lower_limit,
         )
     return sp.Integral(inside, (running, meaning.lower_limit, variable))
+
+
+def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.Expr) -> sp.Expr:
+    """Put in the value of a law of one piece, whose range the limits are."""
+    within = {sp.Ge(variable, low), sp.Gt(variable, low), sp.Le(variable, high)}
+    within = {relation.canonical for relation in within | {sp.Lt(variable, high)}}
+    laws = {law: law.args[0] for law in integrand.atoms(sp.Piecewise) if len(law.args) == 1}
+    return integrand.xreplace(
+        {
+            law: piece.expr
+            for law, piece in laws.items()
+            if {part.canonical for part in sp.And.make_args(piece.cond)} <= within
+        }
+    )
 
 
 def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:

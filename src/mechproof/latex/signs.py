@@ -10,7 +10,10 @@ from functools import lru_cache
 from mechproof.latex.characters import spell
 from mechproof.latex.words import AND
 
-_SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
+# What may stand behind \\, the end of a row: how far away the next one begins.
+_LENGTH = r"[\d.]+\s*(?:p[xtc]|e[mx]|[cm]m|in|bp|mu)|[\d.]*\\(?:jot|[a-z]*skip(?:amount)?)"
+SPACING = rf"\*?(?:\s*\[\s*-?(?:{_LENGTH})\s*\])?"
+_SIGN = re.compile(rf"\\\\{SPACING}|\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
 _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
@@ -87,6 +90,9 @@ def same_sign(sign: str) -> str:
 
 def _find_signs(latex: str) -> Iterator[Token]:
     for match in _SIGN.finditer(latex):
+        if match[0].startswith(r"\\"):
+            yield Token(r"\\", match.start(), match.start() + 2)
+            continue
         for text in spell(match[0]) if len(match[0]) == 1 else (match[0],):
             yield Token(text, match.start(), match.end())
 
