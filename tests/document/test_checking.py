@@ -271,6 +271,26 @@ def test_without_a_block_letters_are_real_numbers_and_told() -> None:
     assert [row.outcome for row in found.rows] == ["DEFINITION", "PROVED", "not read"]
 
 
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        # Where it can be nothing else, it is a letter.
+        (r"k=\frac{Gd^4}{8D^3n}", "DEFINITION"),
+        (r"b=\frac{ce}{c+f}", "DEFINITION"),
+        (r"i_{\max}=2i", "DEFINITION"),
+        (r"k=\int_0^1 x\,dx+d", "not read"),
+        (r"k=e^{-t}+e", "not read"),
+    ],
+)
+def test_without_a_block_a_letter_that_may_be_a_sign_is_taken_or_named(
+    latex: str, outcome: str
+) -> None:
+    (row,) = check("paper.tex", f"$${latex}$$").rows
+    assert row.outcome == outcome
+    # What is missing is that letter, not the first of the print.
+    assert outcome == "DEFINITION" or row.reason[0] in "de"
+
+
 def test_a_wrong_line_of_many_ends_nothing() -> None:
     found = outcomes(r"k=\frac{m}{", r"m=\begin{foo}", r"\lambda=\frac rl", r"u=\unknown{2}")
     assert found == ["not read", "not read", "DEFINITION", "not read"]

@@ -119,10 +119,11 @@ def draft_block(source: Source) -> str:
     lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
     lines += _ask_what_follows(source, displays)
-    for number, reason in collected.unread.items():
-        place = source.files.locate(displays[number].latex.offsets[0])
-        lines.append(f"# {displays[number].name}, line {place.line}: its letters are missing here:")
-        lines.append(f"#   {' '.join(reason.split())}")
+    for display, latex in zip(displays, plain, strict=True):
+        if error := collected.unread.get(latex):
+            place = source.files.locate(display.latex.offsets[0])
+            lines.append(f"# {display.name}, line {place.line}: its letters are missing here:")
+            lines.append(f"#   {' '.join(error.reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
 
 

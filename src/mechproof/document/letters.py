@@ -89,13 +89,13 @@ class Collected:
     """Letters that are not declared, those before a bracket, functions with the power -1.
 
     `guessed` are letters that the reader asks for, whole prints as f(x) among them. What could not
-    be read is keyed by the number of its print, with the reason.
+    be read is keyed by its print, with the refusal.
     """
 
     letters: list[str]
     factors: list[str]
     functions: Mapping[str, str]
-    unread: Mapping[int, str]
+    unread: Mapping[str, ReadingError]
     guessed: list[str] = field(default_factory=list)
     imaginary: str = ""
 
@@ -114,11 +114,11 @@ def collect_letters(
     prints = list(printed)
     letters: dict[str, None] = {}
     guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
-    unread: dict[int, str] = {}
-    for number, latex in enumerate(prints):
+    unread: dict[str, ReadingError] = {}
+    for latex in prints:
         found = _collect_from(latex, guesses)
-        if isinstance(found, str):
-            unread[number] = found
+        if isinstance(found, ReadingError):
+            unread[latex] = found
         else:
             letters |= dict.fromkeys(found)
     kept = [x for x in letters if "#" not in x]
@@ -155,13 +155,16 @@ class _Guesses:
             self.functions[italics[1]] = rf"\{italics[1]}"
             return is_new
         asked = _ASKS.search(error.reason)
-        named = _NAMES.search(error.remedy) if self.declares else None
+        named = _NAMES.search(error.remedy)
         if asked:
             arguments = find_arguments(error.latex, error.place) if self.declares else ""
             if not arguments:
                 return _enter(asked[1], self.factors)
             return _enter(f"{asked[1]}({arguments})", self.letters)
         if not named or self._is_taken_up(named[1]):
+            return False
+        # Where nothing is declared, such a letter may still be taken, also with an index.
+        if not (self.declares or named[1].partition("_")[0] in _NO_LETTER):
             return False
         sign = named[1].partition(" ")[0]
         if sign in _INCREMENTS and _INCREMENTS[sign].search(self.all_prints):
@@ -202,16 +205,16 @@ def _enter(name: str, names: dict[str, None]) -> bool:
     return is_new
 
 
-def _collect_from(latex: str, guesses: _Guesses) -> list[str] | str:
+def _collect_from(latex: str, guesses: _Guesses) -> list[str] | ReadingError:
     """Return the letters of a print, or why it cannot be read."""
     while True:
         try:
             return make_reader(guesses.letters, guesses).collect(latex)
         except ReadingError as error:
             if not guesses.take(error):
-                return error.reason
+                return error
         except RecursionError:
-            return "it is nested too deeply"
+            return ReadingError(latex, 0, "it is nested too deeply to be read")
 
 
 def find_arguments(latex: str, place: int) -> str:

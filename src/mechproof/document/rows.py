@@ -64,6 +64,7 @@ class Document:
         self.limit = 0.0
         self.papers: dict[bool, Paper] = {}
         self.taken: tuple[str, ...] = ()
+        self._uncollected: Mapping[str, ReadingError] = {}
         if not source.has_block:
             self._take_letters()
         refuse_unknown(self.block, self.printed)
@@ -73,8 +74,9 @@ class Document:
         """Take letters that no block declares as numbers, or as the matrices they are printed."""
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_unit(prints)
-        letters = collect_letters(prints, imaginary=self.block.imaginary).letters
-        letters = drop_transposition(letters, prints)
+        collected = collect_letters(prints, imaginary=self.block.imaginary)
+        self._uncollected = collected.unread
+        letters = drop_transposition([*collected.letters, *collected.guessed], prints)
         shapes = dict(find_shapes(prints))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [
@@ -208,7 +210,8 @@ class Document:
             with limit_time(self.limit):
                 return act()
         except ReadingError as error:
-            return self._refuse(printed, error)
+            # Where no letters could be taken, that some are not declared is no reason.
+            return self._refuse(printed, self._uncollected.get(printed.latex.string, error))
         except RecursionError:
             return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
         except TimeoutError as error:
