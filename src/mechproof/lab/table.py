@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
 
 from mechproof.lab.certificate_claims import find_way, list_claims
 from mechproof.measured import (
@@ -38,9 +39,10 @@ Errors are taken against balls at the exact doubles, on the points of the report
 search climbed from the points of the tuning seed, by balls and by long doubles, and balls judged
 what it found. *scaled*: the error in units of 2**-52 times the scale named with each quantity,
 where the accuracy bound of the kernel holds (without such a bound in ulp of the value); the other
-columns are over all points. *bits*: log2(1 + ulps). Times are medians, in ns per point, of rounds
-in which all ways took turns; in brackets the ratio to the first way in the same round. Quartiles,
-errors set by set, and the times of NumPy's own functions are in the records beside.
+columns are over all points. *bits*: log2(1 + ulps). Ways that share a line of errors have equal
+ones. Times are medians, in ns per point, of rounds in which all ways took turns; in brackets the
+ratio to the first way in the same round. Quartiles, errors set by set, and the times of NumPy's own
+functions are in the records beside.
 """
 
 
@@ -72,7 +74,7 @@ def list_lines(
     for record in records:
         yield f"\n## {record.quantity}\n"
         yield f"Scaled: {record.error_unit}. {_describe_run(record)}\n"
-        yield from _table(WAY_HEAD, (_describe_way(record, way) for way in record.ways))
+        yield from _table(WAY_HEAD, _join_equal(_describe_way(record, way) for way in record.ways))
         for workload in dict.fromkeys(row.workload for row in record.times):
             yield f"\n{workload}\n"
             yield from _list_times(record, workload)
@@ -84,6 +86,12 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
     yield _line(["-"] * len(head))
     for row in rows:
         yield _line(row)
+
+
+def _join_equal(rows: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
+    """Give ways that stand one after the other and differ in nothing but their name one line."""
+    for shared, equal in groupby(rows, key=lambda row: tuple(row[1:])):
+        yield "; ".join(row[0] for row in equal), *shared
 
 
 def _line(entries: Sequence[str]) -> str:
