@@ -122,7 +122,8 @@ def find_misprints(
     without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
     still = _accuse(key, without, limit)
     pairs = [pair for place, pair in enumerate(rivals) if place not in still]
-    pairs += [(n, m) for n in accused for m in range(n + 1, len(tasks)) if _says(tasks, n, m)]
+    later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
+    pairs += [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
     refuted = accused.keys() - {n for n, _ in pairs}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
@@ -188,10 +189,10 @@ def _tell_contradiction(names: str) -> str:
     return f"it and {names} contradict each other: one is wrong, or of another case"
 
 
-def _says(tasks: Sequence[Task], number: int, other: int) -> bool:
+def _restates(task: Task, other: Task) -> bool:
     """Return whether a row is about the same letters as the definition of one of them."""
-    letters = _list_printed(tasks[number])
-    return _defines(tasks[other], letters) and _list_printed(tasks[other]) == letters
+    letters = _list_printed(task)
+    return _defines(other, letters) and _list_printed(other) == letters
 
 
 def _accuse(

@@ -52,14 +52,16 @@ def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
 
 def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.Expr) -> sp.Expr:
     """Put in the value of a law of one piece, whose range the limits are."""
-    within = {sp.Ge(variable, low), sp.Gt(variable, low), sp.Le(variable, high)}
-    within = {relation.canonical for relation in within | {sp.Lt(variable, high)}}
     laws = {law: law.args[0] for law in integrand.atoms(sp.Piecewise) if len(law.args) == 1}
+    if not laws:
+        return integrand
+    ends = ((sp.Ge, low), (sp.Gt, low), (sp.Le, high), (sp.Lt, high))
+    told = {relate(variable, end).canonical for relate, end in ends}
     return integrand.xreplace(
         {
             law: piece.expr
             for law, piece in laws.items()
-            if {part.canonical for part in sp.And.make_args(piece.cond)} <= within
+            if {part.canonical for part in sp.And.make_args(piece.cond)} <= told
         }
     )
 
