@@ -143,8 +143,9 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
-        rows |= dict(find_contradictions(tasks, rows))
-        rows |= dict(doubt_by_letters(tasks, rows))
+        contested = {**misprints, **dict(find_contradictions(tasks, rows))}
+        rows |= contested
+        rows |= dict(doubt_by_letters(tasks, rows, contested))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

@@ -141,19 +141,23 @@ def find_contradictions(
         is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
         letters = _list_printed(task) if is_beside else set[sp.Basic]()
         later = [m for m in range(n + 1, len(tasks)) if _defines(tasks[m], letters)]
+        if names := ", ".join(tasks[m].row.number for m in later):
+            yield n, make_row(task, _tell_contradiction(names))
         for m in later:
-            yield n, make_row(task, _tell_contradiction(tasks[m].row.number))
             yield m, make_row(tasks[m], _tell_contradiction(task.row.number))
 
 
 def doubt_by_letters(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Refute no row by a letter whose definition another print contradicts."""
+    """Refute no row by a letter whose definition another print contradicts.
+
+    `contested` are the misprints, and the rows that contradict each other.
+    """
     doubted = [
-        task
-        for n, task in enumerate(tasks)
-        if task.sign.role is Role.DEFINITION and rows[n].state is State.NOT_JUDGED
+        tasks[n]
+        for n, row in sorted(contested.items())
+        if tasks[n].sign.role is Role.DEFINITION and row.state is State.NOT_JUDGED
     ]
     for n, task in enumerate(tasks):
         letters = _list_used(task, tasks) if doubted and _is_refuted(rows[n]) else ()
