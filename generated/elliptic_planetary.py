@@ -535,6 +535,9 @@ def largest_ratio(
 
     Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 2.76 eps
+    NumPy's functions, found 2.09; at most 2.76 eps compiled, found 2.09.
+
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
@@ -588,6 +591,9 @@ def smallest_ratio(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
+
+    Proved, as long as no result overflows or falls below the normal range: at most 2.76 eps
+    NumPy's functions, found 2.04; at most 2.76 eps compiled, found 2.04.
 
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
@@ -732,6 +738,9 @@ def largest_acceleration(
 
     Accuracy, tested: 20 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
     1e90*R2.
+
+    Proved, as long as no result overflows or falls below the normal range: at most 11.68 eps
+    NumPy's functions, found 6.69; at most 11.68 eps compiled, found 6.69.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
@@ -961,6 +970,9 @@ def smallest_jerk(
 
     Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 6.56 eps
+    NumPy's functions, found 5.94; at most 6.56 eps compiled, found 5.94.
+
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1084,6 +1096,9 @@ def eccentricity_of_largest_ratio(
 
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 2.51 eps
+    NumPy's functions, found 1.24; at most 2.51 eps compiled, found 1.24.
+
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1152,6 +1167,9 @@ def eccentricity_of_smallest_ratio(
 
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 3.53 eps
+    NumPy's functions, found 2.24; at most 3.53 eps compiled, found 2.24.
+
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1214,6 +1232,9 @@ def eccentricity_of_quotient(
     Domain: 0 < R1, R2 < oo, 1 <= quotient < oo, R2 < R1.
 
     Accuracy, tested: 9 eps of the value, where R1 <= 1e100*R2 and quotient <= 1e100.
+
+    Proved, as long as no result overflows or falls below the normal range: at most 6.88 eps
+    NumPy's functions, found 4.41; at most 6.88 eps compiled, found 4.41.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
@@ -1283,6 +1304,9 @@ def eccentricity_of_non_uniformity(
 
     Accuracy, tested: 6 eps of the value, where R1 <= 1e100*R2 and non_uniformity <= 1e50.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 4 eps
+    NumPy's functions, found 2.68; at most 4 eps compiled, found 2.68.
+
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1351,6 +1375,9 @@ def eccentricity_of_extremes(
 
     Accuracy, tested: 4 eps of the value.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 4.02 eps
+    NumPy's functions, found 3.19; at most 4.02 eps compiled, found 3.19.
+
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1414,6 +1441,9 @@ def radii_of_extremes(
     (smallest <= largest and R1 > R2).
 
     Accuracy, tested: 2 eps of the value.
+
+    Proved, as long as no result overflows or falls below the normal range: at most 1.26 eps
+    NumPy's functions, found 0.74; at most 1.26 eps compiled, found 0.74.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 

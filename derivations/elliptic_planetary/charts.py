@@ -18,11 +18,21 @@ from .._eccentric import (
     first_turn,
     next_to_pi,
 )
-from .symbols import R1, R2, e, phi1
+from .symbols import (
+    R1,
+    R2,
+    e,
+    largest_wanted,
+    non_uniformity_wanted,
+    phi1,
+    quotient_wanted,
+    smallest_wanted,
+)
 
 # In all of them: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)
-SIZES = {R1: RADIUS, R2: INVERSE * RADIUS, phi1: INVERSE * ANGLE_X}
+RADII = {R1: RADIUS, R2: INVERSE * RADIUS}
+SIZES = {**RADII, phi1: INVERSE * ANGLE_X}
 FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
 PLAIN_CHART = Chart(
     "|x| <= 2**26",
@@ -67,3 +77,39 @@ FAR, FAR_ECCENTRIC = (
 
 # The acceleration vanishes with x, e, d and pi - x.
 SMOOTH = tuple(chart(OFF_PI, *place) for place in (*below_pi(e), *next_to_pi(e)))
+
+# The extremes, by e and by what e lacks of 1.
+BY_SIZES = tuple(
+    Chart("", {**RADII, e: there}, {**FREE, part: UP_TO_HALF})
+    for there, part in ((e, e), (1 - D, D))
+)
+
+# What is wanted beside the radii.
+PART = Symbol("part", positive=True)
+
+
+def wish(wanted: Symbol, value: Expr, inverse: Expr = INVERSE) -> Chart:
+    """Make the chart of what is wanted, by 1/k and a share."""
+    arguments = {R1: RADIUS, R2: inverse * RADIUS, wanted: value}
+    return Chart("", arguments, {**FREE, PART: Interval(0, 1)})
+
+
+FOR_LARGEST = (wish(largest_wanted, 1 + 1 / (INVERSE * PART)),)
+FOR_SMALLEST = (wish(smallest_wanted, 1 + PART / INVERSE),)
+FOR_NON_UNIFORMITY = tuple(wish(non_uniformity_wanted, value) for value in (PART, 1 / PART))
+# Beyond 2 by whether it or k**2 is the larger.
+FOR_QUOTIENT = (
+    wish(quotient_wanted, 1 + PART),
+    wish(quotient_wanted, 1 + 1 / (INVERSE**2 * PART)),
+    wish(quotient_wanted, 1 + 1 / INVERSE**2, INVERSE * PART),
+)
+# The largest ratio is beyond 2; the smallest is nearly as large, or not.
+INVERSE_ROOT = Symbol("1/sqrt(i - 1)", positive=True)
+FOR_EXTREMES = tuple(
+    Chart(
+        "",
+        {largest_wanted: 1 + 1 / INVERSE_ROOT**2, smallest_wanted: 1 + share / INVERSE_ROOT**2},
+        {INVERSE_ROOT: Interval(0, 1), part: Interval(0, Rational(3, 4))},
+    )
+    for share, part in ((1 - D, D), (PART**2, PART))
+)

@@ -9,6 +9,7 @@ from mechproof.record import (
     SLOPES,
     Accuracy,
     Argument,
+    Chart,
     Claim,
     Equality,
     Form,
@@ -21,6 +22,7 @@ from mechproof.record import (
     ours,
 )
 
+from . import charts
 from .kernels import ARGUMENTS, SOURCE
 from .mechanics import largest, non_uniformity, smallest
 from .symbols import *
@@ -153,6 +155,7 @@ def inverse(
     arguments: tuple[Argument, ...],
     value: Expr,
     accuracy: Accuracy,
+    covering: tuple[Chart, ...],
     on: Part | None = None,
     singular: tuple[Singular, ...] = (),
     slopes: Accuracy | None = SLOPES,
@@ -163,7 +166,7 @@ def inverse(
         summary,
         arguments,
         value,
-        (Form("quotient", value),),
+        (Form("quotient", value, charts=covering),),
         f"inverse of the extremes of {SOURCE}, equation (8)",
         accuracy=accuracy,
         on=on,
@@ -179,6 +182,7 @@ DESIGN_QUANTITIES = (
         (WANT_LARGEST, *RADII),
         OF_LARGEST,
         Accuracy(2.5, IN_UNITS, MODERATE),
+        charts.FOR_LARGEST,
         REACHED_LARGEST,
         (Singular(Eq(largest_wanted, 1 + k)),),
     ),
@@ -188,6 +192,7 @@ DESIGN_QUANTITIES = (
         (WANT_SMALLEST, *RADII),
         OF_SMALLEST,
         Accuracy(2.5, IN_UNITS, MODERATE),
+        charts.FOR_SMALLEST,
         REACHED_SMALLEST,
         (Singular(Eq(smallest_wanted, 1 + k)),),
     ),
@@ -197,6 +202,7 @@ DESIGN_QUANTITIES = (
         (ratio_argument("quotient", quotient_wanted, "largest over smallest ratio", 1, 20), *RADII),
         OF_QUOTIENT,
         Accuracy(9, within=(*MODERATE, quotient_wanted <= 10**100)),
+        charts.FOR_QUOTIENT,
         singular=(Singular(Eq(quotient_wanted, 1)),),
     ),
     inverse(
@@ -214,6 +220,7 @@ DESIGN_QUANTITIES = (
         ),
         OF_NON_UNIFORMITY,
         Accuracy(6, within=(*MODERATE, non_uniformity_wanted <= 10**50)),
+        charts.FOR_NON_UNIFORMITY,
         singular=(Singular(Eq(non_uniformity_wanted, 0)),),
         # Near a ratio that does not vary they would cancel.
         slopes=None,
@@ -224,6 +231,7 @@ DESIGN_QUANTITIES = (
         (WANT_LARGEST, WANT_SMALLEST),
         OF_BOTH,
         Accuracy(4),
+        charts.FOR_EXTREMES,
         REACHED_BOTH,
         (Singular(Eq(largest_wanted, smallest_wanted)),),
     ),
@@ -233,6 +241,7 @@ DESIGN_QUANTITIES = (
         (WANT_LARGEST, WANT_SMALLEST),
         RADII_OF_BOTH,
         Accuracy(2),
+        charts.FOR_EXTREMES,
         REACHED_BOTH,
     ),
 )

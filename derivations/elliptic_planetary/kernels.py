@@ -36,7 +36,7 @@ from mechproof.record import (
 )
 
 from .._eccentric import on_branch
-from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
+from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
 from .mechanics import largest, position_closed, position_principal, smallest
 from .rows import print_8, print_12
 from .symbols import BRANCH, R1, R2, E, T, e, k, nearest, nu, phi1, phi5, turns, x
@@ -299,7 +299,7 @@ QUANTITIES = (
         "Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.",
         ARGUMENTS[1:],
         largest,
-        (Form("quotient", largest),),
+        (Form("quotient", largest, charts=BY_SIZES),),
         EXTREMES,
         accuracy=EXTREME,
         singular=ENDS_OF_E,
@@ -309,7 +309,7 @@ QUANTITIES = (
         "Compute the smallest transmission ratio, met half a period after the largest.",
         ARGUMENTS[1:],
         smallest,
-        (Form("quotient", smallest),),
+        (Form("quotient", smallest, charts=BY_SIZES),),
         EXTREMES,
         accuracy=EXTREME,
         singular=ENDS_OF_E,

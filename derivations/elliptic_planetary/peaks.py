@@ -25,6 +25,7 @@ from sympy import (
 from mechproof.record import (
     SLOPES,
     Accuracy,
+    Chart,
     Equality,
     Form,
     Part,
@@ -39,6 +40,7 @@ from mechproof.record import (
 
 from .._eccentric import jerk_terms
 from . import kernels
+from .charts import BY_SIZES
 from .symbols import R1, R2, c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
 
 JERK = diff(kernels.ACCELERATION, x) * k
@@ -104,7 +106,12 @@ OF_SIZES = f"extremes of the derivatives of {kernels.SOURCE}, equation (8)"
 
 
 def of_sizes(
-    name: str, summary: str, value: Expr, accuracy: Accuracy, singular: tuple[Singular, ...] = ()
+    name: str,
+    summary: str,
+    value: Expr,
+    accuracy: Accuracy,
+    singular: tuple[Singular, ...] = (),
+    charts: tuple[Chart, ...] = (),
 ) -> Quantity:
     """Make a quantity of the sizes alone."""
     return Quantity(
@@ -112,7 +119,7 @@ def of_sizes(
         summary,
         kernels.ARGUMENTS[1:],
         value,
-        (Form("quotient", value),),
+        (Form("quotient", value, charts=charts),),
         OF_SIZES,
         unit="rad" if name.startswith("angle") else "1",
         accuracy=accuracy,
@@ -147,6 +154,7 @@ PEAK_QUANTITIES = (
         "Compute the largest acceleration; the smallest is as far below zero.",
         LARGEST_ACCELERATION,
         Accuracy(20, within=SIZES),
+        charts=BY_SIZES,
     ),
     of_sizes(
         "angle_of_smallest_acceleration",
@@ -166,6 +174,7 @@ PEAK_QUANTITIES = (
         "Compute the smallest jerk, met where the ratio is largest.",
         SMALLEST_JERK,
         Accuracy(7, within=SIZES),
+        charts=BY_SIZES,
     ),
     of_sizes(
         "angle_of_largest_jerk",

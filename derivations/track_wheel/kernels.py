@@ -5,6 +5,7 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
+    Chart,
     EmittedForm,
     Equality,
     Form,
@@ -25,6 +26,17 @@ from .symbols import *
 RADIUS = printed_radius(THETA)
 # Seen from the pole the points of the circle lie between these, whatever the sign of A.
 LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
+# By which is the larger; both are even in A.
+SIZE, SHARE_OF_SIZE = sp.symbols("size share", positive=True)
+BY_SIZES = tuple(
+    Chart(
+        "",
+        {larger: SIZE, other: SIZE * SHARE_OF_SIZE},
+        {SIZE: sp.Interval(0, sp.oo), SHARE_OF_SIZE: sp.Interval(0, 1)},
+    )
+    for larger, other in ((radius, amplitude), (amplitude, radius))
+)
+EVEN = ((amplitude,),)
 TRACK = sp.ImmutableDenseMatrix([RADIUS * sp.cos(phi), RADIUS * sp.sin(phi), thickness])
 SHIFTED_INSIDE = Part("A has either sign", {amplitude: sp.S.Reals})
 root, rho = sp.symbols("root rho", real=True)
@@ -202,7 +214,7 @@ QUANTITIES = (
         "Compute the largest radius vector of the track.",
         CIRCLE[1:3],
         LARGEST,
-        (Form("sum", LARGEST),),
+        (Form("sum", LARGEST, charts=BY_SIZES, mirrors=EVEN),),
         f"extremes of {TRACK_SOURCE}",
         unit="mm",
         on=SHIFTED_INSIDE,
@@ -213,7 +225,7 @@ QUANTITIES = (
         "Compute the smallest radius vector of the track.",
         CIRCLE[1:3],
         SMALLEST,
-        (Form("difference", SMALLEST),),
+        (Form("difference", SMALLEST, charts=BY_SIZES, mirrors=EVEN),),
         f"extremes of {TRACK_SOURCE}",
         unit="mm",
         on=SHIFTED_INSIDE,

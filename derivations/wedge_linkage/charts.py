@@ -31,8 +31,8 @@ def by_largest(
 
 
 UPWARD = "alpha_KL <= 22/7"
-RADICAND = tuple(by_largest(x1, (l_AB, l_BC, l_CD), "all lengths", {}))
-CLEARANCE = tuple(by_largest(x5, (l_GH,), "all lengths", {}))
+RADICAND = tuple(by_largest(x1, (l_AB, l_BC, l_CD), "", {}))
+CLEARANCE = tuple(by_largest(x5, (l_GH,), "", {}))
 OFFSET = tuple(by_largest(x5, (l_KL,), UPWARD, {alpha_KL: Interval(0, Rational(22, 7))}))
 
 # Beyond, the square of BC cancels, and its error is compared with a condition that has no bound.

@@ -125,11 +125,12 @@ def _share_assumptions(claims: Sequence[RoundingClaim]) -> Sequence[str]:
 
 
 def _describe_claim(record: Record, claim: RoundingClaim, shared: Sequence[str]) -> Sequence[str]:
+    where = " or ".join(claim.where) or "everywhere"
     return (
         record.quantity,
         claim.form,
         claim.way.removesuffix("'s functions"),
-        f"nothing shown: open at {claim.open}" if claim.open else " or ".join(claim.where),
+        f"nothing shown: open at {claim.open}" if claim.open else where,
         # In full: a bound that is rounded down is none.
         f"{claim.proved:g}",
         f"{claim.found:g}",

@@ -35,7 +35,7 @@ class Chart:
     the coordinate that is taken off by whole turns, its range being that of its size. `rest` is
     what is left of it by the other coordinates, or half a turn and that (left out: it is one
     itself). `text` says where the arguments are that this and the charts with the same text cover
-    together.
+    together; empty, wherever the quantity has a value.
     """
 
     text: str

@@ -37,8 +37,9 @@ SEED = 1
 class RoundingClaim:
     """A bound of the error of a stage in eps of its scale, and the worst error found.
 
-    `where` says for which arguments, `program` is the hash of steps and coordinates, `boxes` how
-    many show the bound, `open` what is not shown; `at` has the arguments as hexadecimal texts.
+    `where` says for which arguments, all if it is empty, `program` is the hash of steps and
+    coordinates, `boxes` how many show the bound, `open` what is not shown; `at` has the arguments
+    as hexadecimal texts.
     """
 
     quantity: str
@@ -111,11 +112,11 @@ def _tell_form(
     if not claims:
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
-    where = " or ".join(claims[0].where)
+    where = f", where {' or '.join(claims[0].where)}" if claims[0].where else ""
     of_all = [text for text in claims[0].assumptions if all(text in c.assumptions for c in claims)]
     resting = f", as long as {' and '.join(of_all)}" if of_all else ""
     told = "; ".join(_tell(claim, of_all) for claim in claims)
-    return replace(form, proved=f"Proved{name}, where {where}{resting}: {told}.")
+    return replace(form, proved=f"Proved{name}{where}{resting}: {told}.")
 
 
 def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:

@@ -92,8 +92,8 @@ class ComputedStage:
 
     @property
     def where(self) -> tuple[str, ...]:
-        """Say for which arguments the bound is."""
-        return tuple(dict.fromkeys(chart.text for chart in self.form.charts))
+        """Say for which arguments the bound is; nothing, if for all."""
+        return tuple(dict.fromkeys(chart.text for chart in self.form.charts if chart.text))
 
     @property
     def assumptions(self) -> tuple[str, ...]:
