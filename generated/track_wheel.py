@@ -366,6 +366,9 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
 
     Accuracy, tested: 1 eps of the value.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 1.01 eps
+    with np.hypot within 1 ulp, found 0.53; at most 1.01 eps compiled, found 0.99.
+
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
@@ -403,6 +406,9 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
     Domain: all real arguments.
 
     Accuracy, tested: 2 eps of the value.
+
+    Proved, as long as no result overflows or falls below the normal range: at most 2.01 eps
+    with np.hypot within 1 ulp, found 1.02; at most 1.76 eps compiled, found 1.74.
 
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 

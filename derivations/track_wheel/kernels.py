@@ -5,7 +5,6 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
-    Chart,
     EmittedForm,
     Equality,
     Form,
@@ -17,6 +16,7 @@ from mechproof.record import (
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
+from .charts import BY_RADII
 from .kernels_of_poses import POSES, SOURCE, turns
 from .mechanics import CORRECTED_5, CROSS, SQUARES
 from .symbols import *
@@ -26,16 +26,7 @@ from .symbols import *
 RADIUS = printed_radius(THETA)
 # Seen from the pole the points of the circle lie between these, whatever the sign of A.
 LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
-# By which is the larger; both are even in A.
-SIZE, SHARE_OF_SIZE = sp.symbols("size share", positive=True)
-BY_SIZES = tuple(
-    Chart(
-        "",
-        {larger: SIZE, other: SIZE * SHARE_OF_SIZE},
-        {SIZE: sp.Interval(0, sp.oo), SHARE_OF_SIZE: sp.Interval(0, 1)},
-    )
-    for larger, other in ((radius, amplitude), (amplitude, radius))
-)
+# Both are even in A.
 EVEN = ((amplitude,),)
 TRACK = sp.ImmutableDenseMatrix([RADIUS * sp.cos(phi), RADIUS * sp.sin(phi), thickness])
 SHIFTED_INSIDE = Part("A has either sign", {amplitude: sp.S.Reals})
@@ -214,7 +205,7 @@ QUANTITIES = (
         "Compute the largest radius vector of the track.",
         CIRCLE[1:3],
         LARGEST,
-        (Form("sum", LARGEST, charts=BY_SIZES, mirrors=EVEN),),
+        (Form("sum", LARGEST, charts=BY_RADII, mirrors=EVEN),),
         f"extremes of {TRACK_SOURCE}",
         unit="mm",
         on=SHIFTED_INSIDE,
@@ -225,7 +216,7 @@ QUANTITIES = (
         "Compute the smallest radius vector of the track.",
         CIRCLE[1:3],
         SMALLEST,
-        (Form("difference", SMALLEST, charts=BY_SIZES, mirrors=EVEN),),
+        (Form("difference", SMALLEST, charts=BY_RADII, mirrors=EVEN),),
         f"extremes of {TRACK_SOURCE}",
         unit="mm",
         on=SHIFTED_INSIDE,

@@ -7,7 +7,6 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
-    Chart,
     EmittedForm,
     Equality,
     Form,
@@ -18,6 +17,7 @@ from mechproof.record import (
     all_of,
 )
 
+from .charts import BY_PLANE, BY_SPACE, NEAR_NO_TURN, WITHIN_HALF_TURNS
 from .mechanics import (
     FACTORS,
     IDENTITY,
@@ -111,33 +111,9 @@ SIZES = Scale(
     ),
 )
 
-# Near no turn all angles are multiples of the largest, with which the matrix vanishes.
-QUARTER = sp.Rational(11, 7)
-LARGEST, SHARES = sp.Symbol("r"), sp.symbols("y z")
-ANYWHERE = {symbol: symbol for symbol in (*SURFACE_POINT, *SHIFT)}
-RANGES = {
-    LARGEST: sp.Interval(0, QUARTER),
-    **dict(zip(SHARES, (sp.Interval(0, 1), sp.Interval(-1, 1)), strict=True)),
-    **dict.fromkeys(ANYWHERE, sp.S.Reals),
-}
 # To turn about two axes the other way is to look from the other side of the third one.
 OTHER_SIDES = tuple(itertools.combinations(ANGLES, 2))
-
-
-def by_largest(largest: sp.Symbol) -> Chart:
-    """Make the chart of angles of which one is the largest."""
-    others = (angle for angle in ANGLES if angle != largest)
-    shares = {angle: LARGEST * share for angle, share in zip(others, SHARES, strict=True)}
-    text = f"|alpha|, |beta|, |gamma| <= {QUARTER}"
-    return Chart(text, {largest: LARGEST, **shares, **ANYWHERE}, RANGES)
-
-
-HALF_TURN = sp.Interval(0, sp.Rational(22, 7))
-WITHIN_HALF_TURNS = Chart(
-    "|alpha|, |beta|, |gamma| <= 22/7",
-    {angle: angle for angle in ANGLES},
-    {alpha: HALF_TURN, beta: HALF_TURN, gamma: sp.Interval(-HALF_TURN.end, HALF_TURN.end)},
-)
+EITHER_WAY = tuple((error,) for error in POSITION_ERROR)
 
 SINGULAR = (
     Singular(sp.Eq(beta, sp.pi / 2 + sp.pi * turns)),
@@ -184,7 +160,7 @@ POSES = (
             Form(
                 "printed (14)",
                 sp.ImmutableDenseMatrix(PRINTED_K),
-                charts=(WITHIN_HALF_TURNS,),
+                charts=WITHIN_HALF_TURNS,
                 mirrors=OTHER_SIDES,
             ),
         ),
@@ -203,7 +179,7 @@ POSES = (
                 "(K - I)^T*p + t by tangents of half angles",
                 BY_TANGENTS,
                 ("name_coefficients",),
-                charts=tuple(map(by_largest, ANGLES)),
+                charts=NEAR_NO_TURN,
                 mirrors=OTHER_SIDES,
             ),
             Form(
@@ -234,7 +210,7 @@ POSES = (
         (ERRORS,),
         PLANAR,
         (
-            Form("hypot", PLANAR, ("hypotenuse",)),
+            Form("hypot", PLANAR, ("hypotenuse",), charts=BY_PLANE, mirrors=EITHER_WAY[:2]),
             Form("printed (17)", PLANAR, key="printed", source=f"{SOURCE}, equation (17)"),
         ),
         f"{SOURCE}, equation (17)",
@@ -247,7 +223,7 @@ POSES = (
         (ERRORS,),
         SPATIAL,
         (
-            Form("hypot", SPATIAL, ("hypotenuse",)),
+            Form("hypot", SPATIAL, ("hypotenuse",), charts=BY_SPACE, mirrors=EITHER_WAY),
             Form("printed (18)", SPATIAL, key="printed", source=f"{SOURCE}, equation (18)"),
         ),
         f"{SOURCE}, equation (18)",

@@ -34,7 +34,7 @@ from mechproof.roundoff.worst import draw
 
 SYSTEMS = {
     "elliptic_planetary": ("ratio", "position", "acceleration"),
-    "track_wheel": ("rotation", "displacement"),
+    "track_wheel": ("rotation", "displacement", "spatial_error"),
     "tooth_thickness": (
         *("constant_chord", "chord_height", "height_change", "thickness_change"),
         *("thickness_change_linear", "thickness_error"),

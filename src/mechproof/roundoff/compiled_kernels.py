@@ -42,6 +42,16 @@ def _expand_quotient() -> Expansion:
     return Expansion(program, {"w": EXACT, "q": PROVED}, {"q": "arctan_quotient"})
 
 
+def _expand_hypotenuse() -> Expansion:
+    """Leave out the power of two by which the sides are scaled: it moves no rounding."""
+    operations = (
+        Operation("s", "square", ("b",)),
+        Operation("w", "fma", ("a", "a", "s")),
+        Operation("q", "sqrt", ("w",)),
+    )
+    return Expansion(Program(("a", "b"), operations, ("q",)))
+
+
 def _model_part(kind: str, result: str, angle: Operand) -> Operation:
     if kind == "tangent_above":
         return Operation(result, "tan", (angle,))
@@ -104,6 +114,7 @@ def list_expansions() -> Mapping[str, Expansion]:
             "tan": _expand_tangent(),
             "small_arctan": _expand_function("small_arctan", "arctan"),
             "arctan_quotient": _expand_quotient(),
+            "hypot": _expand_hypotenuse(),
             "tangent_quotient": _expand_tangent_quotient(),
             **{kind: _expand_part(kind) for kind in PARTS},
         }
