@@ -27,6 +27,22 @@ CASES = {
         [r"k=\cos 2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "a star is part of a name": (
+        [
+            r"F=\frac{E^*m^2}{R^\ast}",
+            r"\frac{\partial F}{\partial m}=\frac{2E^{*}m}{R^{\ast}}",
+            r"F=\frac{E^*m^3}{R^*}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "a bracket that rounds": (
+        [
+            r"n=\left\lfloor\frac{\varphi}{2\pi}\right\rfloor",
+            r"n+1=\lfloor\frac{\varphi}{2\pi}+1\rfloor",
+            r"n=\lceil\frac{\varphi}{2\pi}\rceil",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
     # Of the values that are tried for the letters some make k + n zero.
     "a form that has no value where letters are the opposite of others": (
         [r"h=\frac{kn}{k+n}-\frac{an}{k+n}=\frac{(k-a)n}{k+n}"],
@@ -197,6 +213,7 @@ CASES = {
 }
 # What a block says besides.
 SAID = {
+    "a star is part of a name": "%% F ; E^* ; R^\\star : sizes\n",
     "an identity may be claimed": "%% identity (1)\n",
 }
 

@@ -226,6 +226,8 @@ READ = [
     ("2a/x", 2 * a / x),
     (r"|x-|y||", sp.Abs(x - sp.Abs(y))),
     (r"\left|x\right|^2", sp.Abs(x) ** 2),
+    (r"2\lfloor x+y\rfloor", 2 * sp.floor(x + y)),
+    (r"\left\lceil\frac{x}{2}\right\rceil y", sp.ceiling(x / 2) * y),
     (r"0{,}5x", x / 2),
     (r"\rho(x)+\rho", 2 * rho),
     (r"\frac12x", x / 2),

@@ -29,7 +29,7 @@ def print_checked(paper: CheckedPaper, *, show_all: bool) -> None:
     if paper.taken:
         say(
             "There is no block of letters, so each letter is taken to be a real number, or the "
-            "matrix it is printed as. --draft writes a block for you to confirm."
+            "matrix it is printed or, in bold, used as. --draft writes a block for you to confirm."
         )
         say(f"  letters taken: {', '.join(paper.taken)}")
     counted = Counter(row.outcome for row in paper.rows)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_unit
@@ -20,14 +19,12 @@ from mechproof.document.letters import (
     collect_letters,
     drop_transposition,
     is_vector,
-    make_reader,
     name_symbol,
 )
 from mechproof.document.rows import Document
 from mechproof.document.said import Said, find_said
-from mechproof.document.shapes import Shapes
+from mechproof.document.shapes import find_sizes
 from mechproof.document.sources import Source
-from mechproof.latex import ReadingError
 
 _RATE = re.compile(
     r"\\d?dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
@@ -84,7 +81,7 @@ def draft_block(source: Source) -> str:
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
     letters = [*collected.letters, *collected.guessed]
-    found = _find_shapes(plain, collected)
+    found = find_sizes(plain, collected)
     shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT) | found.known
     unclear = [x for x in letters if name_symbol(x) in found.unclear or _is_motion(x, shapes)]
     stems = {name_symbol(_strip_arguments(x)) for x in unclear}
@@ -125,34 +122,6 @@ def draft_block(source: Source) -> str:
             lines.append(f"# {display.name}, line {place.line}: its letters are missing here:")
             lines.append(f"#   {' '.join(error.reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
-
-
-@dataclass(frozen=True)
-class _Sizes:
-    """The sizes of letters, by their names; which stand in brackets, and which have several.
-
-    `crosses` are the vectors that stand in brackets for the matrix of their cross product.
-    """
-
-    known: dict[str, tuple[int, int]]
-    crosses: tuple[str, ...]
-    unclear: tuple[str, ...]
-
-
-def _find_shapes(prints: Sequence[str], collected: Collected) -> _Sizes:
-    """Return the sizes of letters; with these more is read, which may tell others."""
-    letters = [*collected.letters, *collected.guessed]
-    found: dict[str, tuple[int, int]] = {}
-    while True:
-        reader, read = make_reader(letters, collected, found), []
-        for latex in prints:
-            with suppress(ReadingError, RecursionError):
-                read.append((latex, reader.parse(latex, upper=1).chains))
-        shapes = Shapes(read)
-        known = {str(symbol): shape for symbol, shape in shapes.find().items()}
-        if known.keys() <= found.keys():
-            return _Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
-        found |= known
 
 
 def _propose_values(

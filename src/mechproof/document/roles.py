@@ -93,7 +93,8 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose sine, cosine or tangent is printed.
+    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are the values of
+    matrices of which others are made before they are printed.
     """
 
     symbols: Symbols
@@ -108,10 +109,22 @@ class Known:
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
+    later: Values = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
         return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
+
+    def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
+        """Return the matrices whose entries are known."""
+        return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
+
+    def find_later(self) -> dict[sp.Basic, sp.MatrixBase]:
+        """Return the matrices that are known, if another was made of a letter for one of them."""
+        made = (v for v in self.values.values() if isinstance(v, sp.MatrixExpr))
+        met = {symbol for value in made for symbol in value.free_symbols}
+        found = self.list_matrices()
+        return found if met & found.keys() else {}
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a letter, or an entry of it, stands in a value."""
@@ -339,8 +352,7 @@ def _is_bare(node: Node) -> bool:
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
     """Return a member, with the values of letters where it cannot be said without them."""
-    matrices = {s: v for s, v in known.values.items() if isinstance(v, sp.MatrixBase)}
-    matrices |= known.entries
+    matrices = {**known.later, **known.list_matrices(), **known.entries}
     try:
         return read.meaning(matrices).of(node)
     except ReadingError:

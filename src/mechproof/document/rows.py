@@ -27,6 +27,7 @@ from mechproof.document.letters import (
 from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
 from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
+from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sizes import collect_sizes
 from mechproof.document.solutions import SIGN
@@ -71,28 +72,42 @@ class Document:
         self._declare()
 
     def _take_letters(self) -> None:
-        """Take letters that no block declares as numbers, or as the matrices they are printed."""
+        """Take letters that no block declares as numbers, or as the matrices they are printed.
+
+        Of a vector a size will do that follows from how it is used.
+        """
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_unit(prints)
         collected = collect_letters(prints, imaginary=self.block.imaginary)
         self._uncollected = collected.unread
         letters = drop_transposition([*collected.letters, *collected.guessed], prints)
         shapes = dict(find_shapes(prints))
+        if vectors := {name_symbol(x) for x in letters if is_vector(x)}:
+            sizes = find_sizes(prints, collected, has_plain_matrices=False).known
+            shapes = {name: sizes[name] for name in vectors & sizes.keys()} | shapes
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
         self.block.letters += [
             Declared(names, shape=shapes.get(name_symbol(names[0])))
             for names in group_alike(self.taken)
         ]
 
-    def _declare(self, laws: Mapping[sp.Basic, list[Piece]] = MappingProxyType({})) -> None:
+    def _declare(
+        self,
+        laws: Mapping[sp.Basic, list[Piece]] = MappingProxyType({}),
+        later: Mapping[sp.Basic, sp.MatrixBase] = MappingProxyType({}),
+    ) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
-        self.known = Known(self.symbols)
+        self.known = Known(self.symbols, later=later)
         give_values(self.block.values, self.known)
         self.known.define_laws(laws)
 
     def _parse_all(self) -> list[list[Sign] | Left]:
-        """Read all equations once; again where letters are matrices, or laws have pieces."""
+        """Read all equations once; again where letters are matrices, or laws have pieces.
+
+        Again, too, where a matrix is made of others that are printed behind it.
+        """
         laws: dict[sp.Basic, list[Piece]] = {}
+        later: dict[sp.Basic, sp.MatrixBase] = {}
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
@@ -107,10 +122,14 @@ class Document:
             if not laws and (laws := self.known.join_pieces()):
                 self._declare(laws)
                 continue
+            if len(found := self.known.find_later()) > len(later):
+                later = found
+                self._declare(laws, later)
+                continue
             symbols, entries = self.symbols.show_entries(self.known.values)
             if not entries or self.known.entries:
                 return read
-            self._declare(laws)
+            self._declare(laws, later)
             self.symbols = self.known.symbols = symbols
             self.known.entries = entries
 

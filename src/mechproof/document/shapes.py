@@ -9,11 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
 from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.document.letters import is_vector
+from mechproof.document.letters import Collected, find_shapes, is_vector, make_reader
+from mechproof.latex import ReadingError
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -50,18 +53,20 @@ _BLOCKS = 2
 
 
 class Shapes:
-    """The shapes of letters, by their symbols; `brackets` are the places of square brackets.
+    """The shapes of letters, by their symbols.
 
     `crosses` are the vectors that stand in square brackets for the matrix of their cross product,
     `unclear` are letters of several shapes.
     """
 
-    def __init__(self, prints: Sequence[tuple[str, Sequence[Chain]]]) -> None:
+    def __init__(
+        self, prints: Sequence[tuple[str, Sequence[Chain]]], *, has_plain_matrices: bool = True
+    ) -> None:
         self.known: dict[sp.Basic, Shape] = {}
         self.crosses: dict[sp.Basic, None] = {}
         self.unclear: dict[sp.Basic, None] = {}
         self.frames: dict[str, Shape] = {}
-        self._prints = prints
+        self._prints, self._has_plain_matrices = prints, has_plain_matrices
         self._latex = ""
         for node in self._walk_all():
             if isinstance(node, Letter) and isinstance(node.symbol, sp.MatrixSymbol):
@@ -144,7 +149,9 @@ class Shapes:
     def measure(self, node: Node) -> Shape | None:
         """Return the shape of a part, None if it is not known."""
         if isinstance(node, Letter):
-            return self.known.get(node.symbol) or self._find_other_frame(node)
+            known = self.known.get(node.symbol) or self._find_other_frame(node)
+            is_number = not self._has_plain_matrices and not is_vector(node.text)
+            return known or (NUMBER if is_number else None)
         if isinstance(node, Excerpt):
             sides = [limits[1] - limits[0] + 1 for limits in node.ranges if limits]
             return (sides[0], sides[1]) if len(sides) > 1 else None
@@ -249,3 +256,37 @@ class Shapes:
         may_be_number = (before or behind) and rows == columns
         if not may_be_number or self._is_matrix(node.factors[place]):
             self._push(node.factors[place], (rows, columns))
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """The sizes of letters, by their names; which stand in brackets, and which have several.
+
+    `crosses` are the vectors that stand in brackets for the matrix of their cross product.
+    """
+
+    known: dict[str, Shape]
+    crosses: tuple[str, ...]
+    unclear: tuple[str, ...]
+
+
+def find_sizes(
+    prints: Sequence[str], collected: Collected, *, has_plain_matrices: bool = True
+) -> Sizes:
+    """Return the sizes of letters; with these more is read, which may tell others.
+
+    Unless it `has_plain_matrices`, a letter is a number where neither its print nor a table of
+    entries says otherwise.
+    """
+    letters = [*collected.letters, *collected.guessed]
+    found = dict(find_shapes(prints))
+    while True:
+        reader, read = make_reader(letters, collected, found), []
+        for latex in prints:
+            with suppress(ReadingError, RecursionError):
+                read.append((latex, reader.parse(latex, upper=1).chains))
+        shapes = Shapes(read, has_plain_matrices=has_plain_matrices)
+        known = {str(symbol): shape for symbol, shape in shapes.find().items()}
+        if known.keys() <= found.keys():
+            return Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
+        found |= known

@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import read_measure
@@ -35,6 +37,11 @@ if TYPE_CHECKING:
 
 _TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
 _CLOSED_BY = {"(": ")", "[": "]"}
+# What closes a bracket that rounds, and what it makes of its inside.
+_ROUNDING = {
+    r"\lfloor": (r"\rfloor", PrintedFunction("floor", sp.floor)),
+    r"\lceil": (r"\rceil", PrintedFunction("ceil", sp.ceiling)),
+}
 
 
 def read_atom(parser: Parser) -> Node:
@@ -64,6 +71,10 @@ def read_atom(parser: Parser) -> Node:
     if text == r"\lvert":
         inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
         return _enclose(parser, inside, start)
+    if text in _ROUNDING:
+        closing, function = _ROUNDING[text]
+        inside = parser.read_inside(text, parser.read_sum, closing)
+        return Call(function, (inside,), start=start, end=parser.end)
     if text.startswith(r"\begin{"):
         return tables.read_environment(parser)
     if text in (r"\sum", r"\prod"):

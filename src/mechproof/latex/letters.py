@@ -13,6 +13,7 @@ from mechproof.latex.errors import ReadingError
 from mechproof.latex.functions import CONSTANTS
 from mechproof.latex.names import Match
 from mechproof.latex.numerals import read_number
+from mechproof.latex.signs import STAR
 from mechproof.latex.tree import Add, Bracket, Call, Constant, Letter, Node, Number, Power
 from mechproof.latex.words import ITALICS
 from mechproof.record import NUMBER, Dimension
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _WORD = re.compile(r"[a-z]{2,}")
+_PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
 def check_bracket_after(parser: Parser, left: Node) -> None:
@@ -186,10 +188,9 @@ def _refuse_running_index(parser: Parser, match: Match) -> None:
 
 
 def _refuse_continuation(parser: Parser, latex: str, place: int) -> None:
-    if parser.text in ("_", "'"):
-        part = "an index" if parser.text == "_" else "a prime"
+    if parser.text in _PARTS:
         raise parser.refuse(
-            f"{latex} is declared, but not with {part}",
+            f"{latex} is declared, but not with {_PARTS[parser.text]}",
             parser.remedies.name.format(undeclared.printed_name(parser, place)),
         )
 

@@ -28,7 +28,7 @@ from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import DOTS, NARROW, WIDE, Token
+from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
     Add,
@@ -45,7 +45,7 @@ from mechproof.record import Notation
 
 T = TypeVar("T")
 ENDING = (
-    *(*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", r"\right.", ".", ""),
+    *(*RELATIONS, "+", "-", *CLOSING, ",", ";", "&", r"\\", r"\right.", ".", ""),
     *(WIDE, NARROW, r"\in", r"\forall"),
 )
 

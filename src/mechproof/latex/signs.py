@@ -54,6 +54,9 @@ _SAME = {
     r"\{": "[",
     r"\}": "]",
 }
+# A star above a letter, which belongs to its name as a prime does.
+STAR = "^*"
+SUFFIXES = ("'", STAR)
 # A dot and a cross: of numbers they say the same.
 DOTS = (r"\cdot", r"\times")
 
@@ -68,8 +71,8 @@ class Token:
 
 
 # What holds signs together, beside environments.
-OPENING = ("(", "[", "{", r"\lvert")
-CLOSING = (")", "]", "}", r"\rvert")
+OPENING = ("(", "[", "{", r"\lvert", r"\lfloor", r"\lceil")
+CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil")
 
 
 def measure_depths(texts: Iterable[str]) -> Iterator[int]:
@@ -121,7 +124,7 @@ def split_signs(latex: str) -> list[Token]:
             sign = replace(sign, start=signs.pop().start)
         if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text == ":":
             sign = replace(sign, start=signs.pop().start)
-        start = place if text == r"\lvert" and size else sign.start
+        start = place if size and text in OPENING else sign.start
         signs.append(Token(text, start, sign.end))
         size = ""
     return signs

@@ -1,7 +1,7 @@
 r"""LaTeX -> signs in one order: what prints alike becomes the same signs.
 
 Blanks and sizes are dropped, arguments of `\frac`, `_`, `^` stand in braces, other braces go (it
-is kept what they enclosed), scripts come in the order index, primes, power.
+is kept what they enclosed), scripts come in the order index, primes and stars, power.
 """
 
 from __future__ import annotations
@@ -15,11 +15,13 @@ from mechproof.latex.characters import read_script
 from mechproof.latex.errors import PrintedText
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
-from mechproof.latex.signs import GAPS, Token, same_sign, split_signs
+from mechproof.latex.signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _ARGUMENTS = {r"\frac": 2, r"\binom": 2, r"\sqrt": 1}
 _PRIME = r"\prime"
+# Nobody raises to a sign of multiplication.
+_STARS = ([r"\cdot"], [r"\ast"], [r"\star"])
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 # What marks its argument, but says nothing of it.
@@ -250,6 +252,8 @@ class _Normaliser:
             kind, inside = inner[0].text, inner[2:-1]
             if kind == "^" and all(t.text == _PRIME for t in inside) and inside:
                 primes += [Token("'", t.start, t.end) for t in inside]
+            elif kind == "^" and [t.text for t in inside] in _STARS:
+                primes.append(Token(STAR, mark.start, inner[-1].end))
             elif kind in found:
                 raise self.source.refuse(mark.start, f"a second {kind} at the same sign")
             else:

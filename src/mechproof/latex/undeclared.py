@@ -13,7 +13,7 @@ from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.names import INDEX, find_brace
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import Token
+from mechproof.latex.signs import SUFFIXES, Token
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
 
@@ -158,7 +158,7 @@ def _refuse_expression(parser: Parser, texts: list[str]) -> None:
         )
     first = next((n for n, text in enumerate(texts) if text in ACCENTS), len(texts))
     inside = texts[first + 2 : texts.index("}", first)] if first < len(texts) else []
-    if any(not (is_digit(t) or begins_letter(t) or t in ("_", "{", "'")) for t in inside):
+    if any(not (is_digit(t) or begins_letter(t) or t in ("_", "{", *SUFFIXES)) for t in inside):
         printed = printed_name(parser, parser.place)
         raise parser.refuse(
             f"{printed}: an accent over an expression", parser.remedies.name.format(printed)
@@ -193,7 +193,7 @@ def _find_end(parser: Parser, place: int) -> int:
     tokens = parser.tokens
     place = _find_base(tokens, place)
     end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
-    while end < len(tokens) and tokens[end].text in ("_", "'"):
+    while end < len(tokens) and tokens[end].text in ("_", *SUFFIXES):
         end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
     # Nobody prints a power as x^{(i)}.
     texts = [token.text for token in tokens[end : end + 6]]
