@@ -191,7 +191,7 @@ def __dir__() -> list[str]:
 # Operations: 28
 def rotation(
     alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
 
         [cos(beta)*cos(gamma), sin(gamma)*cos(alpha) + sin(alpha)*sin(beta)*cos(gamma),
@@ -267,7 +267,7 @@ def _form_of_rotation(
 # Operations: 57
 def displacement(
     points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
 
         [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
@@ -493,7 +493,7 @@ def track(
     H: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Compute points of the track.
 
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*cos(phi)]

@@ -56,7 +56,7 @@ def __dir__() -> list[str]:
 # Operations: 30
 def radius(
     phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-140
@@ -97,7 +97,7 @@ def _form_of_radius(phi: Any, R: Any, A: Any, z: Any, A_squared: Any) -> Any:
 # Expressions sha256: bad4908b3bf57438aa28d10beee4920f9cf9ed31efd2e614a87ad745d44f3708
 # Form: backward pass
 # Operations: 6
-def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Differentiate `largest_radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -137,7 +137,7 @@ def _form_of_largest_radius(R: Any, A: Any) -> Any:
 # Expressions sha256: 34c7a7c1d7c3e337533b957d1c7127e385af6b97afceeae5909366532f2994b6
 # Form: backward pass
 # Operations: 7
-def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Differentiate `smallest_radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
