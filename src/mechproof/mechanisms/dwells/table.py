@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 from mechproof.arguments.scalars import check_count, check_items, refuse, require
 from mechproof.mechanisms.dwells.spans import Place, Span
 from mechproof.mechanisms.exact import Number, check_number
+from mechproof.tools.extras import tell_missing
 
 CONVEX = Fraction(1, 3)
 SHOWN = 20
@@ -150,11 +151,11 @@ def _check(
 ) -> tuple[str, Callable[[Fraction], list[Span]], Number]:
     """Return what is asked in words, the search for one ratio, and the largest eccentricity."""
     try:
+        import flint  # noqa: F401
+
         from mechproof.mechanisms.dwells import position, ratio
     except ImportError as error:
-        raise ImportError(
-            f"find_dwells needs {error.name}: install mechproof with the extra `derive`"
-        ) from error
+        raise ImportError(tell_missing("find_dwells", "derive", error.name)) from error
     if (eta is None) == (band is None):
         refuse("band", band, f"give it or eta, which is {eta!r}", TypeError)
     angle, limit = check_number("width", width), check_number("largest_e", largest_e)
