@@ -74,3 +74,23 @@ def error_sum_thermal(
     *,
     out: _Out = None,
 ) -> Any: ...
+@_overload
+def tilt_of_planar_error(error: _float, offset: _float, rho: _float, H: _float) -> _float64: ...
+@_overload
+def tilt_of_planar_error(
+    error: _Floats, offset: _Floats, rho: _Floats, H: _Floats
+) -> NDArray[_float64]: ...
+@_overload
+def tilt_of_planar_error(
+    error: ArrayLike, offset: ArrayLike, rho: ArrayLike, H: ArrayLike, *, out: _Out = None
+) -> Any: ...
+@_overload
+def tilt_of_spatial_error(error: _float, offset: _float, rho: _float, H: _float) -> _float64: ...
+@_overload
+def tilt_of_spatial_error(
+    error: _Floats, offset: _Floats, rho: _Floats, H: _Floats
+) -> NDArray[_float64]: ...
+@_overload
+def tilt_of_spatial_error(
+    error: ArrayLike, offset: ArrayLike, rho: ArrayLike, H: ArrayLike, *, out: _Out = None
+) -> Any: ...
