@@ -43,17 +43,29 @@ class Dwell(NamedTuple):
     place: Place
     larger: int
 
+    @property
+    def _degrees(self) -> tuple[float, float]:
+        return math.degrees(self.width), math.degrees(self.step)
+
     def __str__(self) -> str:
         """Return a line of the table."""
         low, high, best = map(float, (self.low, self.high, self.best))
-        exact = str(self.exact or "")
+        exact, (width, step) = str(self.exact or ""), self._degrees
         return (
             f"{self.z4:4d} {self.z5:4d}  {low:.6f} {high:.6f} {best:.6f}  "
-            f"{math.degrees(self.width):8.3f} "
-            f"{math.degrees(self.step):9.3f}  {exact:<9}  {PLACES[self.place]:<8} {self.larger:7d}"
+            f"{width:8.3f} {step:9.3f}  {exact:<9}  {PLACES[self.place]:<8} {self.larger:7d}"
         )
 
 
+class DwellInDegrees(Dwell):
+    """A `Dwell` whose `width` and `step` are in degrees."""
+
+    @property
+    def _degrees(self) -> tuple[float, float]:
+        return self.width, self.step
+
+
+DWELL_ANGLES = {"width": "rad", "step": "rad"}
 Rank = Literal["width", "step", "teeth"]
 RANKS: dict[str, Callable[[Dwell], tuple[Any, ...]]] = {
     "width": lambda d: (-d.width, d.z4 + d.z5, d.low),
