@@ -1,14 +1,14 @@
 """Compiled kernels of the system `track_wheel`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.track_wheel`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -392,7 +392,7 @@ def radius(
     return _run(_loops_of_radius, (phi, R, A, z), out)
 
 
-@_point_of(radius)
+@_point_of(radius, spread=True)
 def _point_of_radius(phi, R, A, z):
     return _value_of_radius(_float64(phi), _float64(R), _float64(A), _float64(z), True)
 
@@ -479,7 +479,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     return _run(_loops_of_largest_radius, (R, A), out)
 
 
-@_point_of(largest_radius)
+@_point_of(largest_radius, spread=True)
 def _point_of_largest_radius(R, A):
     return _value_of_largest_radius(_float64(R), _float64(A))
 
@@ -514,7 +514,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     return _run(_loops_of_smallest_radius, (R, A), out)
 
 
-@_point_of(smallest_radius)
+@_point_of(smallest_radius, spread=True)
 def _point_of_smallest_radius(R, A):
     return _value_of_smallest_radius(_float64(R), _float64(A))
 
@@ -888,7 +888,7 @@ def tilt_of_planar_error(
     return _run(_loops_of_tilt_of_planar_error, (error, offset, rho, H), out)
 
 
-@_point_of(tilt_of_planar_error)
+@_point_of(tilt_of_planar_error, spread=True)
 def _point_of_tilt_of_planar_error(error, offset, rho, H):
     return _value_of_tilt_of_planar_error(
         _float64(error), _float64(offset), _float64(rho), _float64(H)
@@ -958,7 +958,7 @@ def tilt_of_spatial_error(
     return _run(_loops_of_tilt_of_spatial_error, (error, offset, rho, H), out)
 
 
-@_point_of(tilt_of_spatial_error)
+@_point_of(tilt_of_spatial_error, spread=True)
 def _point_of_tilt_of_spatial_error(error, offset, rho, H):
     return _value_of_tilt_of_spatial_error(
         _float64(error), _float64(offset), _float64(rho), _float64(H)
