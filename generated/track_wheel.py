@@ -56,6 +56,17 @@ What errors are relative to:
         ((total_scatter - thermal_scatter*thermal_share)*sqrt(total_scatter**2 -
         thermal_scatter**2*thermal_share**2))
 
+    the tilt and what eps*error makes of it (tilt_of_planar_error) = error/sqrt(H**2 +
+        (error - offset)*(offset + 2*rho - error)) + 2*atan2(error - offset, H + sqrt(H**2 +
+        (error - offset)*(offset + 2*rho - error)))
+
+    the tilt and what eps*error makes of it (tilt_of_spatial_error) =
+        2*error**2/sqrt(4*H**2*offset**2 + (error - offset)*(error + offset)*(4*H**2 +
+        4*rho**2 + 4*offset*rho - (error - offset)*(error + offset))) + 2*atan2((error -
+        offset)*(error + offset), 2*H*offset + sqrt(4*H**2*offset**2 + (error -
+        offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error - offset)*(error
+        + offset))))
+
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
@@ -108,6 +119,8 @@ __all__ = [
     "rotation",
     "smallest_radius",
     "spatial_error",
+    "tilt_of_planar_error",
+    "tilt_of_spatial_error",
     "track",
 ]
 
@@ -133,7 +146,13 @@ DOMAIN = (
         lambda R, A: _abs(A) <= R,
         ("radius", "track", "largest_radius", "smallest_radius"),
     ),
-    _Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & _is_finite(H), ("track",)),
+    _Condition(
+        "H",
+        "0 < H < oo",
+        ("H",),
+        lambda H: (H > 0) & _is_finite(H),
+        ("track", "tilt_of_planar_error", "tilt_of_spatial_error"),
+    ),
     _Condition(
         "total_scatter",
         "0 < total_scatter < oo",
@@ -164,6 +183,65 @@ DOMAIN = (
         ),
         ("error_sum_thermal",),
     ),
+    _Condition(
+        "rho",
+        "0 < rho < oo",
+        ("rho",),
+        lambda rho: (rho > 0) & _is_finite(rho),
+        ("tilt_of_planar_error", "tilt_of_spatial_error"),
+    ),
+    _Condition(
+        "error",
+        "0 < error < oo",
+        ("error",),
+        lambda error: (error > 0) & _is_finite(error),
+        ("tilt_of_planar_error",),
+    ),
+    _Condition(
+        "offset",
+        "0 <= offset < oo",
+        ("offset",),
+        lambda offset: (offset >= 0) & _is_finite(offset),
+        ("tilt_of_planar_error", "tilt_of_spatial_error"),
+    ),
+    _Condition(
+        "error",
+        "0 <= error - offset",
+        ("error", "offset"),
+        lambda error, offset: error - offset >= 0,
+        ("tilt_of_planar_error",),
+    ),
+    _Condition(
+        "error",
+        "error - offset <= H + rho",
+        ("error", "offset", "rho", "H"),
+        lambda error, offset, rho, H: error - offset <= H + rho,
+        ("tilt_of_planar_error",),
+    ),
+    _Condition(
+        "error",
+        "0 < error < oo",
+        ("error",),
+        lambda error: (error > 0) & _is_finite(error),
+        ("tilt_of_spatial_error",),
+    ),
+    _Condition(
+        "offset",
+        "offset <= error",
+        ("error", "offset"),
+        lambda error, offset: offset <= error,
+        ("tilt_of_spatial_error",),
+    ),
+    _Condition(
+        "error",
+        "(error - offset)*(error + offset) <= 2*H**2 + 2*rho**2 + 2*H*offset + 2*offset*rho",
+        ("error", "offset", "rho", "H"),
+        lambda error, offset, rho, H: (
+            (error + offset) * (error - offset)
+            <= 2 * _square(H) + 2 * _square(rho) + 2 * offset * H + 2 * offset * rho
+        ),
+        ("tilt_of_spatial_error",),
+    ),
 )
 PUBLISHED = (
     _Sizes(
@@ -191,7 +269,7 @@ def __dir__() -> list[str]:
 # Operations: 28
 def rotation(
     alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
 
         [cos(beta)*cos(gamma), sin(gamma)*cos(alpha) + sin(alpha)*sin(beta)*cos(gamma),
@@ -267,7 +345,7 @@ def _form_of_rotation(
 # Operations: 57
 def displacement(
     points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
 
         [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
@@ -499,7 +577,7 @@ def track(
     H: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Compute points of the track.
 
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*cos(phi)]
@@ -937,4 +1015,174 @@ def _check_of_error_sum_thermal(
         _is_nonnegative(thermal_share),
         thermal_share * thermal_scatter < total_scatter,
         _every(_is_nonnegative(tolerances), axis=-1),
+    )
+
+
+# Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: ded43a398ec6cc5e29a0290fb8cb6aaa0e854267e85aa5593234a70b4769224d
+# Form: root without cancellation
+# Operations: 11
+def tilt_of_planar_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the tilt with which the largest error in the plane is the one wanted.
+
+        tilt_of_planar_error = 2*atan2(error - offset, H + sqrt(H**2 + (error - offset)*(offset
+            + 2*rho - error)))
+
+    Parameters
+    ----------
+    error : array_like, any shape
+        Largest error wanted (mm).
+    offset : array_like, any shape
+        Offset of the axis (mm).
+    rho : array_like, any shape
+        Largest radius of the track (mm).
+    H : array_like, any shape
+        Thickness of the part (mm).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (rad)
+
+    Notes
+    -----
+    Domain: 0 < H, rho, error < oo, 0 <= offset < oo, 0 <= error - offset, error - offset <= H +
+    rho (e <= Delta^XY <= e + rho + H_s).
+
+    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho <=
+    1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50 <= error
+    <= 1e50.
+
+    Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
+
+    """
+    error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
+    error, offset, rho, H = _nan_outside(_check_of_tilt_of_planar_error, error, offset, rho, H)
+    return _in_blocks(
+        _form_of_tilt_of_planar_error,
+        (error,),
+        _prepare_of_tilt_of_planar_error,
+        (offset, rho, H),
+        out=out,
+    )
+
+
+def _check_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(H),
+        _is_positive(rho),
+        _is_nonnegative(offset),
+        _is_positive(error),
+        error - offset >= 0.0,
+        error - offset <= H + rho,
+    )
+
+
+def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+
+    return (offset, rho, H)
+
+
+def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:
+    term = error - offset
+
+    return 2.0 * _np.arctan2(term, H + _np.sqrt(_square(H) + term * (offset + 2.0 * rho - error)))
+
+
+# Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: 0340a11c7f728546d65e567cdac000ff31459bbcb5725dbbcddf8a528f4492b7
+# Form: root without cancellation
+# Operations: 25
+def tilt_of_spatial_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the tilt with which the largest error in space is the one wanted.
+
+        tilt_of_spatial_error = 2*atan2((error - offset)*(error + offset), 2*H*offset +
+            sqrt(4*H**2*offset**2 + (error - offset)*(error + offset)*(4*H**2 + 4*rho**2 +
+            4*offset*rho - (error - offset)*(error + offset))))
+
+    Parameters
+    ----------
+    error : array_like, any shape
+        Largest error wanted (mm).
+    offset : array_like, any shape
+        Offset of the axis (mm).
+    rho : array_like, any shape
+        Largest radius of the track (mm).
+    H : array_like, any shape
+        Thickness of the part (mm).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (rad)
+
+    Notes
+    -----
+    Domain: 0 < H, rho, error < oo, 0 <= offset < oo, offset <= error, (error - offset)*(error +
+    offset) <= 2*H**2 + 2*rho**2 + 2*H*offset + 2*offset*rho (e <= Delta^XYZ, the tilt up to a
+    right angle).
+
+    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho <=
+    1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50 <= error
+    <= 1e50.
+
+    Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
+
+    """
+    error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
+    error, offset, rho, H = _nan_outside(_check_of_tilt_of_spatial_error, error, offset, rho, H)
+    return _in_blocks(
+        _form_of_tilt_of_spatial_error,
+        (error,),
+        _prepare_of_tilt_of_spatial_error,
+        (offset, rho, H),
+        out=out,
+    )
+
+
+def _check_of_tilt_of_spatial_error(error: Any, offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(H),
+        _is_positive(rho),
+        _is_nonnegative(offset),
+        _is_positive(error),
+        offset <= error,
+        (error + offset) * (error - offset)
+        <= 2.0 * _square(H) + 2.0 * _square(rho) + 2.0 * offset * H + 2.0 * offset * rho,
+    )
+
+
+def _prepare_of_tilt_of_spatial_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    H_s_squared = _square(H)
+
+    return (offset, rho, H, H_s_squared)
+
+
+def _form_of_tilt_of_spatial_error(
+    error: Any, offset: Any, rho: Any, H: Any, H_s_squared: Any
+) -> Any:
+    term = error + offset
+    term_2 = error - offset
+
+    return 2.0 * _np.arctan2(
+        term * term_2,
+        2.0 * offset * H
+        + _np.sqrt(
+            4.0 * H_s_squared * _square(offset)
+            + term
+            * term_2
+            * (4.0 * H_s_squared + 4.0 * _square(rho) + 4.0 * offset * rho - term * term_2)
+        ),
     )

@@ -979,7 +979,7 @@ def sensitivities(
     alpha_LM: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Compute the derivatives of y9 by the sizes, in the order of the arguments.
 
         [-engaged*l_DE*l_LM*(1 - cos(turn_3))*sin(alpha_DE + turn_3)*cos(alpha_LM +

@@ -180,10 +180,14 @@ PLAIN_MECHANISMS = {*mechanisms.__all__} - {"ThicknessInspection"}
 
 def list_refused(call: str, parameter: str) -> list[Any]:
     """List what a parameter of a call does not take."""
-    refused = REFUSED[KIND_OF.get(f"{call}.{parameter}") or KIND_OF[parameter]]
+    refused = REFUSED[find_kind(call, parameter)]
     if not takes_quantities(call, parameter):
         return refused
     return [v for v in refused if not any(v is known for known in UNITS)] + OTHER_UNITS
+
+
+def find_kind(call: str, parameter: str) -> str:
+    return KIND_OF.get(f"{call}.{parameter}") or KIND_OF[parameter]
 
 
 def takes_quantities(call: str, parameter: str) -> bool:
@@ -192,4 +196,4 @@ def takes_quantities(call: str, parameter: str) -> bool:
     is_plain = method in ("published", "published_sizes", "tolerance_range", "motion")
     numbers = ("number", "array", "exact", "triple")
     name = "EllipticPlanetary" if call in ("plot.pitch_curves", "export") else name
-    return name in PLAIN_MECHANISMS and not is_plain and KIND_OF[parameter] in numbers
+    return name in PLAIN_MECHANISMS and not is_plain and find_kind(call, parameter) in numbers

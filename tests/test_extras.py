@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from importlib import metadata
 from pathlib import Path
 
@@ -53,6 +55,42 @@ def test_the_folder_that_was_installed_is_named(
 def test_what_is_not_there_is_named_with_the_command() -> None:
     with pytest.raises(ImportError, match=re.escape("a drawing needs no_such_module, the extra x")):
         extras.require_modules("a drawing", "x", ("json", "no_such_module"))
+
+
+# What a plain install has none of is stood in for by a finder that does not find it.
+PLAIN = """
+import importlib.machinery as m
+find, gone = m.PathFinder.find_spec, ("flint", "jinja2", "sympy", "uncertainties")
+m.PathFinder.find_spec = classmethod(
+    lambda cls, name, *rest: None if name.partition(".")[0] in gone else find(name, *rest)
+)
+from mechproof import *
+from mechproof.measurement import Estimate, to_ufloat
+try:
+    CALL
+except ImportError as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "what", "extra"),
+    [
+        ("bound('x + y')", "mechproof.bound needs sympy", "derive"),
+        ("check('x=x')", "mechproof.check needs sympy", "derive"),
+        ("formula('elliptic_planetary.ratio')", "mechproof.formula needs sympy", "derive"),
+        ("OvalPlanetary.find_dwells(0.3, eta=0.1)", "find_dwells needs flint", "derive"),
+        ("to_ufloat(Estimate(1, 0.1))", "a ufloat needs uncertainties", "uncertain"),
+        ("print(EllipticPlanetary(60, 20, 0.3).radius_ratio)", "3.0", ""),
+    ],
+)
+def test_a_plain_install_has_all_names_and_tells_what_a_call_lacks(
+    call: str, what: str, extra: str
+) -> None:
+    command = [sys.executable, "-c", PLAIN.replace("CALL", call)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    told = f", the extra {extra}: {extras.tell_install(extra)}" if extra else ""
+    assert (done.stdout, done.stderr) == (f"{what}{told}\n", "")
 
 
 def test_versions_that_differ_from_the_pinned_ones_are_named(

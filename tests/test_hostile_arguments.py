@@ -105,10 +105,11 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         f"OvalPlanetary.{n}": (getattr(OVAL, n), {"phi1": 1.0, "degrees": False})
         for n in ("ratio", "position", "acceleration", "jerk")
     },
-    "OvalPlanetary.longest_dwell": (OVAL.longest_dwell, {"band": 0.01}),
+    "OvalPlanetary.longest_dwell": (OVAL.longest_dwell, {"band": 0.01, "degrees": False}),
     "OvalPlanetary.find_dwells": (
         OvalPlanetary.find_dwells,
-        {"width": 0.3, "eta": "0.1", "teeth": (18, 19), "largest_e": "0.3", "rank": "width"},
+        {"width": 0.3, "eta": "0.1", "teeth": (18, 19), "largest_e": "0.3", "rank": "width"}
+        | {"degrees": False},
     ),
     "OvalPlanetary.of_dwell": (
         OvalPlanetary.of_dwell,
@@ -118,8 +119,8 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         f"{drive}.{name}": (getattr(moved, name), arguments)
         for drive, moved in (("EllipticPlanetary", ELLIPTIC), ("OvalPlanetary", OVAL))
         for name, arguments in (
-            ("at", {"phi1": 1.0, "speed": 2.0, "acceleration": 0.1, "jerk": 0.1}),
-            ("run", {"t": np.arange(6.0), "phi1": np.arange(6.0)}),
+            ("at", {"phi1": 1.0, "speed": 2.0, "acceleration": 0.1, "jerk": 0.1, "degrees": True}),
+            ("run", {"t": np.arange(6.0), "phi1": np.arange(6.0), "degrees": False}),
         )
     },
     "ToothThickness": (ToothThickness, {"m": 3, "z": 50, "alpha": 0.3, "degrees": False}),

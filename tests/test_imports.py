@@ -53,7 +53,7 @@ LOADED = {
     },
     "measurement": {
         *("numpy", "mechproof.arguments", "mechproof.kernel_support", "mechproof.measurement"),
-        *("mechproof.kernels", "mechproof.derivatives"),
+        *("mechproof.kernels", "mechproof.derivatives", "mechproof.tools.extras"),
     },
     "tolerance": {
         *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.tools.extras"),
@@ -68,6 +68,7 @@ LOADED = {
         "mechproof.kernels",
         "mechproof.laws",
         "mechproof.mechanisms",
+        "mechproof.tools.extras",
         "mechproof.tools.notebook",
     },
     "record": {"sympy", "mechproof.tools.notebook", "mechproof.record"},

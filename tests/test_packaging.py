@@ -49,7 +49,7 @@ def list_installed(tree: Path) -> dict[str, str]:
     """What is to be installed by its path there -> where it lies in the sources."""
     found = {}
     for folder, package in FOLDERS.items():
-        kinds = ("*.py", *DATA)
+        kinds = ("*.py", "*.pyi", *DATA)
         for path in (p for kind in kinds for p in (tree / folder).rglob(kind)):
             inner = path.relative_to(tree / folder).as_posix()
             found[f"{package}/{inner}"] = f"{folder}/{inner}"

@@ -12,7 +12,7 @@ from sympy import Abs, Le, Rational
 from mechproof.record import Paper
 
 from .curve_rows import CURVE_ROWS, FIGURE_ROWS
-from .design import DESIGN_ROWS
+from .design import DESIGN_QUANTITIES, DESIGN_ROWS
 from .error_rows import ERROR_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
@@ -53,7 +53,7 @@ PAPER = Paper(
     transcription="2",
     sentences=68,
     aside=ASIDE,
-    quantities=QUANTITIES,
+    quantities=QUANTITIES + DESIGN_QUANTITIES,
     derivatives=True,
     published=(TABLE_1,),
     # About the share of the total in Table 1, all K = 1.

@@ -7,8 +7,23 @@ that rises; the worst offset e is the other way, and the largest y_13 is the rad
 
 import sympy as sp
 
-from mechproof.record import Equality, Part, all_of, less, not_above, ours
+from mechproof.record import (
+    Accuracy,
+    Argument,
+    Equality,
+    Form,
+    Part,
+    Quantity,
+    Scale,
+    all_of,
+    less,
+    not_above,
+    ours,
+)
 
+from .._sizes import is_moderate, is_zero_or_moderate
+from .kernels import HEIGHT
+from .kernels_of_poses import SOURCE
 from .symbols import *
 
 a, b, c = SHIFT
@@ -34,27 +49,83 @@ def squared(distance: sp.Expr) -> sp.Expr:
 # At the distances d and f from the planes of the crests on both sides: y_13 = rho - d = f - rho.
 CREST, ANY = (nearer + farther) / 2, (farther - nearer) / 2
 OVER_PLANE = planar_error - eccentricity
-OVER_SPACE = spatial_error**2 - eccentricity**2
+OVER_SPACE = (spatial_error - eccentricity) * (spatial_error + eccentricity)
 REACH = radius_vector**2 + thickness**2 + eccentricity * radius_vector
-PLANAR_ROOT = OVER_PLANE / (
-    thickness + sp.sqrt(thickness**2 + OVER_PLANE * (2 * radius_vector - OVER_PLANE))
-)
-SPATIAL_ROOT = OVER_SPACE / (
-    2 * eccentricity * thickness
-    + sp.sqrt((2 * eccentricity * thickness) ** 2 + OVER_SPACE * (4 * REACH - OVER_SPACE))
-)
+SPATIAL_HALF = 2 * eccentricity * thickness
+# Of the equation q t**2 + 2 b t = g for t = tan(alpha/2), sqrt(b**2 + q g).
+PLANAR_SQUARE = thickness**2 + OVER_PLANE * (2 * radius_vector - OVER_PLANE)
+SPATIAL_SQUARE = SPATIAL_HALF**2 + OVER_SPACE * (4 * REACH - OVER_SPACE)
+PLANAR_ROOT = OVER_PLANE / (thickness + sp.sqrt(PLANAR_SQUARE))
+SPATIAL_ROOT = OVER_SPACE / (SPATIAL_HALF + sp.sqrt(SPATIAL_SQUARE))
 IN_PLANE = Part(
-    "e < Delta^XY <= e + rho + H_s",
-    where=(OVER_PLANE > 0, radius_vector + thickness >= OVER_PLANE),
+    "e <= Delta^XY <= e + rho + H_s",
+    where=(OVER_PLANE >= 0, radius_vector + thickness >= OVER_PLANE),
 )
 IN_SPACE = Part(
-    "e < Delta^XYZ, the tilt up to a right angle",
+    "e <= Delta^XYZ, the tilt up to a right angle",
     where=(
-        spatial_error > eccentricity,
+        spatial_error >= eccentricity,
         2 * REACH + 2 * eccentricity * thickness >= OVER_SPACE,
     ),
 )
+# Accuracy, in eps: a rounding of g moves the tilt by itself over the root, and so do those of the
+# terms under the root, of which none is larger than g allows.
+MODERATE = (
+    *(is_moderate(size) for size in (radius_vector, thickness)),
+    is_zero_or_moderate(eccentricity),
+)
+OFFSET = Argument("offset", (eccentricity,), "offset of the axis", "mm", usual=(0, 1))
+CREST_RADIUS = Argument(
+    "rho", (radius_vector,), "largest radius of the track", "mm", usual=(1, 100)
+)
 
+
+def tilt_for(
+    name: str, where: str, error: sp.Symbol, tangent: sp.Expr, over: sp.Expr, on: Part
+) -> Quantity:
+    """Make the quantity of the tilt with which the largest error is the one given."""
+    excess, below = tangent.as_numer_denom()
+    tilt = 2 * sp.atan2(excess, below)
+    return Quantity(
+        f"tilt_of_{name}",
+        f"Compute the tilt with which the largest error {where} is the one wanted.",
+        (
+            Argument("error", (error,), "largest error wanted", "mm", usual=(0.01, 1)),
+            OFFSET,
+            CREST_RADIUS,
+            HEIGHT,
+        ),
+        tilt,
+        (Form("root without cancellation", tilt),),
+        f"inverse of {SOURCE}, equation (15)",
+        unit="rad",
+        on=on,
+        accuracy=Accuracy(
+            6,
+            Scale("the tilt and what eps*error makes of it", tilt + over),
+            (*MODERATE, is_moderate(error)),
+        ),
+    )
+
+
+DESIGN_QUANTITIES = (
+    tilt_for(
+        "planar_error",
+        "in the plane",
+        planar_error,
+        PLANAR_ROOT,
+        planar_error / sp.sqrt(PLANAR_SQUARE),
+        IN_PLANE,
+    ),
+    tilt_for(
+        "spatial_error",
+        "in space",
+        spatial_error,
+        SPATIAL_ROOT,
+        2 * spatial_error**2 / sp.sqrt(SPATIAL_SQUARE),
+        IN_SPACE,
+    ),
+)
 DESIGN_ROWS = (
     ours(
         "design, tilt and offset",
@@ -103,7 +174,7 @@ DESIGN_ROWS = (
         r"\tan\tfrac\alpha2=\frac g{H_s+\sqrt{H_s^2+g(2\rho-g)}},\ g=\Delta_\Sigma^{XY}-e",
         Equality(inwards(radius_vector).subs(tilt_tangent, PLANAR_ROOT), planar_error),
         on=IN_PLANE,
-        quantities=("planar_error",),
+        quantities=("tilt_of_planar_error",),
     ),
     ours(
         "design, tilt for an error in space",
@@ -111,6 +182,6 @@ DESIGN_ROWS = (
         r"g=(\Delta_\Sigma^{XYZ})^2-e^2",
         Equality(squared(radius_vector).subs(tilt_tangent, SPATIAL_ROOT), spatial_error**2),
         on=IN_SPACE,
-        quantities=("spatial_error",),
+        quantities=("tilt_of_spatial_error",),
     ),
 )

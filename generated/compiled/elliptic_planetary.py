@@ -1,14 +1,14 @@
 """Compiled kernels of the system `elliptic_planetary`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.elliptic_planetary`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -109,7 +109,7 @@ def ratio(
     return _run(_loops_of_ratio, (phi1, R1, R2, e), out)
 
 
-@_point_of(ratio)
+@_point_of(ratio, spread=True)
 def _point_of_ratio(phi1, R1, R2, e):
     return _value_of_ratio(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
@@ -173,7 +173,7 @@ def position(
     return _run(_loops_of_position, (phi1, R1, R2, e), out)
 
 
-@_point_of(position)
+@_point_of(position, spread=True)
 def _point_of_position(phi1, R1, R2, e):
     return _value_of_position(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
@@ -234,7 +234,7 @@ def acceleration(
     return _run(_loops_of_acceleration, (phi1, R1, R2, e), out)
 
 
-@_point_of(acceleration)
+@_point_of(acceleration, spread=True)
 def _point_of_acceleration(phi1, R1, R2, e):
     return _value_of_acceleration(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
@@ -274,7 +274,7 @@ def largest_ratio(
     return _run(_loops_of_largest_ratio, (R1, R2, e), out)
 
 
-@_point_of(largest_ratio)
+@_point_of(largest_ratio, spread=True)
 def _point_of_largest_ratio(R1, R2, e):
     return _value_of_largest_ratio(_float64(R1), _float64(R2), _float64(e))
 
@@ -312,7 +312,7 @@ def smallest_ratio(
     return _run(_loops_of_smallest_ratio, (R1, R2, e), out)
 
 
-@_point_of(smallest_ratio)
+@_point_of(smallest_ratio, spread=True)
 def _point_of_smallest_ratio(R1, R2, e):
     return _value_of_smallest_ratio(_float64(R1), _float64(R2), _float64(e))
 
@@ -381,7 +381,7 @@ def jerk(
     return _run(_loops_of_jerk, (phi1, R1, R2, e), out)
 
 
-@_point_of(jerk)
+@_point_of(jerk, spread=True)
 def _point_of_jerk(phi1, R1, R2, e):
     return _value_of_jerk(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
@@ -432,7 +432,7 @@ def largest_acceleration(
     return _run(_loops_of_largest_acceleration, (R1, R2, e), out)
 
 
-@_point_of(largest_acceleration)
+@_point_of(largest_acceleration, spread=True)
 def _point_of_largest_acceleration(R1, R2, e):
     return _value_of_largest_acceleration(_float64(R1), _float64(R2), _float64(e))
 
@@ -482,7 +482,7 @@ def angle_of_smallest_acceleration(
     return _run(_loops_of_angle_of_smallest_acceleration, (R1, R2, e), out)
 
 
-@_point_of(angle_of_smallest_acceleration)
+@_point_of(angle_of_smallest_acceleration, spread=True)
 def _point_of_angle_of_smallest_acceleration(R1, R2, e):
     return _value_of_angle_of_smallest_acceleration(_float64(R1), _float64(R2), _float64(e))
 
@@ -540,7 +540,7 @@ def largest_jerk(
     return _run(_loops_of_largest_jerk, (R1, R2, e), out)
 
 
-@_point_of(largest_jerk)
+@_point_of(largest_jerk, spread=True)
 def _point_of_largest_jerk(R1, R2, e):
     return _value_of_largest_jerk(_float64(R1), _float64(R2), _float64(e))
 
@@ -579,7 +579,7 @@ def smallest_jerk(
     return _run(_loops_of_smallest_jerk, (R1, R2, e), out)
 
 
-@_point_of(smallest_jerk)
+@_point_of(smallest_jerk, spread=True)
 def _point_of_smallest_jerk(R1, R2, e):
     return _value_of_smallest_jerk(_float64(R1), _float64(R2), _float64(e))
 
@@ -631,7 +631,7 @@ def angle_of_largest_jerk(
     return _run(_loops_of_angle_of_largest_jerk, (R1, R2, e), out)
 
 
-@_point_of(angle_of_largest_jerk)
+@_point_of(angle_of_largest_jerk, spread=True)
 def _point_of_angle_of_largest_jerk(R1, R2, e):
     return _value_of_angle_of_largest_jerk(_float64(R1), _float64(R2), _float64(e))
 
@@ -680,7 +680,7 @@ def eccentricity_of_largest_ratio(
     return _run(_loops_of_eccentricity_of_largest_ratio, (largest, R1, R2), out)
 
 
-@_point_of(eccentricity_of_largest_ratio)
+@_point_of(eccentricity_of_largest_ratio, spread=True)
 def _point_of_eccentricity_of_largest_ratio(largest, R1, R2):
     return _value_of_eccentricity_of_largest_ratio(_float64(largest), _float64(R1), _float64(R2))
 
@@ -731,7 +731,7 @@ def eccentricity_of_smallest_ratio(
     return _run(_loops_of_eccentricity_of_smallest_ratio, (smallest, R1, R2), out)
 
 
-@_point_of(eccentricity_of_smallest_ratio)
+@_point_of(eccentricity_of_smallest_ratio, spread=True)
 def _point_of_eccentricity_of_smallest_ratio(smallest, R1, R2):
     return _value_of_eccentricity_of_smallest_ratio(_float64(smallest), _float64(R1), _float64(R2))
 
@@ -788,7 +788,7 @@ def eccentricity_of_quotient(
     return _run(_loops_of_eccentricity_of_quotient, (quotient, R1, R2), out)
 
 
-@_point_of(eccentricity_of_quotient)
+@_point_of(eccentricity_of_quotient, spread=True)
 def _point_of_eccentricity_of_quotient(quotient, R1, R2):
     return _value_of_eccentricity_of_quotient(_float64(quotient), _float64(R1), _float64(R2))
 
@@ -844,7 +844,7 @@ def eccentricity_of_non_uniformity(
     return _run(_loops_of_eccentricity_of_non_uniformity, (non_uniformity, R1, R2), out)
 
 
-@_point_of(eccentricity_of_non_uniformity)
+@_point_of(eccentricity_of_non_uniformity, spread=True)
 def _point_of_eccentricity_of_non_uniformity(non_uniformity, R1, R2):
     return _value_of_eccentricity_of_non_uniformity(
         _float64(non_uniformity), _float64(R1), _float64(R2)
@@ -894,7 +894,7 @@ def eccentricity_of_extremes(
     return _run(_loops_of_eccentricity_of_extremes, (largest, smallest), out)
 
 
-@_point_of(eccentricity_of_extremes)
+@_point_of(eccentricity_of_extremes, spread=True)
 def _point_of_eccentricity_of_extremes(largest, smallest):
     return _value_of_eccentricity_of_extremes(_float64(largest), _float64(smallest))
 
@@ -940,7 +940,7 @@ def radii_of_extremes(
     return _run(_loops_of_radii_of_extremes, (largest, smallest), out)
 
 
-@_point_of(radii_of_extremes)
+@_point_of(radii_of_extremes, spread=True)
 def _point_of_radii_of_extremes(largest, smallest):
     return _value_of_radii_of_extremes(_float64(largest), _float64(smallest))
 

@@ -1,14 +1,14 @@
 """Compiled kernels of the system `oval_planetary`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.oval_planetary`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -102,7 +102,7 @@ def ratio(
     return _run(_loops_of_ratio, (phi1, e1, e2, mount), out)
 
 
-@_point_of(ratio)
+@_point_of(ratio, spread=True)
 def _point_of_ratio(phi1, e1, e2, mount=0.0):
     return _value_of_ratio(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
@@ -156,7 +156,7 @@ def position(
     return _run(_loops_of_position, (phi1, e1, e2, mount), out)
 
 
-@_point_of(position)
+@_point_of(position, spread=True)
 def _point_of_position(phi1, e1, e2, mount=0.0):
     return _value_of_position(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
@@ -240,7 +240,7 @@ def acceleration(
     return _run(_loops_of_acceleration, (phi1, e1, e2, mount), out)
 
 
-@_point_of(acceleration)
+@_point_of(acceleration, spread=True)
 def _point_of_acceleration(phi1, e1, e2, mount=0.0):
     return _value_of_acceleration(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
@@ -295,7 +295,7 @@ def ratio_cylindrical(
     return _run(_loops_of_ratio_cylindrical, (phi1, R4, R5, e2), out)
 
 
-@_point_of(ratio_cylindrical)
+@_point_of(ratio_cylindrical, spread=True)
 def _point_of_ratio_cylindrical(phi1, R4, R5, e2):
     return _value_of_ratio_cylindrical(
         _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
@@ -366,7 +366,7 @@ def position_cylindrical(
     return _run(_loops_of_position_cylindrical, (phi1, R4, R5, e2), out)
 
 
-@_point_of(position_cylindrical)
+@_point_of(position_cylindrical, spread=True)
 def _point_of_position_cylindrical(phi1, R4, R5, e2):
     return _value_of_position_cylindrical(
         _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
@@ -431,7 +431,7 @@ def acceleration_cylindrical(
     return _run(_loops_of_acceleration_cylindrical, (phi1, R4, R5, e2), out)
 
 
-@_point_of(acceleration_cylindrical)
+@_point_of(acceleration_cylindrical, spread=True)
 def _point_of_acceleration_cylindrical(phi1, R4, R5, e2):
     return _value_of_acceleration_cylindrical(
         _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
@@ -533,7 +533,7 @@ def jerk(
     return _run(_loops_of_jerk, (phi1, e1, e2, mount), out)
 
 
-@_point_of(jerk)
+@_point_of(jerk, spread=True)
 def _point_of_jerk(phi1, e1, e2, mount=0.0):
     return _value_of_jerk(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
@@ -600,7 +600,7 @@ def jerk_cylindrical(
     return _run(_loops_of_jerk_cylindrical, (phi1, R4, R5, e2), out)
 
 
-@_point_of(jerk_cylindrical)
+@_point_of(jerk_cylindrical, spread=True)
 def _point_of_jerk_cylindrical(phi1, R4, R5, e2):
     return _value_of_jerk_cylindrical(
         _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True

@@ -1,14 +1,14 @@
 """Compiled kernels of the system `tooth_thickness`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.tooth_thickness`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -79,7 +79,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     return _run(_loops_of_constant_chord, (m, alpha), out)
 
 
-@_point_of(constant_chord)
+@_point_of(constant_chord, spread=True)
 def _point_of_constant_chord(m, alpha):
     return _value_of_constant_chord(_float64(m), _float64(alpha), True)
 
@@ -114,7 +114,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     return _run(_loops_of_chord_height, (m, alpha), out)
 
 
-@_point_of(chord_height)
+@_point_of(chord_height, spread=True)
 def _point_of_chord_height(m, alpha):
     return _value_of_chord_height(_float64(m), _float64(alpha), True)
 
@@ -174,7 +174,7 @@ def height_change(
     return _run(_loops_of_height_change, (tilt, m, z, alpha), out)
 
 
-@_point_of(height_change)
+@_point_of(height_change, spread=True)
 def _point_of_height_change(tilt, m, z, alpha):
     return _value_of_height_change(_float64(tilt), _float64(m), _float64(z), _float64(alpha), True)
 
@@ -240,7 +240,7 @@ def thickness_change(
     return _run(_loops_of_thickness_change, (tilt, m, z, alpha), out)
 
 
-@_point_of(thickness_change)
+@_point_of(thickness_change, spread=True)
 def _point_of_thickness_change(tilt, m, z, alpha):
     return _value_of_thickness_change(
         _float64(tilt), _float64(m), _float64(z), _float64(alpha), True
@@ -281,7 +281,7 @@ def thickness_change_linear(
     return _run(_loops_of_thickness_change_linear, (dh, alpha), out)
 
 
-@_point_of(thickness_change_linear)
+@_point_of(thickness_change_linear, spread=True)
 def _point_of_thickness_change_linear(dh, alpha):
     return _value_of_thickness_change_linear(_float64(dh), _float64(alpha), True)
 
@@ -337,7 +337,7 @@ def linearisation_bound(
     return _run(_loops_of_linearisation_bound, (dh, m, z, alpha), out)
 
 
-@_point_of(linearisation_bound)
+@_point_of(linearisation_bound, spread=True)
 def _point_of_linearisation_bound(dh, m, z, alpha):
     return _value_of_linearisation_bound(
         _float64(dh), _float64(m), _float64(z), _float64(alpha), True
@@ -378,7 +378,7 @@ def thickness_error(
     return _run(_loops_of_thickness_error, (e_tip, height_error, alpha), out)
 
 
-@_point_of(thickness_error)
+@_point_of(thickness_error, spread=True)
 def _point_of_thickness_error(e_tip, height_error, alpha):
     return _value_of_thickness_error(_float64(e_tip), _float64(height_error), _float64(alpha), True)
 

@@ -1,14 +1,14 @@
 """Compiled kernels of the system `track_wheel`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.track_wheel`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -66,6 +66,8 @@ __all__ = [
     "rotation",
     "smallest_radius",
     "spatial_error",
+    "tilt_of_planar_error",
+    "tilt_of_spatial_error",
     "track",
 ]
 
@@ -390,7 +392,7 @@ def radius(
     return _run(_loops_of_radius, (phi, R, A, z), out)
 
 
-@_point_of(radius)
+@_point_of(radius, spread=True)
 def _point_of_radius(phi, R, A, z):
     return _value_of_radius(_float64(phi), _float64(R), _float64(A), _float64(z), True)
 
@@ -477,7 +479,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     return _run(_loops_of_largest_radius, (R, A), out)
 
 
-@_point_of(largest_radius)
+@_point_of(largest_radius, spread=True)
 def _point_of_largest_radius(R, A):
     return _value_of_largest_radius(_float64(R), _float64(A))
 
@@ -512,7 +514,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     return _run(_loops_of_smallest_radius, (R, A), out)
 
 
-@_point_of(smallest_radius)
+@_point_of(smallest_radius, spread=True)
 def _point_of_smallest_radius(R, A):
     return _value_of_smallest_radius(_float64(R), _float64(A))
 
@@ -837,4 +839,132 @@ _loops_of_error_sum_thermal = _Sums(
     (1, 1, 1, 0, 0, 0),
     _point_of_error_sum_thermal,
     _fill_of_error_sum_thermal,
+)
+
+
+@_scalar
+def _value_of_tilt_of_planar_error(error, offset, rho, H):
+    if not (
+        (H > 0)
+        & _is_finite(H)
+        & (rho > 0)
+        & _is_finite(rho)
+        & (offset >= 0)
+        & _is_finite(offset)
+        & (error > 0)
+        & _is_finite(error)
+        & (error - offset >= 0)
+        & (error - offset <= H + rho)
+    ):
+        return _math.nan
+    term = error - offset
+    return 2 * _elementary.arctan2(term, H + _np.sqrt(H**2 + term * (offset + 2 * rho - error)))
+
+
+@_loop
+def _fill_of_tilt_of_planar_error(_out, error, offset, rho, H):
+    _fill(_value_of_tilt_of_planar_error, _out, (error, offset, rho, H))
+
+
+def tilt_of_planar_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the tilt with which the largest error in the plane is the one wanted.
+
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.tilt_of_planar_error`.
+    """
+    if _type(offset) is _type(rho) is _type(H) is _float:
+        if _type(error) is _ndarray and (_row := _take_row(error, out)) is not None:
+            _loops_of_tilt_of_planar_error.fill(_row, error, offset, rho, H)
+            return _row
+        if _type(error) is _float and out is None:
+            return _float64(_loops_of_tilt_of_planar_error.point(error, offset, rho, H))
+    return _run(_loops_of_tilt_of_planar_error, (error, offset, rho, H), out)
+
+
+@_point_of(tilt_of_planar_error, spread=True)
+def _point_of_tilt_of_planar_error(error, offset, rho, H):
+    return _value_of_tilt_of_planar_error(
+        _float64(error), _float64(offset), _float64(rho), _float64(H)
+    )
+
+
+_loops_of_tilt_of_planar_error = _Loops(
+    ("error", "offset", "rho", "H"), _point_of_tilt_of_planar_error, _fill_of_tilt_of_planar_error
+)
+
+
+@_scalar
+def _value_of_tilt_of_spatial_error(error, offset, rho, H):
+    if not (
+        (H > 0)
+        & _is_finite(H)
+        & (rho > 0)
+        & _is_finite(rho)
+        & (offset >= 0)
+        & _is_finite(offset)
+        & (error > 0)
+        & _is_finite(error)
+        & (offset <= error)
+        & (
+            (error + offset) * (error - offset)
+            <= 2 * H**2 + 2 * rho**2 + 2 * offset * H + 2 * offset * rho
+        )
+    ):
+        return _math.nan
+    H_s_squared = H**2
+    term = error + offset
+    term_2 = error - offset
+    return 2 * _elementary.arctan2(
+        term * term_2,
+        2 * offset * H
+        + _np.sqrt(
+            4 * H_s_squared * offset**2
+            + term * term_2 * (4 * H_s_squared + 4 * rho**2 + 4 * offset * rho - term * term_2)
+        ),
+    )
+
+
+@_loop
+def _fill_of_tilt_of_spatial_error(_out, error, offset, rho, H):
+    _fill(_value_of_tilt_of_spatial_error, _out, (error, offset, rho, H))
+
+
+def tilt_of_spatial_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the tilt with which the largest error in space is the one wanted.
+
+    Compiled. Its full documentation is that of
+    `mechproof.kernels.track_wheel.tilt_of_spatial_error`.
+    """
+    if _type(offset) is _type(rho) is _type(H) is _float:
+        if _type(error) is _ndarray and (_row := _take_row(error, out)) is not None:
+            _loops_of_tilt_of_spatial_error.fill(_row, error, offset, rho, H)
+            return _row
+        if _type(error) is _float and out is None:
+            return _float64(_loops_of_tilt_of_spatial_error.point(error, offset, rho, H))
+    return _run(_loops_of_tilt_of_spatial_error, (error, offset, rho, H), out)
+
+
+@_point_of(tilt_of_spatial_error, spread=True)
+def _point_of_tilt_of_spatial_error(error, offset, rho, H):
+    return _value_of_tilt_of_spatial_error(
+        _float64(error), _float64(offset), _float64(rho), _float64(H)
+    )
+
+
+_loops_of_tilt_of_spatial_error = _Loops(
+    ("error", "offset", "rho", "H"), _point_of_tilt_of_spatial_error, _fill_of_tilt_of_spatial_error
 )

@@ -1,14 +1,14 @@
 """Compiled kernels of the system `wedge_linkage`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.wedge_linkage`,
-and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
-kernels can be called inside functions that numba compiles; arguments with components are then
-indexed, and so are results.
+and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
+compiles can call kernels, of numbers with arrays, too; arguments with components are
+then indexed, and so are results.
 
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` c3e241f48fba.
+Elementary functions: `elementary` 113e9d7d3b82.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -99,7 +99,7 @@ def guide_radicand(
     return _run(_loops_of_guide_radicand, (x1, l_AB, l_BC, l_CD), out)
 
 
-@_point_of(guide_radicand)
+@_point_of(guide_radicand, spread=True)
 def _point_of_guide_radicand(x1, l_AB, l_BC, l_CD):
     return _value_of_guide_radicand(_float64(x1), _float64(l_AB), _float64(l_BC), _float64(l_CD))
 
@@ -153,7 +153,7 @@ def lever_angle(
     return _run(_loops_of_lever_angle, (x1, l_AB, l_BC, l_CD), out)
 
 
-@_point_of(lever_angle)
+@_point_of(lever_angle, spread=True)
 def _point_of_lever_angle(x1, l_AB, l_BC, l_CD):
     return _value_of_lever_angle(_float64(x1), _float64(l_AB), _float64(l_BC), _float64(l_CD))
 
@@ -194,7 +194,7 @@ def rod_displacement(
     return _run(_loops_of_rod_displacement, (phi3, l_DE, alpha_DE), out)
 
 
-@_point_of(rod_displacement)
+@_point_of(rod_displacement, spread=True)
 def _point_of_rod_displacement(phi3, l_DE, alpha_DE):
     return _value_of_rod_displacement(_float64(phi3), _float64(l_DE), _float64(alpha_DE), True)
 
@@ -231,7 +231,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     return _run(_loops_of_clearance, (x5, l_GH), out)
 
 
-@_point_of(clearance)
+@_point_of(clearance, spread=True)
 def _point_of_clearance(x5, l_GH):
     return _value_of_clearance(_float64(x5), _float64(l_GH))
 
@@ -268,7 +268,7 @@ def roller_offset(
     return _run(_loops_of_roller_offset, (x5, l_KL, alpha_KL), out)
 
 
-@_point_of(roller_offset)
+@_point_of(roller_offset, spread=True)
 def _point_of_roller_offset(x5, l_KL, alpha_KL):
     return _value_of_roller_offset(_float64(x5), _float64(l_KL), _float64(alpha_KL), True)
 
@@ -314,7 +314,7 @@ def roller_lever_angle(
     return _run(_loops_of_roller_lever_angle, (x5, l_KL, alpha_KL), out)
 
 
-@_point_of(roller_lever_angle)
+@_point_of(roller_lever_angle, spread=True)
 def _point_of_roller_lever_angle(x5, l_KL, alpha_KL):
     return _value_of_roller_lever_angle(_float64(x5), _float64(l_KL), _float64(alpha_KL), True)
 
@@ -355,7 +355,7 @@ def wedge_displacement(
     return _run(_loops_of_wedge_displacement, (phi7, l_LM, alpha_LM), out)
 
 
-@_point_of(wedge_displacement)
+@_point_of(wedge_displacement, spread=True)
 def _point_of_wedge_displacement(phi7, l_LM, alpha_LM):
     return _value_of_wedge_displacement(_float64(phi7), _float64(l_LM), _float64(alpha_LM), True)
 
@@ -469,7 +469,7 @@ def position(
     )
 
 
-@_point_of(position)
+@_point_of(position, spread=True)
 def _point_of_position(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
     return _value_of_position(
         _float64(x1),
@@ -616,7 +616,7 @@ def velocity(
     )
 
 
-@_point_of(velocity)
+@_point_of(velocity, spread=True)
 def _point_of_velocity(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
     return _value_of_velocity(
         _float64(x1),

@@ -67,7 +67,7 @@ def __dir__() -> list[str]:
 # Operations: 72
 def ratio(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -155,7 +155,7 @@ def _form_of_ratio(
 # Operations: 49
 def position(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `position` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -209,7 +209,7 @@ def _form_of_position(
 # Operations: 129
 def acceleration(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `acceleration` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -343,7 +343,7 @@ def _form_of_acceleration(
 # Operations: 16
 def largest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `largest_ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
@@ -385,7 +385,7 @@ def _form_of_largest_ratio(R1: Any, R2: Any, one_plus_e: Any, one_minus_e: Any, 
 # Operations: 17
 def smallest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `smallest_ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
@@ -424,7 +424,7 @@ def _form_of_smallest_ratio(R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any,
 # Operations: 211
 def jerk(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -594,7 +594,7 @@ def _form_of_jerk(
 # Operations: 165
 def largest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `largest_acceleration` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
@@ -734,7 +734,7 @@ def _form_of_largest_acceleration(
 # Operations: 94
 def angle_of_smallest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `angle_of_smallest_acceleration` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300
@@ -842,7 +842,7 @@ def _form_of_angle_of_smallest_acceleration(
 # Operations: 35
 def smallest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `smallest_jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
@@ -886,7 +886,7 @@ def _form_of_smallest_jerk(
 # Operations: 18
 def eccentricity_of_largest_ratio(
     largest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `eccentricity_of_largest_ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
@@ -942,7 +942,7 @@ def _form_of_eccentricity_of_largest_ratio(largest: Any, R1: Any, R2: Any, k: An
 # Operations: 18
 def eccentricity_of_smallest_ratio(
     smallest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `eccentricity_of_smallest_ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
@@ -992,7 +992,7 @@ def _form_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any, k: 
 # Operations: 64
 def eccentricity_of_quotient(
     quotient: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `eccentricity_of_quotient` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where R1 <=
@@ -1059,7 +1059,7 @@ def _form_of_eccentricity_of_quotient(
 # Operations: 20
 def eccentricity_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `eccentricity_of_extremes` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -1113,7 +1113,7 @@ def _form_of_eccentricity_of_extremes(largest: Any, smallest: Any, smallest_minu
 # Operations: 16
 def radii_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `radii_of_extremes` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.

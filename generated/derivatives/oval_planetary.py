@@ -65,7 +65,7 @@ def ratio(
     mount: ArrayLike = 0.0,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `ratio` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -218,7 +218,7 @@ def position(
     mount: ArrayLike = 0.0,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `position` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 16 eps of its conditioning, where (phi1
@@ -354,7 +354,7 @@ def acceleration(
     mount: ArrayLike = 0.0,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `acceleration` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
@@ -600,7 +600,7 @@ def _form_of_acceleration(
 # Operations: 76
 def ratio_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `ratio_cylindrical` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -705,7 +705,7 @@ def _form_of_ratio_cylindrical(
 # Operations: 54
 def position_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `position_cylindrical` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -765,7 +765,7 @@ def _form_of_position_cylindrical(
 # Operations: 133
 def acceleration_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `acceleration_cylindrical` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
@@ -910,7 +910,7 @@ def jerk(
     mount: ArrayLike = 0.0,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
@@ -1503,7 +1503,7 @@ def _form_of_jerk(
 # Operations: 215
 def jerk_cylindrical(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `jerk_cylindrical` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=

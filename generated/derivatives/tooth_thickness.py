@@ -57,7 +57,9 @@ def __dir__() -> list[str]:
 # Expressions sha256: 73571909309937bfbf8c496fdc6742f47d8b2c2f006828c9aacf2a913ed0b1b6
 # Form: backward pass
 # Operations: 9
-def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def constant_chord(
+    m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Differentiate `constant_chord` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -92,7 +94,9 @@ def _form_of_constant_chord(m: Any, alpha: Any, cos_alpha: Any) -> Any:
 # Expressions sha256: 154cbbf5e31c4618dc0a290565ab1dcd56469b219c542f726f075e9d2f8ccc21
 # Form: backward pass
 # Operations: 11
-def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def chord_height(
+    m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> NDArray[Any]:
     """Differentiate `chord_height` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -130,7 +134,7 @@ def height_change(
     alpha: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `height_change` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (tilt =
@@ -206,7 +210,7 @@ def thickness_change(
     alpha: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `thickness_change` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (tilt =
@@ -267,7 +271,7 @@ def _form_of_thickness_change(
 # Operations: 6
 def thickness_change_linear(
     dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `thickness_change_linear` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -309,7 +313,7 @@ def _form_of_thickness_change_linear(dh: Any, tan_alpha: Any) -> Any:
 # Operations: 120
 def linearisation_bound(
     dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `linearisation_bound` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (dh = 0
@@ -400,7 +404,7 @@ def _form_of_linearisation_bound(
 # Operations: 9
 def thickness_error(
     e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `thickness_error` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.

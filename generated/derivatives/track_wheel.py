@@ -29,6 +29,7 @@ from mechproof.kernel_support.arrays import as_floats as _as_floats
 from mechproof.kernel_support.blocks import in_blocks as _in_blocks
 from mechproof.kernel_support.domains import (
     is_finite as _is_finite,
+    is_nonnegative as _is_nonnegative,
     is_positive as _is_positive,
     nan_outside as _nan_outside,
 )
@@ -42,6 +43,8 @@ __all__ = [
     "largest_radius",
     "radius",
     "smallest_radius",
+    "tilt_of_planar_error",
+    "tilt_of_spatial_error",
 ]
 
 
@@ -56,7 +59,7 @@ def __dir__() -> list[str]:
 # Operations: 30
 def radius(
     phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-140
@@ -97,7 +100,7 @@ def _form_of_radius(phi: Any, R: Any, A: Any, z: Any, A_squared: Any) -> Any:
 # Expressions sha256: bad4908b3bf57438aa28d10beee4920f9cf9ed31efd2e614a87ad745d44f3708
 # Form: backward pass
 # Operations: 6
-def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Differentiate `largest_radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -137,7 +140,7 @@ def _form_of_largest_radius(R: Any, A: Any) -> Any:
 # Expressions sha256: 34c7a7c1d7c3e337533b957d1c7127e385af6b97afceeae5909366532f2994b6
 # Form: backward pass
 # Operations: 7
-def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Differentiate `smallest_radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -161,4 +164,163 @@ def _form_of_smallest_radius(R: Any, A: Any) -> Any:
     return (
         1.0 + 0.0 * R,
         -_choose_where(A < 0.0, -1.0, 1.0) + 0.0 * R,
+    )
+
+
+# Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: 2d8c54e9586455050d80ce19de199a69917c9e2e408732cb676dce03ad25addc
+# Form: backward pass
+# Operations: 43
+def tilt_of_planar_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> NDArray[Any]:
+    """Differentiate `tilt_of_planar_error` by its arguments, in their order.
+
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-50
+    <= rho <= 1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50
+    <= error <= 1e50.
+
+    """
+    error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
+    error, offset, rho, H = _nan_outside(_check_of_tilt_of_planar_error, error, offset, rho, H)
+    return _in_blocks(
+        _form_of_tilt_of_planar_error,
+        (error,),
+        _prepare_of_tilt_of_planar_error,
+        (offset, rho, H),
+        out=out,
+        shape=(4,),
+    )
+
+
+def _check_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(H),
+        _is_positive(rho),
+        _is_nonnegative(offset),
+        _is_positive(error),
+        error - offset >= 0.0,
+        error - offset <= H + rho,
+    )
+
+
+def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+
+    return (offset, rho, H)
+
+
+def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:
+    term_5 = error - offset
+    term_4 = _square(H) + term_5 * (offset + 2.0 * rho - error)
+    term_2 = H + _np.sqrt(term_4)
+    term = 1.0 / (_square(term_2) + _square(term_5))
+    term_3 = 1.0 / _np.sqrt(term_4)
+    term_6 = offset - error
+
+    return (
+        2.0 * term * term_2 + 2.0 * term * term_3 * term_6 * (offset + rho - error),
+        2.0 * term * term_3 * term_6 * (error - offset - rho) - 2.0 * term * term_2,
+        2.0 * term * term_3 * term_5 * term_6,
+        2.0 * term * term_6 * (1.0 + H * term_3),
+    )
+
+
+# Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: 2deca8a751ffe0bf72026e9a8a4342ac5a3b26de8a21f9312c7feb5c4456b172
+# Form: backward pass
+# Operations: 92
+def tilt_of_spatial_error(
+    error: ArrayLike,
+    offset: ArrayLike,
+    rho: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> NDArray[Any]:
+    """Differentiate `tilt_of_spatial_error` by its arguments, in their order.
+
+    In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-50
+    <= rho <= 1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50
+    <= error <= 1e50.
+
+    """
+    error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
+    error, offset, rho, H = _nan_outside(_check_of_tilt_of_spatial_error, error, offset, rho, H)
+    return _in_blocks(
+        _form_of_tilt_of_spatial_error,
+        (error,),
+        _prepare_of_tilt_of_spatial_error,
+        (offset, rho, H),
+        out=out,
+        shape=(4,),
+    )
+
+
+def _check_of_tilt_of_spatial_error(error: Any, offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(H),
+        _is_positive(rho),
+        _is_nonnegative(offset),
+        _is_positive(error),
+        offset <= error,
+        (error + offset) * (error - offset)
+        <= 2.0 * _square(H) + 2.0 * _square(rho) + 2.0 * offset * H + 2.0 * offset * rho,
+    )
+
+
+def _prepare_of_tilt_of_spatial_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
+    H_s_squared = _square(H)
+    e_squared = _square(offset)
+
+    return (offset, rho, H, H_s_squared, e_squared)
+
+
+def _form_of_tilt_of_spatial_error(
+    error: Any, offset: Any, rho: Any, H: Any, H_s_squared: Any, e_squared: Any
+) -> Any:
+    term_10 = error - offset
+    term_9 = error + offset
+    term_6 = 4.0 * H_s_squared + 4.0 * _square(rho) + 4.0 * offset * rho - term_10 * term_9
+    term_4 = 4.0 * H_s_squared * e_squared + term_10 * term_6 * term_9
+    term_2 = _np.sqrt(term_4) + 2.0 * offset * H
+    term_7 = _square(term_9)
+    term_8 = _square(term_10)
+    term = 1.0 / (_square(term_2) + term_7 * term_8)
+    term_3 = 1.0 / _np.sqrt(term_4)
+    term_5 = term_10 * term_6 / 2.0
+
+    return (
+        4.0 * term * term_2 * error
+        - 2.0
+        * term
+        * term_10
+        * term_3
+        * term_9
+        * (term_5 + term_6 * term_9 / 2.0 - term_10 * term_9 * error),
+        -4.0 * offset * term * term_2
+        - 2.0
+        * term
+        * term_10
+        * term_9
+        * (
+            2.0 * H
+            + term_3
+            * (
+                term_5
+                + 4.0 * H_s_squared * offset
+                + (2.0 * offset + 4.0 * rho) / 2.0 * term_10 * term_9
+                - term_6 * term_9 / 2.0
+            )
+        ),
+        -(4.0 * offset + 8.0 * rho) * term * term_3 * term_7 * term_8,
+        -2.0
+        * term
+        * term_10
+        * term_9
+        * (2.0 * offset + term_3 * (4.0 * e_squared * H + 4.0 * H * term_10 * term_9)),
     )

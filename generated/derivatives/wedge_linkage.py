@@ -63,7 +63,7 @@ def guide_radicand(
     l_CD: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `guide_radicand` by its arguments, in their order.
 
     In mm**2 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where
@@ -113,7 +113,7 @@ def lever_angle(
     l_CD: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `lever_angle` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50
@@ -164,7 +164,7 @@ def _form_of_lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
 # Operations: 21
 def rod_displacement(
     phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `rod_displacement` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |phi3|
@@ -209,7 +209,7 @@ def _form_of_rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 # Expressions sha256: acc932b58a5c05ef36ed6ff46fa685c1c7c754d19b8ed37ecc2b5a0ca8a3ad3c
 # Form: backward pass
 # Operations: 12
-def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Differentiate `clearance` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning.
@@ -246,7 +246,7 @@ def _form_of_clearance(x5: Any, l_GH: Any) -> Any:
 # Operations: 12
 def roller_offset(
     x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `roller_offset` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50
@@ -289,7 +289,7 @@ def _form_of_roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 # Operations: 68
 def roller_lever_angle(
     x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `roller_lever_angle` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50
@@ -393,7 +393,7 @@ def _form_of_roller_lever_angle(
 # Operations: 20
 def wedge_displacement(
     phi7: ArrayLike, l_LM: ArrayLike, alpha_LM: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `wedge_displacement` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |phi7|
@@ -452,7 +452,7 @@ def position(
     alpha_LM: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Differentiate `position` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50

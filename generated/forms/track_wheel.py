@@ -69,7 +69,7 @@ def __dir__() -> list[str]:
 # Operations: 31
 def displacement_direct(
     points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute `displacement` by another form: direct (K^T - I)*p + t.
 
         [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
@@ -128,7 +128,7 @@ def _prepare_of_displacement_direct(
 # Operations: 3
 def displacement_linear(
     points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
+) -> NDArray[Any]:
     """Compute `displacement` by another form: first order in the angles.
 
         [a + beta*z_13 - gamma*y_13]
@@ -257,7 +257,7 @@ def track_printed(
     H: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Compute `track` by another form: printed (16).
 
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*cos(phi)]

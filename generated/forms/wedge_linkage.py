@@ -783,7 +783,7 @@ def sensitivities_slopes(
     alpha_LM: ArrayLike,
     *,
     out: NDArray[Any] | None = None,
-) -> Any:
+) -> NDArray[Any]:
     """Compute `sensitivities` by another form: product of slopes.
 
         [-engaged_atan2*l_DE*l_LM*(1 - cos(turn_3_atan2))*sin(alpha_DE +

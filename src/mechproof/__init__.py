@@ -13,8 +13,9 @@ when it is first used: `import mechproof` costs next to nothing.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from mechproof.tools.notebook import Displayed
 
@@ -99,7 +100,24 @@ def __getattr__(name: str) -> Any:
         return import_module(f"mechproof.{name}")
     if name not in HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(HOMES[name]), name)
+    try:
+        return getattr(import_module(HOMES[name]), name)
+    except ModuleNotFoundError as error:
+        if (error.name or "").startswith("mechproof"):
+            raise
+        return _stand_in(name, error)
+
+
+def _stand_in(name: str, error: ModuleNotFoundError) -> Callable[..., NoReturn]:
+    """Return what refuses to be called: all names of the package can be imported without extras."""
+    from mechproof.tools.extras import tell_missing
+
+    message = tell_missing(f"mechproof.{name}", "derive", error.name)
+
+    def refuse(*arguments: object, **named: object) -> NoReturn:
+        raise ImportError(message)
+
+    return refuse
 
 
 def __dir__() -> list[str]:

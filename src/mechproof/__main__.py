@@ -10,7 +10,7 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import NoReturn
 
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import tell_missing
 from mechproof.tools.processes import ENDING
 
 # What the extra `derive` installs, as it is imported.
@@ -66,11 +66,7 @@ def _run() -> None:
         stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     missing = [name for name in EXTRA if find_spec(name) is None]
     if missing:
-        names = ", ".join(missing)
-        print(
-            f"mechproof needs {names}, the extra derive: {tell_install('derive')}",
-            file=sys.stderr,
-        )
+        print(tell_missing("mechproof", "derive", *missing), file=sys.stderr)
         sys.exit(2)
     # SymPy makes many objects that live: it is to remember more of them, and garbage is looked for
     # less often. Read when SymPy is imported.

@@ -16,7 +16,8 @@ def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
     folders = ("", "forms/", "derivatives/", "compiled/")
-    assert set(files) == {f"{d}{n}.py" for d in folders for n in ("__init__", "system")}
+    modules = {f"{d}{n}.py" for d in folders for n in ("__init__", "system")}
+    assert set(files) == modules | {"system.pyi", "compiled/system.pyi"}
     assert all(text.endswith("\n") and REGENERATED in text for text in files.values())
     own = render_package([paper, bare], is_own=True)
     assert set(own) - set(files) == {"compiled/elementary.py"}

@@ -261,6 +261,24 @@ def test_kernels_are_called_inside_compiled_functions() -> None:
     assert travel(10) == pytest.approx(wanted, rel=40 * EPS)
 
 
+def test_arrays_are_taken_inside_compiled_functions() -> None:
+    import numba
+
+    @numba.njit
+    def travel(phi: np.ndarray, radius: np.ndarray) -> np.ndarray:
+        position = elliptic_planetary.position(phi, radius, 16.0, e=0.475)
+        return position + oval_planetary.position(phi1=phi, e2=0.3, e1=0.2)
+
+    phi, radius = np.linspace(-30, 1e6, 24).reshape(4, 1, 6), np.array([[66.0], [70.0]])
+    wanted = elliptic_planetary.position(phi, radius, 16, 0.475)
+    found = travel(phi, radius)
+    assert np.array_equal(found, wanted + oval_planetary.position(phi, 0.2, 0.3))
+    # Of whole numbers and of single precision, doubles.
+    assert np.array_equal(travel(np.arange(3), radius[0])[1:2], travel(np.array([1.0]), radius[0]))
+    with pytest.raises(numba.TypingError, match="No implementation of function"):
+        numba.njit(lambda points: track_wheel.planar_error(points, points))(phi)
+
+
 def test_parameters_are_numbers_of_any_kind() -> None:
     """Each kind gives the bits of Python's floats, by a way of its own."""
     wanted = elliptic_planetary.position(PHI, 66.0, 16.0, 0.5)

@@ -106,7 +106,7 @@ def test_ufloats_come_in_with_their_correlations_and_go_out() -> None:
 
 def test_without_the_package_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "uncertainties", None)
-    with pytest.raises(ImportError, match="needs the package uncertainties"):
+    with pytest.raises(ImportError, match="a ufloat needs uncertainties, the extra uncertain: pip"):
         to_ufloat(Estimate(1.0, 0.1))
 
 

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import sys
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 import pytest
-import sympy as sp
-from derived import paper_of
 
 from mechproof import TrackWheel
-from mechproof.mechanisms.track_wheel_design import solve_tilt
 
 EPS = float(np.finfo(float).eps)
 ERRORS = ("planar_error", "spatial_error")
@@ -190,23 +186,3 @@ def test_degrees_and_quantities() -> None:
     assert found.to("rad").magnitude == pytest.approx(tilt, rel=8 * EPS)
     offset = wheel.largest_offset(spatial_error=50 * units.um)
     assert offset.to("mm").magnitude == pytest.approx(0.05, rel=8 * EPS)
-
-
-@pytest.mark.xdist_group("verdicts track_wheel")
-@pytest.mark.parametrize(
-    ("name", "root"), [(ERRORS[0], "PLANAR_ROOT"), (ERRORS[1], "SPATIAL_ROOT")]
-)
-def test_the_closed_form_is_the_one_proved(name: str, root: str) -> None:
-    paper_of("track_wheel")
-    proved = sys.modules["mechproof.derivations.track_wheel.design"]
-    symbols = (
-        *(proved.planar_error, proved.spatial_error),
-        *(proved.eccentricity, proved.radius_vector, proved.thickness),
-    )
-    function = sp.lambdify(symbols, getattr(proved, root), "mpmath")
-    for error, offset, rho, height in ((0.05, 0.01, 45.25, 20.0), (9.0, 2.0, 5.0, 7.0)):
-        with mp.workdps(40):
-            expected = 2 * mp.atan(function(*map(mp.mpf, (error, error, offset, rho, height))))
-        found = solve_tilt(name, error, offset, rho, height)
-        # The differences error - offset carry no more than 2 roundings here.
-        assert found == pytest.approx(float(expected), rel=20 * EPS)

@@ -65,6 +65,57 @@ def test_motions_are_in_degrees() -> None:
     assert (found.period, found.drift) == (math.degrees(plain.period), math.degrees(plain.drift))
 
 
+def test_motions_in_time_are_in_degrees_and_per_second() -> None:
+    carrier = (30.0, 720.0, -90.0, 50.0)
+    plain, found = ELLIPTIC.at(*np.radians(carrier)), ELLIPTIC.at(*carrier, degrees=True)
+    assert tuple(found) == pytest.approx(tuple(np.degrees(plain)), rel=1e-13)
+    assert found.speed_rpm == pytest.approx(plain.speed_rpm, rel=1e-13)
+    by_rpm = ELLIPTIC.at(30.0, None, *carrier[2:], speed_rpm=120, degrees=True)
+    assert tuple(by_rpm) == pytest.approx(tuple(found), rel=1e-13)
+    times = np.linspace(0, 1, 9)
+    for phi1 in (lambda t: 90 * t**2, 90 * times**2):
+        found = ELLIPTIC.run(times, phi1, degrees=True)
+        radians = (lambda t, f=phi1: np.radians(f(t))) if callable(phi1) else np.radians(phi1)
+        assert np.array(found) == pytest.approx(np.degrees(ELLIPTIC.run(times, radians)), rel=1e-9)
+
+
+def test_dwells_are_in_degrees() -> None:
+    radians, degrees = (
+        OvalPlanetary.find_dwells(width, band=band, teeth=(18, 21), degrees=d)
+        for width, band, d in ((math.radians(20), math.radians(0.1), False), (20, 0.1, True))
+    )
+    assert str(radians) == str(degrees)
+    assert str(radians.candidates[0]) == str(degrees.candidates[0])
+    for name in ("width", "step"):
+        plain, found = ([getattr(row, name) for row in d.candidates] for d in (radians, degrees))
+        assert found == pytest.approx(np.degrees(plain))
+    drive = OvalPlanetary.of_dwell(degrees.candidates[0])
+    assert drive == OvalPlanetary.of_dwell(radians.candidates[0])
+    interval = drive.longest_dwell(band=math.radians(0.1))
+    assert drive.longest_dwell(band=0.1, degrees=True) == pytest.approx(np.degrees(interval))
+
+
+def test_motions_and_dwells_in_quantities() -> None:
+    q = REGISTRY.Quantity
+    found = ELLIPTIC.at(q(30, "degree"), q(120, "rpm"), q(1, "turn/s**2"))
+    plain = ELLIPTIC.at(30, 720, 360, degrees=True)
+    assert [str(value.units) for value in found[:3]] == [
+        "degree",
+        "degree / second",
+        "degree / second ** 2",
+    ]
+    assert tuple(value.magnitude for value in found) == pytest.approx(tuple(plain), rel=1e-12)
+    assert found.speed_rpm.to("rpm").magnitude == pytest.approx(plain.speed_rpm)
+    times = np.linspace(0, 1, 9)
+    moved = ELLIPTIC.run(q(1e3 * times, "ms"), q(times**2 / 4, "turn"))
+    again = ELLIPTIC.run(times, 90 * times**2, degrees=True)
+    assert moved.speed.to("degree/s").magnitude == pytest.approx(again.speed)
+    drive = OvalPlanetary(CylindricalPair(30, 20), "0.2")
+    ends = drive.longest_dwell(band=q(0.1, "degree"))
+    plain_ends = drive.longest_dwell(band=0.1, degrees=True)
+    assert [end.to("degree").magnitude for end in ends] == pytest.approx(plain_ends)
+
+
 def test_parameters_in_degrees() -> None:
     assert ToothThickness(3, 50, 20, degrees=True).alpha == math.radians(20)
     assert ToothThickness(3, 50, degrees=True) == ToothThickness(3, 50)
@@ -136,6 +187,9 @@ def test_lengths_are_given_back_as_lengths() -> None:
         (lambda q: EllipticPlanetary(66, 16, q(0.4, "mm")), "^e = .*must be a pure number"),
         (lambda q: ELLIPTIC.position(q(1, "mm")), r"^phi1 = .*must be an angle \(rad\)"),
         (lambda q: WedgeLinkage.published(1).position(q(1, "s")), "^x1 = .*must be a length"),
+        (lambda q: ELLIPTIC.at(1.0, q(1, "mm/s")), "^speed = .*must be an angular speed"),
+        (lambda q: ELLIPTIC.run(q([0, 1], "mm"), [0, 1]), "^t = .*must be a time"),
+        (lambda q: OVAL.find_dwells(q(1, "mm"), eta=0.1), "^width = .*must be an angle"),
     ],
 )
 def test_another_dimension_is_refused(call: Any, message: str) -> None:

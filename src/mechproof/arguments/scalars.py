@@ -9,11 +9,16 @@ from numbers import Real
 from typing import Any, NoReturn
 
 PLAIN = frozenset({int, float})
+# Of what is shown of a value.
+LONGEST = 200
 
 
 def refuse(name: str, value: object, allowed: str, error: type[Exception] = ValueError) -> NoReturn:
-    """Raise an error "name = value: allowed", on one line."""
-    raise error(f"{name} = {' '.join(repr(value).split())}: {allowed}")
+    """Raise an error "name = value: allowed", on one line; of a long value only both ends."""
+    text = " ".join(repr(value).split())
+    if len(text) > LONGEST:
+        text = f"{text[: LONGEST // 2]} ... {text[-LONGEST // 2 :]}"
+    raise error(f"{name} = {text}: {allowed}")
 
 
 def require(

@@ -36,7 +36,7 @@ SHORT = {"numpy": "_np", "math": "_math"}
 MODULES = re.compile(
     r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\.(kernels\.|kernel_|compiled_).*"
 )
-TYPES = ("Any", "ArrayLike", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
+TYPES = ("Any", "ArrayLike", "NDArray[Any]", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
 # What annotations name, which nothing evaluates, and what indexes a new axis.
 UNUSED = dict.fromkeys(("annotations", "Any", "ArrayLike", "NDArray", "newaxis"))
 # Functions whose operation has another name; the others are called like it.

@@ -11,6 +11,7 @@ from mechproof.codegen.backends.numpy import (
     render_init,
     render_modules,
 )
+from mechproof.codegen.backends.stubs import render_stubs
 from mechproof.record import Paper
 
 # Lists the files of the generated package, so that the next run knows what it may replace.
@@ -26,7 +27,7 @@ def render_package(papers: Iterable[Paper], *, is_own: bool = False) -> dict[str
     files = {
         name: text
         for paper in papers
-        for render in (render_modules, render_derivatives, render_compiled)
+        for render in (render_modules, render_stubs, render_derivatives, render_compiled)
         for name, text in render(paper).items()
     }
     if any(name.startswith(DERIVATIVES) for name in files):

@@ -8,11 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
+from inspect import signature
 from typing import Any
 
 try:
     from llvmlite import ir
-    from numba import njit, typeof, types
+    from numba import njit, typeof, types, vectorize
     from numba.extending import intrinsic, overload
 except ImportError as error:
     from mechproof.tools.extras import tell_install
@@ -75,9 +76,38 @@ def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]
     return register
 
 
-def point_of(kernel: Callable[..., Any]) -> Callable[[Callable[..., Any]], Any]:
-    """Return a decorator for what computes one point of a kernel, also where compiled code does."""
-    return lambda function: _entered(stand_in(kernel)(function))
+def point_of(
+    kernel: Callable[..., Any], *, spread: bool = False
+) -> Callable[[Callable[..., Any]], Any]:
+    """Return a decorator for what computes one point of a kernel, also where compiled code does.
+
+    With `spread` compiled code can call the kernel with arrays, too, which broadcast.
+    """
+
+    def register(function: Callable[..., Any]) -> Any:
+        if spread:
+            overload(kernel, jit_options=_HOW, strict=False)(_spread(function))
+        return _entered(stand_in(kernel)(function))
+
+    return register
+
+
+def _spread(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what numba asks for the implementation of a function of numbers for some types."""
+
+    @cache
+    def write() -> Any:
+        # Arguments may be given by name: the implementation needs those names.
+        taken = signature(function)
+        names: dict[str, Any] = {"each": vectorize(function)}
+        exec(f"def spread{taken}: return each({', '.join(taken.parameters)})", names)
+        return names["spread"]
+
+    def choose(*values: Any, **named: Any) -> Any:
+        given = (*values, *named.values())
+        return write() if any(isinstance(value, types.Array) for value in given) else None
+
+    return choose
 
 
 @intrinsic

@@ -121,7 +121,7 @@ def fit(
     The carrier's zero is determined to whole periods, and chosen next to 0; the output's to turns.
 
     """
-    known = ", ".join(f"{f.__module__.rpartition('.')[2]}.{f.__name__}" for f in MODELS)
+    known = ", ".join(f"{f.__module__}.{f.__name__}" for f in MODELS)
     is_known = callable(position) and position in MODELS
     require(is_known, "position", position, f"must be one of the kernels {known}")
     fitted = check_flag("zeros", zeros)
@@ -141,7 +141,8 @@ def _conclude(problem: Problem, minima: list[Minimum], uncertainty: float | None
     error = math.sqrt(best.square / count)
     if not error <= LARGEST_ERROR:
         text = f"best of all starts are errors of {error:.2g} rad in the root mean square"
-        refuse("measured", problem.readings, f"no parameters in these ranges explain it: {text}")
+        text = f"no parameters in these ranges explain it, in radians: {text}"
+        refuse("measured", problem.readings, text)
     freedom = count - len(problem.names)
     deviation = math.sqrt(best.square / freedom) if uncertainty is None else uncertainty
     # Readings without scatter still leave what the steps of least squares do.

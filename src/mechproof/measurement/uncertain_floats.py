@@ -8,6 +8,7 @@ from typing import Any
 
 from mechproof.arguments.scalars import require
 from mechproof.measurement.estimate import Estimate
+from mechproof.tools.extras import tell_missing
 
 
 def is_uncertain(value: Any) -> bool:
@@ -41,7 +42,5 @@ def _load() -> Any:
     try:
         import uncertainties
     except ImportError as error:
-        raise ImportError(
-            "a ufloat needs the package uncertainties: pip install 'mechproof[uncertain]'"
-        ) from error
+        raise ImportError(tell_missing("a ufloat", "uncertain", error.name)) from error
     return uncertainties

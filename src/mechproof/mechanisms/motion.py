@@ -21,11 +21,15 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import refuse
 from mechproof.mechanisms.time_derivatives import differentiate, interpolate
-from mechproof.mechanisms.units import Units
+from mechproof.mechanisms.units import Units, is_quantity
 from mechproof.tools.notebook import Displayed
 
 Floats = NDArray[np.float64]
-RAD_PER_S = math.tau / 60
+# Of a turn per minute.
+RAD_PER_S, DEGREES_PER_S = math.tau / 60, 6.0
+
+
+UNITS = {"angle": "rad", "speed": "rad/s", "acceleration": "rad/s**2", "jerk": "rad/s**3"}
 
 
 class Motion(NamedTuple):
@@ -39,7 +43,16 @@ class Motion(NamedTuple):
     @property
     def speed_rpm(self) -> Any:
         """The speed in turns per minute."""
-        return self.speed / RAD_PER_S
+        return self.speed.to("rpm") if is_quantity(self.speed) else self.speed / RAD_PER_S
+
+
+class MotionInDegrees(Motion):
+    """Angle (°), speed (°/s), acceleration (°/s²) and jerk (°/s³), arrays of one shape."""
+
+    @property
+    def speed_rpm(self) -> Any:
+        """The speed in turns per minute."""
+        return self.speed / DEGREES_PER_S
 
 
 class Drive(Displayed):
@@ -77,6 +90,7 @@ class Drive(Displayed):
         jerk: ArrayLike = 0.0,
         *,
         speed_rpm: ArrayLike | None = None,
+        degrees: bool = False,
     ) -> Motion:
         """Return the motion of the output while the carrier is at phi1 and moves so.
 
@@ -90,6 +104,8 @@ class Drive(Displayed):
             Of the carrier (rad/s², rad/s³), zero if left out.
         speed_rpm : array_like
             Instead of `speed`: turns of the carrier per minute.
+        degrees : bool
+            Whether all angles, those of speeds among them, are in degrees.
 
         Returns
         -------
@@ -99,7 +115,8 @@ class Drive(Displayed):
         Raises
         ------
         TypeError, ValueError
-            If not exactly one speed is given, or an argument is no array of real numbers.
+            If not exactly one speed is given, or an argument is no array of real numbers or has
+            another dimension.
 
         Notes
         -----
@@ -111,14 +128,23 @@ class Drive(Displayed):
         """
         if (speed is None) == (speed_rpm is None):
             refuse("speed", speed, f"give it or speed_rpm, which is {speed_rpm!r}", TypeError)
+        units = Units(degrees)
         if speed is None:
-            omega = check_array("speed_rpm", speed_rpm) * RAD_PER_S
-        else:
-            omega = check_array("speed", speed)
-        angle, alpha = check_array("phi1", phi1), check_array("acceleration", acceleration)
-        return self._chain(angle, omega, alpha, check_array("jerk", jerk))
+            speed = check_array("speed_rpm", speed_rpm) * (DEGREES_PER_S if degrees else RAD_PER_S)
+        given = {"phi1": phi1, "speed": speed, "acceleration": acceleration, "jerk": jerk}
+        taken = (
+            check_array(name, units.take(name, value, unit))
+            for (name, value), unit in zip(given.items(), UNITS.values(), strict=True)
+        )
+        return self._chain(units, *taken)
 
-    def run(self, t: ArrayLike, phi1: ArrayLike | Callable[[Floats], ArrayLike]) -> Motion:
+    def run(
+        self,
+        t: ArrayLike,
+        phi1: ArrayLike | Callable[[Floats], ArrayLike],
+        *,
+        degrees: bool = False,
+    ) -> Motion:
         """Return the motion of the output while the carrier's angle is a function of time.
 
         Parameters
@@ -127,7 +153,9 @@ class Drive(Displayed):
             Times (s). With samples: one axis, rising, six or more.
         phi1 : array_like or function
             Carrier angles (rad): samples at `t`, through which a spline of the fifth degree is
-            laid, or a function of an array of times that returns an array of its shape.
+            laid, or a function of an array of times (s) that returns an array of its shape.
+        degrees : bool
+            Whether all angles, those of speeds among them, are in degrees.
 
         Returns
         -------
@@ -151,16 +179,25 @@ class Drive(Displayed):
         where it is NaN there they are not used.
 
         """
-        times = check_array("t", t)
-        moved = differentiate(phi1, times) if callable(phi1) else interpolate(phi1, times)
-        return self._chain(*moved)
+        units = Units(degrees)
+        times = check_array("t", units.take("t", t, "s"))
+        if callable(phi1):
+            function = phi1
+            moved = differentiate(lambda at: units.take("phi1(t)", function(at), "rad"), times)
+        else:
+            moved = interpolate(units.take("phi1", phi1, "rad"), times)
+        return self._chain(units, *moved)
 
-    def _chain(self, phi1: Floats, omega: Floats, alpha: Floats, jerk: Floats) -> Motion:
+    def _chain(
+        self, units: Units, phi1: Floats, omega: Floats, alpha: Floats, jerk: Floats
+    ) -> Motion:
         phi1, omega, alpha, jerk = np.broadcast_arrays(phi1, omega, alpha, jerk)
         ratio, slope, bend = self.ratio(phi1), self.acceleration(phi1), self.jerk(phi1)
-        return Motion(
+        found = Motion(
             self.position(phi1),
             ratio * omega,
             ratio * alpha + slope * omega**2,
             ratio * jerk + 3 * slope * omega * alpha + bend * omega**3,
         )
+        given = units.give_fields(found, UNITS)
+        return MotionInDegrees(*given) if units.degrees else given

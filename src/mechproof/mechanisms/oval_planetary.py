@@ -18,7 +18,7 @@ so is then what is said of the kind of motion.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -28,7 +28,14 @@ from numpy.typing import ArrayLike
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.mechanisms.dwells.longest import find_longest_dwell
-from mechproof.mechanisms.dwells.table import Dwell, Dwells, Rank, find_dwells
+from mechproof.mechanisms.dwells.table import (
+    DWELL_ANGLES,
+    Dwell,
+    DwellInDegrees,
+    Dwells,
+    Rank,
+    find_dwells,
+)
 from mechproof.mechanisms.exact import Given, check_number
 from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import choose_published
@@ -135,7 +142,7 @@ class OvalPlanetary(Drive):
         return Units(degrees).give_fields(classify(self._act_as_one(), limit), ANGLES)
 
     def longest_dwell(
-        self, *, eta: Given | None = None, band: float | None = None
+        self, *, eta: Given | None = None, band: float | None = None, degrees: bool = False
     ) -> tuple[float, float]:
         """Return the longest interval of the carrier angle in which the output dwells.
 
@@ -145,6 +152,8 @@ class OvalPlanetary(Drive):
             |ratio| up to which the output counts as at rest, as in `classify`.
         band : float
             Instead: how far from a position the output may be (rad).
+        degrees : bool
+            Whether the band and the interval are in degrees.
 
         Returns
         -------
@@ -159,7 +168,10 @@ class OvalPlanetary(Drive):
             the output advances by some, but by no more than the band.
 
         """
-        return find_longest_dwell(self._act_as_one(), eta, band)
+        units = Units(degrees)
+        half = band if band is None else units.take("band", band, "rad")
+        start, end = find_longest_dwell(self._act_as_one(), eta, half)
+        return units.give(start, "rad"), units.give(end, "rad")
 
     @classmethod
     def of_dwell(
@@ -184,6 +196,7 @@ class OvalPlanetary(Drive):
         teeth: tuple[int, int] = (17, 60),
         largest_e: Given = Fraction(1, 3),
         rank: Rank = "width",
+        degrees: bool = False,
     ) -> Dwells:
         """Find every drive with a cylindrical pair 4-5 that dwells, by whole teeth and e2.
 
@@ -202,6 +215,8 @@ class OvalPlanetary(Drive):
         rank : "width", "step" or "teeth"
             What comes first: the longest dwell, the largest advance of the output from one dwell
             to the next, or the fewest teeth.
+        degrees : bool
+            Whether `width` and `band` are in degrees, and those of the rows with them.
 
         Returns
         -------
@@ -219,7 +234,13 @@ class OvalPlanetary(Drive):
             Without the extra `derive`.
 
         """
-        return find_dwells(width, eta=eta, band=band, teeth=teeth, largest_e=largest_e, rank=rank)
+        units = Units(degrees)
+        least = units.take("width", width, "rad")
+        half = band if band is None else units.take("band", band, "rad")
+        found = find_dwells(least, eta=eta, band=half, teeth=teeth, largest_e=largest_e, rank=rank)
+        rows = (units.give_fields(row, DWELL_ANGLES) for row in found.candidates)
+        kind = DwellInDegrees if units.degrees else Dwell
+        return replace(found, candidates=tuple(kind(*row) for row in rows))
 
     def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.

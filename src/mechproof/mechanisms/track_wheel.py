@@ -38,7 +38,6 @@ from mechproof.mechanisms.track_wheel_design import (
     check_tilt,
     choose_wish,
     find_angles,
-    solve_tilt,
 )
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
@@ -221,8 +220,9 @@ class TrackWheel(Displayed):
     ) -> Any:
         """Return the tilt up to which no error is larger than wanted, in whatever direction.
 
-        In closed form: in the directions of `worst_pose` the largest error is the one wanted, to
-        20 eps, as held by the tests.
+        In closed form, by the kernels `tilt_of_planar_error` and `tilt_of_spatial_error`: in the
+        directions of `worst_pose` the largest error is the one wanted, to 20 eps, as held by the
+        tests.
 
         Parameters
         ----------
@@ -253,9 +253,15 @@ class TrackWheel(Displayed):
         most = self._find_largest(name, QUARTER, length)
         allowed = f"must lie between the offset, {length!r}, and {most!r}, that of a right angle"
         require(length <= error <= most * (1 + WIDENING), name, error, allowed)
+        if error == length:
+            return units.give(0.0, "rad")
         rho = float(kernels.largest_radius(self.R, self.A))
-        tilt = solve_tilt(name, error, length, rho, self.H)
-        return units.give(min(tilt, QUARTER), "rad")
+        # In units of the distance from the origin no square leaves the range of doubles.
+        unit = math.hypot(rho, self.H)
+        sizes = (size / unit for size in (error, length, rho, self.H))
+        tilt = float(getattr(kernels, f"tilt_of_{name}")(*sizes))
+        # The error of a right angle may be beyond that by its rounding.
+        return units.give(QUARTER if math.isnan(tilt) else min(tilt, QUARTER), "rad")
 
     def largest_offset(
         self,

@@ -17,7 +17,15 @@ from mechproof.arguments.scalars import PLAIN, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 
 # What a unit of the kernels measures.
-MEASURED = {"rad": "an angle", "mm": "a length", "1": "a pure number"}
+MEASURED = {
+    "rad": "an angle",
+    "rad/s": "an angular speed",
+    "rad/s**2": "an angular acceleration",
+    "rad/s**3": "an angular jerk",
+    "mm": "a length",
+    "s": "a time",
+    "1": "a pure number",
+}
 Tuple = TypeVar("Tuple", bound=NamedTuple)
 
 
@@ -31,7 +39,7 @@ class Units:
     """
 
     def __init__(self, degrees: bool = False) -> None:
-        self._degrees = degrees if degrees is False else check_flag("degrees", degrees)
+        self.degrees = degrees if degrees is False else check_flag("degrees", degrees)
         self._quantity: Any = None
         self._angle: Any = None
 
@@ -47,16 +55,16 @@ class Units:
 
         """
         if isinstance(value, list | tuple) and not PLAIN.issuperset(map(type, value)):
-            if any(map(_is_quantity, value)):
+            if any(map(is_quantity, value)):
                 return [self.take(f"{name}[{i}]", item, unit) for i, item in enumerate(value)]
-        elif _is_quantity(value):
+        elif is_quantity(value):
             return self._convert(name, value, unit)
-        if not (self._degrees and unit == "rad"):
+        if not (self.degrees and unit.startswith("rad")):
             return value
         return np.radians(as_floats(name, value)[0])
 
     def _convert(self, name: str, value: Any, unit: str) -> Any:
-        require(not self._degrees, name, value, "has a unit; leave out degrees beside it")
+        require(not self.degrees, name, value, "has a unit; leave out degrees beside it")
         wanted = "dimensionless" if unit == "1" else unit
         if not value.is_compatible_with(wanted):
             refuse(name, value, f"must be {MEASURED[unit]} ({unit})", TypeError)
@@ -75,9 +83,9 @@ class Units:
             if self._angle is not None and "rad" in unit:
                 found = found.to(unit.replace("rad", f"({self._angle})"))
             return found
-        if not self._degrees or "rad" not in unit:
+        if not self.degrees or "rad" not in unit:
             return value
-        if unit == "rad":
+        if unit.startswith("rad"):
             return to_degrees(value) if type(value) is float else np.degrees(value)
         return np.radians(np.radians(value)) if unit == "1/rad**2" else np.radians(value)
 
@@ -87,6 +95,6 @@ class Units:
         return found._replace(**given)
 
 
-def _is_quantity(value: Any) -> bool:
+def is_quantity(value: Any) -> bool:
     """Say whether a value is a quantity of pint, which need not be installed."""
     return hasattr(value, "_REGISTRY") and hasattr(value, "dimensionality")

@@ -38,11 +38,10 @@ def list_imports(text: str, names: Mapping[str, Iterable[str]]) -> tuple[str, ..
     """List the lines that import what a text uses, of modules and of `names` that modules have."""
     words = frozenset(re.findall(r"\w+", text))
     found = [(m, False, f"import {m} as {name}") for m, name in MODULES.items() if name in words]
-    for module, annotated in ANNOTATED.items():
-        if used := [name for name in annotated if name in words]:
-            found.append((module, True, f"from {module} import {', '.join(used)}"))
-    for module, offered in names.items():
-        if used := [f"{name} as _{name}" for name in offered if f"_{name}" in words]:
+    for module in dict.fromkeys((*ANNOTATED, *names)):
+        used = [name for name in ANNOTATED.get(module, ()) if name in words]
+        used += [f"{name} as _{name}" for name in names.get(module, ()) if f"_{name}" in words]
+        if used:
             found.append((module, True, f"from {module} import {', '.join(used)}"))
     packages = [_find_package(module) for module, _, _ in found]
     lines: list[str] = []

@@ -16,12 +16,17 @@ def tell_install(extra: str) -> str:
     return f"pip install '{_find_source()}[{extra}]'"
 
 
+def tell_missing(what: str, extra: str, *names: str | None) -> str:
+    """Say what is missing for something, and the command that installs it."""
+    missing = ", ".join(name or "a package" for name in names)
+    return f"{what} needs {missing}, the extra {extra}: {tell_install(extra)}"
+
+
 def require_modules(what: str, extra: str, modules: Iterable[str]) -> None:
     """Raise ImportError, which names the command to run, if a module is not installed."""
     missing = [module for module in modules if find_spec(module) is None]
     if missing:
-        names = ", ".join(missing)
-        raise ImportError(f"{what} needs {names}, the extra {extra}: {tell_install(extra)}")
+        raise ImportError(tell_missing(what, extra, *missing))
 
 
 def list_other_versions(extra: str) -> list[str]:

@@ -21,7 +21,7 @@ from mechproof.programs.scalar import join_stage, list_conditions, list_stages
 from mechproof.programs.sums import ADDED, TermLoop
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
-SCALAR, LOOP, POINT = "_scalar", "_loop", "_point_of({})"
+SCALAR, LOOP = "_scalar", "_loop"
 Meant = Iterator[tuple[str, RecordedFunction]]
 
 
@@ -38,9 +38,15 @@ def _offer(on: Tape) -> dict[str, Any]:
         **{name: on.value(name) for name in ("float", "ndarray")},
         "scalar": lambda function: (SCALAR, function),
         "loop": lambda function: (LOOP, function),
-        "point_of": lambda public: lambda function: (POINT.format(show(public)), function),
+        "point_of": lambda public, **told: (
+            lambda function: (_name_point(show(public), **told), function)
+        ),
         "elementary": Module(on, "mechproof.kernels.compiled.elementary", {}),
     }
+
+
+def _name_point(public: str, spread: object = False) -> str:
+    return f"_point_of({public}{', spread' if spread is True else ''})"
 
 
 def mean_elementary() -> Meant:
@@ -136,7 +142,7 @@ def _mean_ways_in(on: Tape, text: ScalarKernel) -> Meant:
     yield f"_fill_of_{name}", on.run(partial(fill, on, text), (*targets, *names), LOOP)
     yield name, on.run(partial(_enter, on, text), (*names, "out"), "", (*defaults, show(None)))
     does = partial(_compute_point, on, text)
-    yield f"_point_of_{name}", on.run(does, names, POINT.format(name), defaults)
+    yield f"_point_of_{name}", on.run(does, names, _name_point(name, text.is_plain), defaults)
 
 
 def _compute_members(on: Tape, text: ScalarKernel, *_: Value) -> tuple[Value, ...]:

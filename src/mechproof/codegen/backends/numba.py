@@ -81,10 +81,9 @@ def _describe(system: str) -> tuple[str, ...]:
         f"Compiled kernels of the system `{system}`: one loop for each, by numba.",
         "",
         f"Names, arguments, domains, NaN and errors are those of `mechproof.kernels.{system}`,",
-        "and so are the formulas. Numbers and NumPy arrays are taken. With numbers,",
-        "kernels can be called inside functions that numba compiles; arguments with components "
-        "are then",
-        "indexed, and so are results.",
+        "and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba",
+        "compiles can call kernels, of numbers with arrays, too; arguments with components are",
+        "then indexed, and so are results.",
         "",
         "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors",
         "is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.",

@@ -162,7 +162,8 @@ def render_python(
     """Lay out a module and format it; what its body names of the support is imported."""
     body = render_template(name, {**data, "imports": []})
     imports = list_imports(body, support)
-    return format_source(render_template(name, {**data, "imports": imports}))
+    kind = name.removesuffix(".jinja")
+    return format_source(render_template(name, {**data, "imports": imports}), kind)
 
 
 def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
@@ -231,9 +232,10 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
     return asked, environment.from_string(text)
 
 
-def format_source(source: str) -> str:
+def format_source(source: str, name: str = "kernel.py") -> str:
     """Format with `ruff format`, which only `regenerate` needs: without it the text stays as it is.
 
+    The end of the name says whether it is a module or a stub.
     ValueError with the formatter's message if it is not Python.
     """
     if find_spec("ruff") is None:
@@ -242,7 +244,7 @@ def format_source(source: str) -> str:
     from ruff.__main__ import find_ruff_bin
 
     command = [find_ruff_bin(), "format", "--isolated", "--target-version", "py311"]
-    arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", "kernel.py", "-"]
+    arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", name, "-"]
     done = subprocess.run(
         [*command, *arguments], input=source, capture_output=True, text=True, encoding="utf-8"
     )

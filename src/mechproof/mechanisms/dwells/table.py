@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 from mechproof.arguments.scalars import check_count, check_items, refuse, require
 from mechproof.mechanisms.dwells.spans import Place, Span
 from mechproof.mechanisms.exact import Number, check_number
+from mechproof.tools.extras import tell_missing
 
 CONVEX = Fraction(1, 3)
 SHOWN = 20
@@ -42,17 +43,29 @@ class Dwell(NamedTuple):
     place: Place
     larger: int
 
+    @property
+    def _degrees(self) -> tuple[float, float]:
+        return math.degrees(self.width), math.degrees(self.step)
+
     def __str__(self) -> str:
         """Return a line of the table."""
         low, high, best = map(float, (self.low, self.high, self.best))
-        exact = str(self.exact or "")
+        exact, (width, step) = str(self.exact or ""), self._degrees
         return (
             f"{self.z4:4d} {self.z5:4d}  {low:.6f} {high:.6f} {best:.6f}  "
-            f"{math.degrees(self.width):8.3f} "
-            f"{math.degrees(self.step):9.3f}  {exact:<9}  {PLACES[self.place]:<8} {self.larger:7d}"
+            f"{width:8.3f} {step:9.3f}  {exact:<9}  {PLACES[self.place]:<8} {self.larger:7d}"
         )
 
 
+class DwellInDegrees(Dwell):
+    """A `Dwell` whose `width` and `step` are in degrees."""
+
+    @property
+    def _degrees(self) -> tuple[float, float]:
+        return self.width, self.step
+
+
+DWELL_ANGLES = {"width": "rad", "step": "rad"}
 Rank = Literal["width", "step", "teeth"]
 RANKS: dict[str, Callable[[Dwell], tuple[Any, ...]]] = {
     "width": lambda d: (-d.width, d.z4 + d.z5, d.low),
@@ -150,11 +163,11 @@ def _check(
 ) -> tuple[str, Callable[[Fraction], list[Span]], Number]:
     """Return what is asked in words, the search for one ratio, and the largest eccentricity."""
     try:
+        import flint  # noqa: F401
+
         from mechproof.mechanisms.dwells import position, ratio
     except ImportError as error:
-        raise ImportError(
-            f"find_dwells needs {error.name}: install mechproof with the extra `derive`"
-        ) from error
+        raise ImportError(tell_missing("find_dwells", "derive", error.name)) from error
     if (eta is None) == (band is None):
         refuse("band", band, f"give it or eta, which is {eta!r}", TypeError)
     angle, limit = check_number("width", width), check_number("largest_e", largest_e)
