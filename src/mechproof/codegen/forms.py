@@ -11,6 +11,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import FORMS, render_derivatives, render_modules
+from mechproof.codegen.formula_text import write_formula
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
 from mechproof.programs.derivatives import differentiate
@@ -154,7 +155,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     number = number_form(quantity, form)
     shown = _show(kernel.name)
     rewrites = ", ".join(form.rewrites) or "none"
-    bound = "" if form.bound is None else f"; off by at most {form.bound}"
+    bound = "" if form.bound is None else f"; off by at most {write_formula(form.bound, {})}"
     definition = _write_out(quantity.definition, paper)
     enclosures = kernel.enclosures[place]
     states = form.states or partial(_equal_but_enclosures, enclosures, definition)

@@ -203,7 +203,8 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
-    return replace(equal, verdict=verdict)
+    told = "the two do not differ: " if verdict is Verdict.REFUTED else ""
+    return replace(equal, verdict=verdict, reason=f"{told}{equal.reason}")
 
 
 def _decide_relation(statement: Holds, domain: Domain) -> Answer:
