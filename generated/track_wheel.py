@@ -450,8 +450,8 @@ def radius(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R and
-    R <= 1e150 and z*|phi| <= 2**26.
+    Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -523,8 +523,8 @@ def track(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R
-    and R <= 1e150 and z*|phi| <= 2**26.
+    Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -687,14 +687,10 @@ def error_sum_correlated(
     Notes
     -----
     Domain: 0 < total_scatter, scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <= tolerances[i]
-    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <= Sum[i=1..n,
-    j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*sensitivities[j]*
-    tolerances[i]*tolerances[j]) (the matrix is symmetric, has ones on its diagonal and gives no
-    negative square).
+    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i] (the matrix is symmetric,
+    has ones on its diagonal and gives no negative square).
 
-    Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
-    sensitivities[j]*tolerances[i]*tolerances[j]) = 0, a sum that is negative by no more than
-    its own rounding counts as 0.
+    Singular: a sum that is negative by no more than its own rounding counts as 0.
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.

@@ -60,7 +60,7 @@ def radius(
     """Differentiate `radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-140
-    <= R and R <= 1e150 and z*|phi| <= 2**26.
+    <= R <= 1e150 and z*|phi| <= 2**26.
 
     """
     phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
