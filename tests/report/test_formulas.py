@@ -283,6 +283,10 @@ def test_marked_decimals_stand_close_to_their_point() -> None:
         ("D^XYZ**2", "D<sup>XYZ²</sup>"),
         ("d phi3/d phi1", "dφ<sub>3</sub>/dφ<sub>1</sub>"),
         ("variants 1 and 2 a year", "variants 1 and 2 a year"),
+        (
+            "tg 20 deg of 3 sigma",
+            "tg\N{NO-BREAK SPACE}20° of 3\N{NO-BREAK SPACE}\N{GREEK SMALL LETTER SIGMA}",
+        ),
     ],
 )
 def test_formulas_within_words_are_set_as_people_write_them(text: str, shown: str) -> None:

@@ -118,8 +118,9 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
         ),
         (r"(?<=_\w) (?=[^\W\d_]+_\w)", "\N{NO-BREAK SPACE}"),
         (r"(?<=[ (]\d) (?=[^\W\d_Aa]\b)", "\N{NO-BREAK SPACE}"),
-        # A line does not begin with the unit of its number.
-        (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns)\b)", "\N{NO-BREAK SPACE}"),
+        # A line does not begin with the unit of its number, nor with what a function is of.
+        (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns|sigma)\b)", "\N{NO-BREAK SPACE}"),
+        (r"\b(tg|sin|cos) (?=\d)", "\\1\N{NO-BREAK SPACE}"),
     )
 )
 
