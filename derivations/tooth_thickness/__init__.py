@@ -200,8 +200,8 @@ FINDINGS = (
     ),
     Finding(
         "steps 4 and 7, spread of the gauge",
-        "The text at hand does not say which interval the 50 µm of the gauge mean, nor how many "
-        "standard deviations they span; without that steps 4 and 7 cannot be repeated.",
+        "The text at hand does not say what interval the 50 µm of the gauge stand for, nor how "
+        "many standard deviations they span; without that steps 4 and 7 cannot be repeated.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",

@@ -219,8 +219,8 @@ def less(left, right):
 
 def test_numbers_that_are_compared_are_named() -> None:
     assert reason(less(sp.sqrt(2), sp.S.One)) == "1.41421 < 1 is false"
-    assert reason(less(sp.S.One, sp.sqrt(2))) == "1 < 1.41421 is true"
-    assert reason(Holds(sp.Ne(sp.sqrt(2), 1, evaluate=False))) == "1.41421 differs from 1 is true"
+    assert reason(less(sp.S.One, sp.sqrt(2))) == "1 < 1.41421"
+    assert reason(Holds(sp.Ne(sp.sqrt(2), 1, evaluate=False))) == "1.41421 differs from 1"
 
 
 def test_numbers_that_sympy_compares_are_named_too() -> None:

@@ -275,7 +275,8 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     sign = f" {_SIGNS.get(sign, sign)} "
     printed, rebuilt = enclosed if holds is False else ("", "")
     evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
-    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
+    told = "" if holds else f" {outcome}"
+    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)}{told}", (evidence,))
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
