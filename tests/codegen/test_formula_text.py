@@ -7,6 +7,7 @@ import sympy as sp
 from derived import paper_of
 
 from mechproof.codegen.docstrings import WIDTH, describe_kernel, tell_accuracy
+from mechproof.codegen.forms import form_rows
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy
@@ -41,6 +42,13 @@ def test_what_is_tested_of_arguments_alike_is_said_once() -> None:
     within = (a >= SMALL, a <= 10**50, b >= SMALL, b <= 10**50)
     told = tell_accuracy(Accuracy(4503.5996, within=within), {a: "length", b: "width"})
     assert told == "4504 eps of the value, where 1e-50 <= length, width <= 1e50"
+
+
+def test_a_rival_computes_the_definition_of_its_quantity() -> None:
+    said = {row.number: row.printed_latex for row in form_rows(paper_of("tooth_thickness"))}
+    assert "computes its definition" in said["kernel chord_height"]
+    rival = said["kernel chord_height_handbook"]
+    assert r"handbook computes the definition of chord\_height}" in rival
 
 
 def test_products_longer_than_a_line_are_broken() -> None:

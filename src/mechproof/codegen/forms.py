@@ -154,6 +154,8 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     quantity, form = kernel.quantity, kernel.forms[place]
     number = number_form(quantity, form)
     shown = _show(kernel.name)
+    meant = "its definition" if kernel.is_shipped else f"the definition of {_show(quantity.name)}"
+    meant += "" if form.bound is None else " to a bound"
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {write_formula(form.bound, {})}"
     definition = _write_out(quantity.definition, paper)
@@ -165,8 +167,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     yield _claim_of(
         quantity,
         number,
-        rf"\text{{the source of {shown} computes "
-        + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
+        rf"\text{{the source of {shown} computes {meant}}}",
         states(written),
         note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
         on=on,
