@@ -88,9 +88,12 @@ class Readings:
     @property
     def printed(self) -> str:
         """Return n, mean and u as the table prints them, for LaTeX."""
-        decimals = len(str(self.step.q)) - 1
-        mean, uncertainty = f"{float(self.mean):.{decimals}f}", f"{float(self.uncertainty):.2f}"
-        return rf"{self.count},\ {mean}^\circ,\ {uncertainty}^\circ"
+        return rf"{self.count},\ {self.printed_mean}^\circ,\ {float(self.uncertainty):.2f}^\circ"
+
+    @property
+    def printed_mean(self) -> str:
+        """Return the mean with the decimals of the table."""
+        return f"{float(self.mean):.{len(str(self.step.q)) - 1}f}"
 
     @property
     def implied_scatter(self) -> Expr:
@@ -150,7 +153,7 @@ def if_u_is_s(
 ) -> Claim:
     """State the intervals of the means if u is s, and how many uncertainties the means are off."""
     printed = tuple(zip(readings.values(), halves, distances, strict=True))
-    intervals = ",\\ ".join(rf"{float(line.mean):g}\pm{half}^\circ" for line, half, _ in printed)
+    intervals = ",\\ ".join(rf"{line.printed_mean}\pm{half}^\circ" for line, half, _ in printed)
     away = ",\\ ".join(distances)
     return ours(
         f"{table}, if u is s",

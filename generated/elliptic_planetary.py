@@ -38,7 +38,7 @@ What errors are relative to:
     the value and what the rounding of 10*e - square makes of it (angle_of_largest_jerk) =
         Piecewise((pi, 10*e <= square), (2*atan2(sqrt((10*e + square)*(root_jerk + 2*square
         - 2*e))*(1 - e), sqrt((10*e - square)*(2*e + root_jerk + 2*square))*(1 + e)),
-        True))/k + 1/(k*sqrt(Max(1/2**52, |10*e - square|)))
+        True))/k + 1/(k*sqrt(Max(2**-52, |10*e - square|)))
 
     1 (eccentricity_of_largest_ratio) = 1
 
@@ -511,7 +511,7 @@ def _form_of_acceleration(
 def largest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.
+    """Compute the largest transmission ratio, at phi1 = 0 and once in each period 2*pi*R2/R1.
 
         largest_ratio = 1 + k*(1 + e)/(1 - e)
         k = R1/R2
@@ -536,7 +536,7 @@ def largest_ratio(
     Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 2.76 eps
-    NumPy's functions, found 2.09; at most 2.76 eps compiled, found 2.09.
+    with NumPy's functions, found 2.09; at most 2.76 eps compiled, found 2.09.
 
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
@@ -593,7 +593,7 @@ def smallest_ratio(
     Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 2.76 eps
-    NumPy's functions, found 2.04; at most 2.76 eps compiled, found 2.04.
+    with NumPy's functions, found 2.04; at most 2.76 eps compiled, found 2.04.
 
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
@@ -645,7 +645,7 @@ def jerk(
 
     Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
     makes of them, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and
-    1e-300 <= R2 and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2 and (e = 0 or 1e-100 <= e).
+    1e-300 <= R2 and R1 <= 1e90*R2 and (e = 0 or 1e-100 <= e).
 
     Source: second derivative of Prikhodko et al. 2024, equation (8).
 
@@ -709,7 +709,7 @@ def _form_of_jerk(
 def largest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest acceleration; the smallest is as far below zero.
+    """Compute the largest acceleration; the smallest is its negative.
 
         largest_acceleration = 2*e*k**2*sqrt(peak_acceleration*(8*e + root_acceleration +
             square))*(1 + e)*(root_acceleration + square)/((1 - e)**2*(root_acceleration +
@@ -740,7 +740,7 @@ def largest_acceleration(
     1e90*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 11.68 eps
-    NumPy's functions, found 6.69; at most 11.68 eps compiled, found 6.69.
+    with NumPy's functions, found 6.69; at most 11.68 eps compiled, found 6.69.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
@@ -791,7 +791,7 @@ def _form_of_largest_acceleration(
 def angle_of_smallest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute phi1 where the acceleration is smallest; it is largest as far before 0.
+    """Compute the first phi1 >= 0 where the acceleration is smallest; at -phi1 it is largest.
 
         angle_of_smallest_acceleration = 2*atan2(sqrt(peak_acceleration)*(1 - e), sqrt(8*e +
             root_acceleration + square))/k
@@ -863,7 +863,7 @@ def _form_of_angle_of_smallest_acceleration(
 def largest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest jerk, met at angle_of_largest_jerk to both sides of 0.
+    """Compute the largest jerk, which it has at phi1 = angle_of_largest_jerk and -phi1.
 
         largest_jerk = Piecewise((2*e*k**3*(1 - e)/(1 + e)**3, 10*e <= square), (k**3*(32*e**2 +
             square**2)*(root_jerk + 3*square)**2/(36*(1 - e)**3*(1 + e)**3*(2*root_jerk +
@@ -971,7 +971,7 @@ def smallest_jerk(
     Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 6.56 eps
-    NumPy's functions, found 5.94; at most 6.56 eps compiled, found 5.94.
+    with NumPy's functions, found 5.94; at most 6.56 eps compiled, found 5.94.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
@@ -995,7 +995,7 @@ def _form_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> Any:
 def angle_of_largest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the first phi1 from 0 on where the jerk is largest.
+    """Compute the first phi1 >= 0 where the jerk is largest.
 
         angle_of_largest_jerk = Piecewise((pi, 10*e <= square), (2*atan2(sqrt((10*e +
             square)*(root_jerk + 2*square - 2*e))*(1 - e), sqrt((10*e - square)*(2*e + root_jerk
@@ -1071,7 +1071,7 @@ def _form_of_angle_of_largest_jerk(R1: Any, R2: Any, e: Any, square: Any, root_j
 def eccentricity_of_largest_ratio(
     largest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the largest ratio is the one wanted.
+    """Compute the eccentricity at which the largest ratio has a wanted value.
 
         eccentricity_of_largest_ratio = (largest - 1 - k)/(k + largest - 1)
         k = R1/R2
@@ -1097,7 +1097,7 @@ def eccentricity_of_largest_ratio(
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 2.51 eps
-    NumPy's functions, found 1.24; at most 2.51 eps compiled, found 1.24.
+    with NumPy's functions, found 1.24; at most 2.51 eps compiled, found 1.24.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
@@ -1142,7 +1142,7 @@ def _form_of_eccentricity_of_largest_ratio(largest: Any, k: Any) -> Any:
 def eccentricity_of_smallest_ratio(
     smallest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the smallest ratio is the one wanted.
+    """Compute the eccentricity at which the smallest ratio has a wanted value.
 
         eccentricity_of_smallest_ratio = (1 + k - smallest)/(k + smallest - 1)
         k = R1/R2
@@ -1168,7 +1168,7 @@ def eccentricity_of_smallest_ratio(
     Accuracy, tested: 2.5 eps of 1, where R1 <= 1e100*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 3.53 eps
-    NumPy's functions, found 2.24; at most 3.53 eps compiled, found 2.24.
+    with NumPy's functions, found 2.24; at most 3.53 eps compiled, found 2.24.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
@@ -1207,7 +1207,7 @@ def _form_of_eccentricity_of_smallest_ratio(smallest: Any, k: Any) -> Any:
 def eccentricity_of_quotient(
     quotient: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the largest ratio is so many times the smallest.
+    """Compute the eccentricity at which the largest ratio is a wanted multiple of the smallest.
 
         eccentricity_of_quotient = (1 + (4*k**2 + quotient - 1)/(2*k + sqrt(4*k**2*quotient +
             (quotient - 1)**2)))*(quotient - 1)/(2*k + quotient + sqrt(4*k**2*quotient +
@@ -1234,7 +1234,7 @@ def eccentricity_of_quotient(
     Accuracy, tested: 9 eps of the value, where R1 <= 1e100*R2 and quotient <= 1e100.
 
     Proved, as long as no result overflows or falls below the normal range: at most 6.88 eps
-    NumPy's functions, found 4.41; at most 6.88 eps compiled, found 4.41.
+    with NumPy's functions, found 4.41; at most 6.88 eps compiled, found 4.41.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
@@ -1279,7 +1279,7 @@ def _form_of_eccentricity_of_quotient(quotient: Any, k: Any, k_squared: Any) -> 
 def eccentricity_of_non_uniformity(
     non_uniformity: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which (largest - smallest ratio)/(mean ratio) is as wanted.
+    """Compute the eccentricity for a wanted (largest - smallest ratio)/(mean ratio).
 
         eccentricity_of_non_uniformity = non_uniformity*(1 + k)/(k*(2 + sqrt(4 +
             non_uniformity**2*(1 + k)**2/k**2)))
@@ -1304,7 +1304,7 @@ def eccentricity_of_non_uniformity(
 
     Accuracy, tested: 6 eps of the value, where R1 <= 1e100*R2 and non_uniformity <= 1e50.
 
-    Proved, as long as no result overflows or falls below the normal range: at most 4 eps
+    Proved, as long as no result overflows or falls below the normal range: at most 4 eps with
     NumPy's functions, found 2.68; at most 4 eps compiled, found 2.68.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
@@ -1352,7 +1352,7 @@ def _form_of_eccentricity_of_non_uniformity(non_uniformity: Any, k: Any, one_plu
 def eccentricity_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which both extremes of the ratio are those wanted.
+    """Compute the eccentricity at which both extremes of the ratio have wanted values.
 
         eccentricity_of_extremes = (largest - smallest)/(sqrt(largest - 1) + sqrt(smallest -
             1))**2
@@ -1376,7 +1376,7 @@ def eccentricity_of_extremes(
     Accuracy, tested: 4 eps of the value.
 
     Proved, as long as no result overflows or falls below the normal range: at most 4.02 eps
-    NumPy's functions, found 3.19; at most 4.02 eps compiled, found 3.19.
+    with NumPy's functions, found 3.19; at most 4.02 eps compiled, found 3.19.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 
@@ -1420,7 +1420,7 @@ def _form_of_eccentricity_of_extremes(largest: Any, smallest: Any) -> Any:
 def radii_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute R1/R2 at which both extremes of the ratio are those wanted.
+    """Compute R1/R2 at which both extremes of the ratio have wanted values.
 
         radii_of_extremes = sqrt((largest - 1)*(smallest - 1))
 
@@ -1443,7 +1443,7 @@ def radii_of_extremes(
     Accuracy, tested: 2 eps of the value.
 
     Proved, as long as no result overflows or falls below the normal range: at most 1.26 eps
-    NumPy's functions, found 0.74; at most 1.26 eps compiled, found 0.74.
+    with NumPy's functions, found 0.74; at most 1.26 eps compiled, found 0.74.
 
     Source: inverse of the extremes of Prikhodko et al. 2024, equation (8).
 

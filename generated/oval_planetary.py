@@ -293,8 +293,8 @@ def position(
     Domain: 0 <= e1, e2 < 1.
 
     Accuracy, tested: 7 eps of the value or its largest term, and what the roundings of y make
-    of it, where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount
-    = 0 or 1/2**830 <= e2*|mount|).
+    of it, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
+    0 or 2**-830 <= e2*|mount|).
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 
@@ -368,8 +368,8 @@ def acceleration(
     Domain: 0 <= e1, e2 < 1.
 
     Accuracy, tested: 15 eps of the value or its largest term, and what the roundings of y make
-    of it, where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount
-    = 0 or 1/2**830 <= e2*|mount|).
+    of it, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
+    0 or 2**-830 <= e2*|mount|).
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
@@ -552,7 +552,7 @@ def position_cylindrical(
     Where R4*e2 <= (1 - e2)*|R4 - R5| for all elements, half-angle atan is computed.
 
     Accuracy, tested: 7 eps of the larger of both terms, and what eps*x makes of the second,
-    where |x| <= 2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
+    where |x| <= 2**26 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|).
 
     Proved of half-angle atan, where |x| <= 3 and e2 <= 1/2, as long as no result overflows or
     falls below the normal range: at most 8 eps with np.arctan within 1 ulp and np.tan within 1
@@ -661,8 +661,8 @@ def acceleration_cylindrical(
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
     Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
-    R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 =
-    0 or 1/2**330 <= e2).
+    R5/1e45 <= R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|) and (e2 = 0 or
+    2**-330 <= e2).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
     below the normal range: at most 15 eps with np.tan within 1 ulp, found 8.12; at most 16.5
@@ -764,8 +764,8 @@ def jerk(
     Domain: 0 <= e1, e2 < 1.
 
     Accuracy, tested: 30 eps of the larger of the terms, and what the roundings of y make of
-    them, where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
-    0 or 1/2**830 <= e2*|mount|).
+    them, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
+    0 or 2**-830 <= e2*|mount|).
 
     Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10).
 
@@ -880,8 +880,8 @@ def jerk_cylindrical(
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
     Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
-    makes of them, where |x| <= 2**26 and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 =
-    0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**300 <= e2).
+    makes of them, where |x| <= 2**26 and R5/1e30 <= R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or
+    2**-960 <= e2*|phi1|) and (e2 = 0 or 2**-300 <= e2).
 
     Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10), pair 4-5
     cylindrical.

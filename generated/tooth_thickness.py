@@ -106,11 +106,7 @@ DOMAIN = (
     ),
 )
 PUBLISHED = (
-    _Sizes(
-        "paper on tooth thickness, design data",
-        {"m": 3.0, "z": 50.0, "alpha": 0.3490658503988659},
-        ("fitted",),
-    ),
+    _Sizes("the design data", {"m": 3.0, "z": 50.0, "alpha": 0.3490658503988659}, ("fitted",)),
 )
 
 

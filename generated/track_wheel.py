@@ -534,8 +534,8 @@ def radius(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R and
-    R <= 1e150 and z*|phi| <= 2**26.
+    Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -607,8 +607,8 @@ def track(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R
-    and R <= 1e150 and z*|phi| <= 2**26.
+    Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -669,7 +669,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     Accuracy, tested: 0.5 eps of the value.
 
     Proved, as long as no result overflows or falls below the normal range: at most 0.51 eps
-    NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
+    with NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
 
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -722,7 +722,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     Accuracy, tested: 0.5 eps of the value.
 
     Proved, as long as no result overflows or falls below the normal range: at most 0.51 eps
-    NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
+    with NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
 
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -777,14 +777,10 @@ def error_sum_correlated(
     Notes
     -----
     Domain: 0 < total_scatter, scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <= tolerances[i]
-    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <= Sum[i=1..n,
-    j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*sensitivities[j]*
-    tolerances[i]*tolerances[j]) (the matrix is symmetric, has ones on its diagonal and gives no
-    negative square).
+    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i] (the matrix is symmetric,
+    has ones on its diagonal and gives no negative square).
 
-    Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
-    sensitivities[j]*tolerances[i]*tolerances[j]) = 0, a sum that is negative by no more than
-    its own rounding counts as 0.
+    Singular: a sum that is negative by no more than its own rounding counts as 0.
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -1055,9 +1051,8 @@ def tilt_of_planar_error(
     Domain: 0 < H, rho, error < oo, 0 <= offset < oo, 0 <= error - offset, error - offset <= H +
     rho (e <= Delta^XY <= e + rho + H_s).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho <=
-    1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50 <= error
-    <= 1e50.
+    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho, H,
+    error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
 
@@ -1134,9 +1129,8 @@ def tilt_of_spatial_error(
     offset) <= 2*H**2 + 2*rho**2 + 2*H*offset + 2*offset*rho (e <= Delta^XYZ, the tilt up to a
     right angle).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho <=
-    1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50 <= error
-    <= 1e50.
+    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho, H,
+    error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
 

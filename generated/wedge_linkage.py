@@ -221,11 +221,10 @@ def guide_radicand(
     Domain: 0 < l_AB, l_BC, l_CD < oo.
 
     Accuracy, tested: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p, where
-    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and
-    1e-50 <= l_CD <= 1e50.
+    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD <= 1e50.
 
     Proved, as long as no result overflows or falls below the normal range: at most 0.86 eps
-    NumPy's functions, found 0.83; at most 0.86 eps compiled, found 0.83.
+    with NumPy's functions, found 0.83; at most 0.86 eps compiled, found 0.83.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -295,8 +294,8 @@ def lever_angle(
     range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
     Accuracy, tested: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where
-    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and
-    1e-50 <= l_CD <= 1e50 and guide_condition/2**48 < guide_square.
+    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD <= 1e50 and
+    guide_condition/2**48 < guide_square.
 
     Proved, where x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4, as long as no result overflows or
     falls below the normal range: at most 2.6 eps with np.arctan within 1 ulp, found 1.42; at
@@ -416,7 +415,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     Accuracy, tested: 0.5 eps of the value.
 
     Proved, as long as no result overflows or falls below the normal range: at most 0.51 eps
-    NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
+    with NumPy's functions, found 0.49; at most 0.51 eps compiled, found 0.49.
 
     Source: Bazuev et al. 2021, equation (4).
 
@@ -705,9 +704,8 @@ def position(
     range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
     Accuracy, tested: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in
-    contact, where (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC
-    <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and
-    1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
+    contact, where (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD, l_DE, l_KL,
+    l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
     roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
@@ -894,8 +892,7 @@ def velocity(
 
     Accuracy, tested: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in
     contact, where run_condition/2**48 < |l_GH - travel_5| and (1e-50 <= |x1| <= 1e50 or x1 = 0)
-    and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <=
-    l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and
+    and 1e-50 <= l_AB, l_BC, l_CD, l_DE, l_KL, l_LM <= 1e50 and l_GH <= 1e50 and
     guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
@@ -1049,9 +1046,8 @@ def sensitivities(
 
     Accuracy, tested: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p
     * d value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH -
-    travel_5| and (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC
-    <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and
-    1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
+    travel_5| and (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD, l_DE, l_KL,
+    l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
     roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).

@@ -108,6 +108,11 @@ CONFORMING = ("rightly_accepted", "wrongly_rejected")
 # The relative error; shares whose likeliest part lies beyond this many nats (1e-200) underflow.
 RELATIVE = 1e-12
 MOST_NATS = 460
+FAR = f"the density of the likeliest part of the share is at least exp(-{MOST_NATS}) of its peak"
+CALL = """\
+from mechproof.conformity import Normal, shares
+
+shares(Normal(mean, true_std), Normal(bias, error_std), (low, high)).{}"""
 
 
 def clip(at: Expr) -> Expr:
@@ -131,12 +136,13 @@ def share(name: str, definition: Expr) -> Quantity:
     """Make one of the four shares."""
     return Quantity(
         name,
-        f"Compute the share of the {name.replace('_', ' ')} parts, two normal laws.",
+        f"Compute the share of the {name.replace('_', ' ')} parts, for two normal laws.",
         ARGUMENTS,
         definition,
         (),
         "JCGM 106:2012, 9.5",
-        accuracy=Accuracy(RELATIVE * 2**52, within=(far_from_underflow(name),)),
+        accuracy=Accuracy(RELATIVE * 2**52, within=(far_from_underflow(name),), where=FAR),
+        call=CALL.format(name),
     )
 
 

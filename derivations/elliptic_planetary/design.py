@@ -178,7 +178,7 @@ def inverse(
 DESIGN_QUANTITIES = (
     inverse(
         "eccentricity_of_largest_ratio",
-        "Compute the eccentricity at which the largest ratio is the one wanted.",
+        "Compute the eccentricity at which the largest ratio has a wanted value.",
         (WANT_LARGEST, *RADII),
         OF_LARGEST,
         Accuracy(2.5, IN_UNITS, MODERATE),
@@ -188,7 +188,7 @@ DESIGN_QUANTITIES = (
     ),
     inverse(
         "eccentricity_of_smallest_ratio",
-        "Compute the eccentricity at which the smallest ratio is the one wanted.",
+        "Compute the eccentricity at which the smallest ratio has a wanted value.",
         (WANT_SMALLEST, *RADII),
         OF_SMALLEST,
         Accuracy(2.5, IN_UNITS, MODERATE),
@@ -198,7 +198,7 @@ DESIGN_QUANTITIES = (
     ),
     inverse(
         "eccentricity_of_quotient",
-        "Compute the eccentricity at which the largest ratio is so many times the smallest.",
+        "Compute the eccentricity at which the largest ratio is a wanted multiple of the smallest.",
         (ratio_argument("quotient", quotient_wanted, "largest over smallest ratio", 1, 20), *RADII),
         OF_QUOTIENT,
         Accuracy(9, within=(*MODERATE, quotient_wanted <= 10**100)),
@@ -207,7 +207,7 @@ DESIGN_QUANTITIES = (
     ),
     inverse(
         "eccentricity_of_non_uniformity",
-        "Compute the eccentricity at which (largest - smallest ratio)/(mean ratio) is as wanted.",
+        "Compute the eccentricity for a wanted (largest - smallest ratio)/(mean ratio).",
         (
             ratio_argument(
                 "non_uniformity",
@@ -227,7 +227,7 @@ DESIGN_QUANTITIES = (
     ),
     inverse(
         "eccentricity_of_extremes",
-        "Compute the eccentricity at which both extremes of the ratio are those wanted.",
+        "Compute the eccentricity at which both extremes of the ratio have wanted values.",
         (WANT_LARGEST, WANT_SMALLEST),
         OF_BOTH,
         Accuracy(4),
@@ -237,7 +237,7 @@ DESIGN_QUANTITIES = (
     ),
     inverse(
         "radii_of_extremes",
-        "Compute R1/R2 at which both extremes of the ratio are those wanted.",
+        "Compute R1/R2 at which both extremes of the ratio have wanted values.",
         (WANT_LARGEST, WANT_SMALLEST),
         RADII_OF_BOTH,
         Accuracy(2),

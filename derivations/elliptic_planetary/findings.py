@@ -35,8 +35,8 @@ FINDINGS = (
         "(12)",
         "With a_1 ± b_1 = (1 ± e)² the root in (11) is (1 + e)/(1 - e) itself: (12) has taken the "
         "root once more, in both places. Besides, its arctangent falls back once in each turn of x "
-        "= R_1 φ_1/R_2, where the position goes on, so that the output makes one turn for one of "
-        "the carrier in the mean, not 1 + R_1/R_2.",
+        "= R_1 φ_1/R_2, where the position goes on, so that on average the output makes "
+        "one turn for each turn of the carrier, not 1 + R_1/R_2.",
         costs=tuple(
             Cost(f"variant {variant}, {degrees}° of the carrier", "°", at=place(variant, degrees))
             for variant, degrees in ((1, 30), (2, 30), (2, 90), (1, 360))

@@ -296,7 +296,7 @@ QUANTITIES = (
     ),
     Quantity(
         "largest_ratio",
-        "Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.",
+        "Compute the largest transmission ratio, at phi1 = 0 and once in each period 2*pi*R2/R1.",
         ARGUMENTS[1:],
         largest,
         (Form("quotient", largest, charts=BY_SIZES),),

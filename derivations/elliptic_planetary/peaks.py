@@ -151,20 +151,20 @@ PEAK_QUANTITIES = (
     ),
     of_sizes(
         "largest_acceleration",
-        "Compute the largest acceleration; the smallest is as far below zero.",
+        "Compute the largest acceleration; the smallest is its negative.",
         LARGEST_ACCELERATION,
         Accuracy(20, within=SIZES),
         charts=BY_SIZES,
     ),
     of_sizes(
         "angle_of_smallest_acceleration",
-        "Compute phi1 where the acceleration is smallest; it is largest as far before 0.",
+        "Compute the first phi1 >= 0 where the acceleration is smallest; at -phi1 it is largest.",
         SMALLEST_ACCELERATION,
         Accuracy(7, within=SIZES),
     ),
     of_sizes(
         "largest_jerk",
-        "Compute the largest jerk, met at angle_of_largest_jerk to both sides of 0.",
+        "Compute the largest jerk, which it has at phi1 = angle_of_largest_jerk and -phi1.",
         LARGEST_JERK,
         Accuracy(21, within=SIZES),
         AT_THRESHOLD,
@@ -178,7 +178,7 @@ PEAK_QUANTITIES = (
     ),
     of_sizes(
         "angle_of_largest_jerk",
-        "Compute the first phi1 from 0 on where the jerk is largest.",
+        "Compute the first phi1 >= 0 where the jerk is largest.",
         ANGLE_OF_JERK,
         Accuracy(8, NEAR_THRESHOLD, SIZES),
         AT_THRESHOLD,

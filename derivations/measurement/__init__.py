@@ -58,6 +58,11 @@ ROWS = (
     ),
 )
 
+CALL = """\
+from mechproof.measurement import evaluate_type_a
+
+evaluate_type_a(readings).standard_deviation"""
+
 PAPER = Paper(
     system="measurement",
     citation="GUM (JCGM 100), 4.2",
@@ -72,6 +77,7 @@ PAPER = Paper(
             (),
             "GUM 4.2.2",
             accuracy=Accuracy(16),
+            call=CALL,
         ),
     ),
 )

@@ -117,7 +117,11 @@ VARIABLES = (
         }
     ),
     Variable(
-        mount, "turn of wheel 6 on its shaft, from its place in the paper", ANGLE, sign="as phi1"
+        mount,
+        "turn of wheel 6 on its shaft, from its place in the paper",
+        ANGLE,
+        sign="as phi1",
+        letter="m",
     ),
     Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
     Variable(x, "twice the turn of the satellite against the carrier", ANGLE, given=2 * k * phi1),

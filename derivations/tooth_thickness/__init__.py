@@ -31,7 +31,7 @@ from .symbols import PRINT, E_true, K_m, dh, dh_gauge, ds_gauge, e_tip
 
 MICROMETRE = Rational(1, 1000)
 LAWS = f"normal laws, centred, K = {K_PRINTED}"
-READINGS_OF_50 = ("if ±25 µm are 3 sigma", "if ±50 µm are 2 sigma")
+READINGS_OF_50 = ("if 3 sigma are ±25 µm", "if 2 sigma are ±50 µm")
 SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
 # A tip circle off by the whole tolerance, a gauge without error.
 TIP_6 = {**WHEEL, e_tip: GRADES[6][1] * MICROMETRE, dh_gauge: S.Zero}
@@ -46,10 +46,9 @@ RECOMMENDED_SPREADS = (
 FINDINGS = (
     Finding(
         "step 5",
-        "The whole deviation of the tip diameter is added to the height, where only half of it, "
-        "that of the tip circle's radius on which the gauge stands, can enter. Steps 6 and 8 "
-        "hold with heights counted towards the centre: there a larger tip circle counts with "
-        "minus.",
+        "The whole deviation of the tip diameter is added to the height, where only half of it "
+        "can enter, the deviation of the radius on which the gauge stands. Steps 6 and 8 hold "
+        "with heights counted towards the centre: there a larger tip circle counts as negative.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
@@ -58,7 +57,13 @@ FINDINGS = (
                 rejected_by(8, 0),
                 rejected_by(8, 0, geometry="involute"),
             ),
-            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", "µm", at=TIP_6),
+            Cost(
+                f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)",
+                "µm",
+                printed=e_tip + dh_gauge,
+                right=dh_gauge - e_tip / 2,
+                at=TIP_6,
+            ),
             Cost(
                 "measured thickness for it",
                 "µm",
@@ -172,7 +177,7 @@ FINDINGS = (
     ),
     Finding(
         "step 10, per cent of parts",
-        "The indices are called per cent of parts, but what is counted are teeth; a wheel is "
+        "The indices are called percentages of parts, but teeth are counted; a wheel is "
         f"rejected as soon as one of its {TEETH} teeth is, which happens far more often.",
         costs=(
             Cost(
@@ -195,8 +200,8 @@ FINDINGS = (
     ),
     Finding(
         "steps 4 and 7, spread of the gauge",
-        "The text at hand does not say which interval the 50 µm of the gauge denote, nor how many "
-        "standard deviations they span; without that steps 4 and 7 cannot be repeated.",
+        "The text at hand does not say what interval the 50 µm of the gauge stand for, nor how "
+        "many standard deviations they span; without that steps 4 and 7 cannot be repeated.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
@@ -252,9 +257,7 @@ PAPER = Paper(
     ),
     quantities=QUANTITIES,
     derivatives=True,
-    published=(
-        PublishedSizes("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),
-    ),
+    published=(PublishedSizes("the design data", PRINTED_SIZES, ("fitted",)),),
     # A tip diameter off by IT6, a gauge and a tooth off by less.
     usual={
         e_tip: Rational(25, 1000),

@@ -91,7 +91,7 @@ ALGORITHM_ROWS = (
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
             Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
         ),
-        note="Compared is the variance of the mean tip deviation over the z teeth of a wheel. A "
+        note="The variance of the mean tip deviation over the z teeth of a wheel is compared. A "
         "wheel has one tip circle, so that its deviation is common to all teeth and does not "
         "average out. Shares over the teeth of many wheels are the same either way.",
     ),
@@ -205,7 +205,7 @@ ALGORITHM_ROWS = (
         Equality(rejected_by(6, 0), wheels_rejected(6)),
         readings=(Reading("every tooth is a part, and the four shares are all teeth", ALL_TEETH),),
         corrected=PRINT.mend("step 10, per cent of parts", "parts", "teeth", ALL_TEETH),
-        note="Compared are the shares wrongly rejected. The blocks count teeth; the part that is "
+        note="The shares wrongly rejected are compared. The blocks count teeth; the part that is "
         "sorted is a wheel, and a good wheel is rejected as soon as one of its teeth is. Perfect "
         "gauge, tip of IT6, steps as printed, K = 6, normal laws, centred; each tooth by itself, "
         "as in step 3.",

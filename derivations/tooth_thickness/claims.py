@@ -189,9 +189,9 @@ CLAIM_ROWS = (
             r"can be recommended}",
             GRADE_COARSER,
         ),
-        note="Refuted is that IT8 changes the thickness by more than IT7, which is recommended, "
-        "does by the printed steps. The text at hand has no limit; any that admits IT7 by the "
-        "printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
+        note="What is refuted: that IT8 changes the thickness by more than IT7, which is "
+        "recommended, does by the printed steps. The text at hand has no limit; any that admits "
+        "IT7 by the printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
     ),
     PRINT.claim(
@@ -226,9 +226,9 @@ CLAIM_ROWS = (
     ),
     ours(
         "(b), crossovers",
-        r"\text{the instrument has the stronger influence only from a limit error of }"
-        + r"\text{, of }".join(
-            rf"{two}\text{{ to }}{three}~\mu\mathrm{{m}}\text{{ on with IT{grade}}}"
+        r"\text{the instrument has the stronger influence only above a limit error of }"
+        + r"\text{, }".join(
+            rf"{two}\text{{ to }}{three}~\mu\mathrm{{m}}\text{{ with IT{grade}}}"
             for grade, (two, three) in CROSSOVERS.items()
         ),
         all_of(

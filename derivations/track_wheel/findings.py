@@ -96,7 +96,7 @@ FINDINGS = (
         "squared, a systematic one outside the root.",
         costs=tuple(
             Cost(
-                f"total of Table 1, all K = 1, Δ_T {kind}, reckoned in {unit}",
+                f"total of Table 1, all K = 1, Δ_T {kind}, computed in {unit}",
                 "mm",
                 4,
                 total_by_printed_sum(length),

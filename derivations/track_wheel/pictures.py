@@ -69,7 +69,7 @@ def total_systematic(errors: Any) -> Any:
 
 
 def total_printed(form_error: Any, unit_in_mm: float) -> Any:
-    """Return the total by (6) as printed, reckoned in a unit, against the form error (mm)."""
+    """Return the total by (6) as printed, computed in a unit, against the form error (mm)."""
     kept = {symbol: value for symbol, value in PRINTED_VALUES.items() if symbol != form}
     printed = total_by_printed_sum(sp.nsimplify(unit_in_mm), SUM_OF_SQUARES.subs(kept))
     return sp.lambdify(form, printed, "numpy")(form_error)
@@ -272,7 +272,7 @@ FIGURES = (
     Figure(
         "fig-4",
         "Fig. 4",
-        "By (6) as printed the total depends on the unit in which it is reckoned.",
+        "By (6) as printed the total depends on the unit in which it is computed.",
         "Total error against the form error of the mounting surface, with the other errors as in "
         "Table 1, by (6) corrected and as printed; dots mark the values of Table 1. The "
         "coefficients are not in the text at hand: all are 1 (normal laws) except where √3 "

@@ -142,8 +142,19 @@ LENGTHS = {
     *(arm, guide_length, guide_sum, run, push, rise, rise_sum, start_height, to_right, to_left),
 }
 SQUARES = {lever_square, roller_square}
+# The letters of the paper for the steps that it has.
+LETTERS = {
+    extended: r"\overline{BC}",
+    **dict(zip(MEANT, (r"\varphi_3", "x_5", "x_{5'}", "R", r"\varphi_7"), strict=False)),
+}
 VARIABLES = tuple(
-    Variable(s, text, LENGTH ** ((s in LENGTHS) + 2 * (s in SQUARES)), given=value)
+    Variable(
+        s,
+        text,
+        LENGTH ** ((s in LENGTHS) + 2 * (s in SQUARES)),
+        given=value,
+        letter=LETTERS.get(s, ""),
+    )
     for text, steps in (("step of the kernels", STEPS), ("step of the chain", LINKS))
     for s, value in steps.items()
 )

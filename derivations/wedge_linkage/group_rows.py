@@ -112,7 +112,7 @@ GROUP_ROWS = (
         "(4), before contact",
         derived=DRIVEN,
         substituted={x5: l_GH - apart},
-        note="The link is only pushed; here x5 falls short of the clearance by apart > 0. The "
+        note="The link is only pushed; here x5 falls short of the clearance by some length. The "
         "argument of x5 is varphi2 in the text layer, where everything else has varphi3.",
         marks=("rebuilt", "uncertain"),
     ),
@@ -141,7 +141,7 @@ GROUP_ROWS = (
         derived={phi7: mechanics.direction_tau - alpha_KL},
         substituted={R: l_KL * mechanics.cosine_of_tau},
         on=mechanics.FIRST_QUADRANT,
-        note=f"R, the projection of KL, by the direction 2 arctan(tau) of KL. {PRIME}",
+        note=f"R is the projection of KL, whose direction is 2 arctan(tau). {PRIME}",
         marks=("rebuilt", "uncertain"),
     ),
     PRINT.equation(
@@ -149,7 +149,7 @@ GROUP_ROWS = (
         derived={phi7: mechanics.direction_sigma - alpha_KL},
         substituted={R: l_KL * mechanics.cosine_of_sigma},
         on=mechanics.SECOND_QUADRANT,
-        note=f"R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL. {PRIME}",
+        note=f"R is the projection of KL, whose direction is pi - 2 arctan(sigma). {PRIME}",
         marks=("rebuilt", "uncertain"),
     ),
     PRINT.equation(

@@ -38,7 +38,7 @@ def no_influence(size: sp.Symbol) -> Conjunction:
 
 LOST = "digits of l_BC, l_CD and l_DE, and the upper deviations of the first two, are lost"
 HOW = (
-    "By 'boundaries, directions of the arms'; shown besides are the signs, by comparison at some "
+    "By 'boundaries, directions of the arms'; besides, the signs are shown by comparison at some "
     "positions with combinations that differ in one size, and the order of the two alpha_KL"
 )
 

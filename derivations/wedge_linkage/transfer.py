@@ -83,7 +83,7 @@ SUBSTITUTION_ROWS = (
             ONE_FORM,
             Equality(upright(2 * sp.atan(half_7)), 2 * sp.atan(tau) - 2 * sp.atan(kappa)),
         ),
-        note="Stated are each stage, compared with its group, and that R is not 0, since the "
+        note="What is stated: each stage, compared with its group, and that R is not 0, since the "
         "arctangents of (7) and (8) divide by it. The corrected form replaces both.",
         on=Part(
             f"{BEFORE_PIVOT.text}; KL points upwards",

@@ -260,7 +260,7 @@ def _fill_of_largest_ratio(_out, R1, R2, e):
 def largest_ratio(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.
+    """Compute the largest transmission ratio, at phi1 = 0 and once in each period 2*pi*R2/R1.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.largest_ratio`.
@@ -418,7 +418,7 @@ def _fill_of_largest_acceleration(_out, R1, R2, e):
 def largest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest acceleration; the smallest is as far below zero.
+    """Compute the largest acceleration; the smallest is its negative.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.largest_acceleration`.
@@ -468,7 +468,7 @@ def _fill_of_angle_of_smallest_acceleration(_out, R1, R2, e):
 def angle_of_smallest_acceleration(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute phi1 where the acceleration is smallest; it is largest as far before 0.
+    """Compute the first phi1 >= 0 where the acceleration is smallest; at -phi1 it is largest.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.angle_of_smallest_acceleration`.
@@ -526,7 +526,7 @@ def _fill_of_largest_jerk(_out, R1, R2, e):
 def largest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the largest jerk, met at angle_of_largest_jerk to both sides of 0.
+    """Compute the largest jerk, which it has at phi1 = angle_of_largest_jerk and -phi1.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.largest_jerk`.
@@ -617,7 +617,7 @@ def _fill_of_angle_of_largest_jerk(_out, R1, R2, e):
 def angle_of_largest_jerk(
     R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the first phi1 from 0 on where the jerk is largest.
+    """Compute the first phi1 >= 0 where the jerk is largest.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.angle_of_largest_jerk`.
@@ -666,7 +666,7 @@ def _fill_of_eccentricity_of_largest_ratio(_out, largest, R1, R2):
 def eccentricity_of_largest_ratio(
     largest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the largest ratio is the one wanted.
+    """Compute the eccentricity at which the largest ratio has a wanted value.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.eccentricity_of_largest_ratio`.
@@ -717,7 +717,7 @@ def _fill_of_eccentricity_of_smallest_ratio(_out, smallest, R1, R2):
 def eccentricity_of_smallest_ratio(
     smallest: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the smallest ratio is the one wanted.
+    """Compute the eccentricity at which the smallest ratio has a wanted value.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.eccentricity_of_smallest_ratio`.
@@ -774,7 +774,7 @@ def _fill_of_eccentricity_of_quotient(_out, quotient, R1, R2):
 def eccentricity_of_quotient(
     quotient: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which the largest ratio is so many times the smallest.
+    """Compute the eccentricity at which the largest ratio is a wanted multiple of the smallest.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.eccentricity_of_quotient`.
@@ -827,7 +827,7 @@ def _fill_of_eccentricity_of_non_uniformity(_out, non_uniformity, R1, R2):
 def eccentricity_of_non_uniformity(
     non_uniformity: ArrayLike, R1: ArrayLike, R2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which (largest - smallest ratio)/(mean ratio) is as wanted.
+    """Compute the eccentricity for a wanted (largest - smallest ratio)/(mean ratio).
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.eccentricity_of_non_uniformity`.
@@ -880,7 +880,7 @@ def _fill_of_eccentricity_of_extremes(_out, largest, smallest):
 def eccentricity_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute the eccentricity at which both extremes of the ratio are those wanted.
+    """Compute the eccentricity at which both extremes of the ratio have wanted values.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.eccentricity_of_extremes`.
@@ -926,7 +926,7 @@ def _fill_of_radii_of_extremes(_out, largest, smallest):
 def radii_of_extremes(
     largest: ArrayLike, smallest: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute R1/R2 at which both extremes of the ratio are those wanted.
+    """Compute R1/R2 at which both extremes of the ratio have wanted values.
 
     Compiled. Its full documentation is that of
     `mechproof.kernels.elliptic_planetary.radii_of_extremes`.

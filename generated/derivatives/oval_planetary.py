@@ -222,7 +222,7 @@ def position(
     """Differentiate `position` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 16 eps of its conditioning, where (phi1
-    = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 2**-830 <=
     e2*|mount|) and e1 <= 999/1000 and e2 <= 999/1000.
 
     """
@@ -358,7 +358,7 @@ def acceleration(
     """Differentiate `acceleration` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
-    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 2**-830 <=
     e2*|mount|).
 
     """
@@ -709,7 +709,7 @@ def position_cylindrical(
     """Differentiate `position_cylindrical` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
-    2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
+    2**26 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -769,8 +769,8 @@ def acceleration_cylindrical(
     """Differentiate `acceleration_cylindrical` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
-    2**26 and R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
-    and (e2 = 0 or 1/2**330 <= e2).
+    2**26 and R5/1e45 <= R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|) and (e2
+    = 0 or 2**-330 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -914,7 +914,7 @@ def jerk(
     """Differentiate `jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (phi1 = 0
-    or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 1/2**830 <=
+    or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or 2**-830 <=
     e2*|mount|).
 
     """
@@ -1507,8 +1507,8 @@ def jerk_cylindrical(
     """Differentiate `jerk_cylindrical` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
-    2**26 and R5/1e30 <= R4 and R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|)
-    and (e2 = 0 or 1/2**300 <= e2).
+    2**26 and R5/1e30 <= R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|) and (e2
+    = 0 or 2**-300 <= e2).
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)

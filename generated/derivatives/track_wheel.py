@@ -63,7 +63,7 @@ def radius(
     """Differentiate `radius` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-140
-    <= R and R <= 1e150 and z*|phi| <= 2**26.
+    <= R <= 1e150 and z*|phi| <= 2**26.
 
     """
     phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
@@ -182,8 +182,7 @@ def tilt_of_planar_error(
     """Differentiate `tilt_of_planar_error` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-50
-    <= rho <= 1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50
-    <= error <= 1e50.
+    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     """
     error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
@@ -245,8 +244,7 @@ def tilt_of_spatial_error(
     """Differentiate `tilt_of_spatial_error` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-50
-    <= rho <= 1e50 and 1e-50 <= H <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0) and 1e-50
-    <= error <= 1e50.
+    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     """
     error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)

@@ -67,8 +67,7 @@ def guide_radicand(
     """Differentiate `guide_radicand` by its arguments, in their order.
 
     In mm**2 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where
-    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and
-    1e-50 <= l_CD <= 1e50.
+    (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD <= 1e50.
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
@@ -117,8 +116,8 @@ def lever_angle(
     """Differentiate `lever_angle` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50
-    <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <=
-    l_CD <= 1e50 and guide_condition/2**48 < guide_square.
+    <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD <= 1e50 and guide_condition/2**48 <
+    guide_square.
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
@@ -456,10 +455,9 @@ def position(
     """Differentiate `position` by its arguments, in their order.
 
     In mm per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where (1e-50
-    <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <=
-    l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50
-    and l_GH <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x
-    + l_KL and run_condition/2**48 < |l_GH - travel_5|.
+    <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB, l_BC, l_CD, l_DE, l_KL, l_LM <= 1e50 and l_GH
+    <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL
+    and run_condition/2**48 < |l_GH - travel_5|.
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(

@@ -539,9 +539,8 @@ def position_fourier_2_single(
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
-    Approximation, Fourier series, 2 terms, float32: |result - exact| <= 1/2**24 +
-    17*e/(2**24*(1 - e)) + 2*e**3/(3 - 3*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding
-    apart.
+    Approximation, Fourier series, 2 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
+    - e)) + 2*e**3/(3 - 3*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
 
     Domain as that of `position`.
 
@@ -591,9 +590,8 @@ def position_fourier_4_single(
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
-    Approximation, Fourier series, 4 terms, float32: |result - exact| <= 1/2**24 +
-    17*e/(2**24*(1 - e)) + 2*e**5/(5 - 5*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding
-    apart.
+    Approximation, Fourier series, 4 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
+    - e)) + 2*e**5/(5 - 5*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
 
     Domain as that of `position`.
 
@@ -650,9 +648,8 @@ def position_fourier_8_single(
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
-    Approximation, Fourier series, 8 terms, float32: |result - exact| <= 1/2**24 +
-    17*e/(2**24*(1 - e)) + 2*e**9/(9 - 9*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding
-    apart.
+    Approximation, Fourier series, 8 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
+    - e)) + 2*e**9/(9 - 9*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
 
     Domain as that of `position`.
 
@@ -727,7 +724,7 @@ def position_fourier_12_single(
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
-    Approximation, Fourier series, 12 terms, float32: |result - exact| <= 1/2**24 +
+    Approximation, Fourier series, 12 terms, float32: |result - exact| <= 2**-24 +
     17*e/(2**24*(1 - e)) + 2*e**13/(13 - 13*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2),
     rounding apart.
 

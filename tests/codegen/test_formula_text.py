@@ -6,9 +6,11 @@ import pytest
 import sympy as sp
 from derived import paper_of
 
-from mechproof.codegen.docstrings import WIDTH, describe_kernel
+from mechproof.codegen.docstrings import WIDTH, describe_kernel, tell_accuracy
+from mechproof.codegen.forms import form_rows
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.programs.kernel import list_functions
+from mechproof.record import Accuracy
 
 a, b = sp.symbols("a b", real=True)
 i, j = sp.symbols("i j", integer=True, positive=True)
@@ -23,6 +25,7 @@ SMALL = sp.Rational(1, 10**50)
         (sp.And(a >= SMALL, a <= 10**50), "1e-50 <= length <= 1e50"),
         (sp.And(sp.Or(sp.Eq(a, 0), sp.Eq(b, 0)), a < b), "(length = 0 or b = 0) and length < b"),
         (a * 2**26 + 1000, "1000 + 2**26*length"),
+        (a >= sp.Rational(1, 2**960), "2**-960 <= length"),
     ],
 )
 def test_formulas(formula: sp.Basic, text: str) -> None:
@@ -33,6 +36,19 @@ def test_equal_limits_are_joined_and_no_others() -> None:
     limits = ["0 < a < oo", "0 <= b < oo", "0 < c < oo", "a < b", "a <= (1 - b)", "a <= (2 - b)"]
     joined = ["0 < a, c < oo", "0 <= b < oo", *limits[3:]]
     assert join_equal_limits(limits) == joined
+
+
+def test_what_is_tested_of_arguments_alike_is_said_once() -> None:
+    within = (a >= SMALL, a <= 10**50, b >= SMALL, b <= 10**50)
+    told = tell_accuracy(Accuracy(4503.5996, within=within), {a: "length", b: "width"})
+    assert told == "4504 eps of the value, where 1e-50 <= length, width <= 1e50"
+
+
+def test_a_rival_computes_the_definition_of_its_quantity() -> None:
+    said = {row.number: row.printed_latex for row in form_rows(paper_of("tooth_thickness"))}
+    assert "computes its definition" in said["kernel chord_height"]
+    rival = said["kernel chord_height_handbook"]
+    assert r"handbook computes the definition of chord\_height}" in rival
 
 
 def test_products_longer_than_a_line_are_broken() -> None:

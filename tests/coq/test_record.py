@@ -49,6 +49,12 @@ def test_the_ledger_says_of_every_row_what_is_recorded() -> None:
         assert line.endswith(f"| {told.translate(MARKDOWN)} |")
 
 
+def test_where_coq_stopped_is_not_told_beside_a_row() -> None:
+    told = set(read_checks(GENERATED).values())
+    assert "not checked: Coq refuses the proof that was written for it" in told
+    assert not [text for text in told if "Coq: line" in text]
+
+
 def test_a_script_that_is_refused_or_differs_is_lost() -> None:
     certificates = [
         RowScript(f"mine/{name}", "PROVED", "identical", "ours", f"{name}.v", text)

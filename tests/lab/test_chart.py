@@ -154,7 +154,7 @@ def test_the_usual_set_is_the_one_that_most_ways_share(record: Record) -> None:
     ("others", "says"),
     [
         ([("a", 2, 5)], "the least of 2 ways; none is faster"),
-        ([("a", 2, 2)], "as is the best of 1 other ways; none is faster"),
+        ([("a", 2, 2)], "as is the only other way; none is faster"),
         ([("a", 2, 1)], "a by 1; none is faster"),
         (
             [("a", 0.5, 5e4), ("b", 2, 3)],

@@ -60,7 +60,7 @@ def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
         "a rod R<sub>2</sub>"
     )
     assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
-        "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
+        "cos²(x/2)\N{NO-BREAK SPACE}≤ (12), IT8, C99, tan_alpha, Δ h"
     )
     assert set_prose("Delta_n**2*K, tau**2, x1**2, C99") == (
         "Δ<sub>n</sub>²·K, τ², x<sub>1</sub>², C99"
@@ -79,11 +79,12 @@ def test_signs_roots_and_quotes_in_sentences_are_set_as_people_write_them() -> N
         "\N{RIGHT SINGLE QUOTATION MARK}",
     )
     assert set_prose("-3 at [-40, -E_c], A-C, 4-5, --out, x - 1") == (
-        f"{minus}3 at [{minus}40, {minus}E<sub>c</sub>], A-C, 4-5, --out, x {minus} 1"
+        f"{minus}3 at [{minus}40, {minus}E<sub>c</sub>], A-C, 4-5, --out, "
+        f"x\N{NO-BREAK SPACE}{minus} 1"
     )
     assert set_prose("u sqrt(n), sqrt(2*x) of (13)-(16)") == ("u √n, √(2·x) of (13)\N{EN DASH}(16)")
     assert set_prose("the paper's 'Table 1, (b)' of x5'") == (
-        f"the paper{right}s {left}Table 1, (b){right} of x<sub>5</sub>&#39;"
+        f"the paper{right}s {left}Table 1, (b){right} of x<sub>5</sub>\N{PRIME}"
     )
     assert set_reason("both hold") == "Both hold."
     assert set_reason("j has no value.") == "j has no value."

@@ -126,6 +126,12 @@ def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
     assert tuple(map(str, first.costs)) == ("sum: as read 1 mm, as guessed 2 mm",)
 
 
+def test_a_name_that_ends_in_a_letter_or_a_number_is_told_apart_from_its_value() -> None:
+    cost = Cost("sum", "mm", 2, sp.S.Zero, sp.Integer(2), ("by 2u", "by u = s/√n"))
+    first, *_ = find(Finding("(1)", "", (cost,)))
+    assert tuple(map(str, first.costs)) == ("sum: by 2u: 0 mm, by u = s/√n: 2.00 mm",)
+
+
 def test_a_convention_is_wrong_only_when_read_literally() -> None:
     found = find(
         Finding("turned", "", (Cost("here", "°", at={phi: sp.pi / 6}),)), others=(CONVENTION,)

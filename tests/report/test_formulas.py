@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from xml.etree.ElementTree import fromstring
 
@@ -45,6 +46,14 @@ def test_every_formula_of_the_papers_is_converted() -> None:
                 if part.tag.startswith(MATH) and not is_source:
                     assert set(part.attrib) - {"class"} <= ATTRIBUTES
                     assert part.get("class", FOLDED) == FOLDED
+
+
+def test_a_long_left_side_ends_before_its_equals_sign() -> None:
+    """Not within its arguments, the last of which would begin the line of the right side."""
+    arguments = ",".join(f"x_{{{n}}}" for n in range(18))
+    written = write_block(rf"f({arguments})=\begin{{pmatrix}}a\\b\end{{pmatrix}}")
+    last = written.rsplit("<wbr/>", 1)[-1]
+    assert re.match(r'<math[^>]*><semantics><mrow><mo[^>]*form="infix"[^>]*>=</mo>', last)
 
 
 def test_what_is_no_latex_is_shown_as_it_stands() -> None:
@@ -255,12 +264,29 @@ def test_marked_decimals_stand_close_to_their_point() -> None:
 @pytest.mark.parametrize(
     ("text", "shown"),
     [
-        ("K_i[2] = 1/3", "K<sub>2</sub> = 1/3"),
+        ("K_i[2] = 1/3", "K<sub>2</sub>\N{NO-BREAK SPACE}= 1/3"),
         ("Delta_n^2*K_i[i]^2 has L^2", "Δ<sub>n</sub>²·K<sub>i</sub>² has L²"),
         ('see "step 3", sqrt(2)', "see “step 3”, √2"),
         ("25 um of 5 mm", "25\N{NO-BREAK SPACE}µm of 5\N{NO-BREAK SPACE}mm"),
-        ("Max(a, b) <= 2", "max(a, b) ≤ 2"),
-        ("x_1*y = phi1 < 2", "x<sub>1</sub>·y = φ<sub>1</sub> &lt; 2"),
+        ("Max(a, b) <= 2", "max(a, b)\N{NO-BREAK SPACE}≤ 2"),
+        (
+            "x_1*y = phi1 < 2",
+            "x<sub>1</sub>·y\N{NO-BREAK SPACE}= φ<sub>1</sub>\N{NO-BREAK SPACE}&lt; 2",
+        ),
+        ("R_1 phi_1", "R<sub>1</sub>\N{NO-BREAK SPACE}φ<sub>1</sub>"),
+        (
+            "the link 5' and x_5' of it, not 'step 5'",
+            "the link 5\N{PRIME} and x<sub>5</sub>\N{PRIME} of it, "
+            "not \N{LEFT SINGLE QUOTATION MARK}step 5\N{RIGHT SINGLE QUOTATION MARK}",
+        ),
+        ("(Abs(a) + 2)", "(|a|\N{NO-BREAK SPACE}+ 2)"),
+        ("D^XYZ**2", "D<sup>XYZ²</sup>"),
+        ("d phi3/d phi1", "dφ<sub>3</sub>/dφ<sub>1</sub>"),
+        ("variants 1 and 2 a year", "variants 1 and 2 a year"),
+        (
+            "tg 20 deg of 3 sigma",
+            "tg\N{NO-BREAK SPACE}20° of 3\N{NO-BREAK SPACE}\N{GREEK SMALL LETTER SIGMA}",
+        ),
     ],
 )
 def test_formulas_within_words_are_set_as_people_write_them(text: str, shown: str) -> None:

@@ -221,6 +221,27 @@ def test_languages_without_a_text_say_why() -> None:
     assert list(found.refused) == ["formulas take no axes of any length to sum over"]
 
 
+@pytest.mark.parametrize(
+    ("system", "given", "value"),
+    [
+        (
+            "conformity",
+            {"mean": 0.0, "true_std": 1.0, "bias": 0.0, "error_std": 0.1, "low": -2.0, "high": 2.0},
+            0.9499,
+        ),
+        ("measurement", {"readings": [1.0, 2.0, 3.0]}, 1.0),
+    ],
+)
+def test_hand_written_code_is_called_as_its_page_says(
+    system: str, given: dict[str, object], value: float
+) -> None:
+    call = paper_of(system).quantities[0].call
+    *imports, last = call.splitlines()
+    names = dict(given)
+    exec("\n".join(imports), names)
+    assert eval(last, names) == pytest.approx(value, abs=1e-3)
+
+
 def test_what_is_called_is_there(files: dict[str, str]) -> None:
     pages = "".join(text for name, text in files.items() if name.startswith("quantities"))
     calls = set(re.findall(r"from (mechproof\.[\w.]+) import (\w+)", pages))

@@ -20,6 +20,7 @@ from mechproof.roundoff.certificate import (
     RoundingClaim,
     holds,
     list_digests,
+    tell_place,
     tell_proofs,
 )
 from mechproof.roundoff.compensation import find_compensated
@@ -245,6 +246,11 @@ def test_what_a_bound_rests_on_is_told_with_it(system: str) -> None:
         assert f", as long as {NORMAL}: at most" in text
         assert f"at most {claim.proved:g} eps" in text
         assert all(assumption in text for assumption in claim.assumptions)
+
+
+def test_a_bound_for_all_is_told_so() -> None:
+    assert tell_place(()) == ""
+    assert tell_place(("x < 1", "x > 2")) == ", where x < 1 or x > 2"
 
 
 @pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])

@@ -269,7 +269,9 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
     quantity, names = kernel.quantity, input_names(kernel.quantity)
     notes = [f"Domain: {describe_domain(quantity, paper)}."]
     notes += [
-        f"Singular: {write_formula(s.equation, names)}" + (f", {s.text}." if s.text else ".")
+        f"Singular: {s.text}."
+        if s.equation.has(sp.Sum)
+        else f"Singular: {write_formula(s.equation, names)}, {s.text}."
         for s in quantity.singular
         if s.text
     ]
@@ -290,7 +292,9 @@ def describe_domain(quantity: Quantity, paper: Paper) -> str:
     """Say for which arguments a quantity is meant."""
     names = input_names(quantity)
     part = f" ({quantity.on.text})" if quantity.on else ""
-    relations = [write_formula(r, names) for r in domain_relations(quantity, paper)]
+    # Words say more of a sum than its text.
+    told = (r for r in domain_relations(quantity, paper) if not (part and r.has(sp.Sum)))
+    relations = [write_formula(r, names) for r in told]
     limits = join_equal_limits(chain_relations(relations))
     return f"{', '.join(limits) or 'all real arguments'}{part}"
 
@@ -313,6 +317,8 @@ def tell_bound(quantity: Quantity) -> str:
 def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
     """Say what error is promised, and where."""
     of = accuracy.scale.name if accuracy.scale else "the value"
-    within = " and ".join(write_formula(r, names) for r in accuracy.within)
+    relations = dict.fromkeys(write_formula(r, names) for r in accuracy.within)
+    limits = join_equal_limits(chain_relations([*relations]))
+    within = accuracy.where or " and ".join(limits)
     where = f", where {within}" if within else ""
-    return f"{accuracy.ulp:g} eps of {of}{where}"
+    return f"{accuracy.ulp:.4g} eps of {of}{where}"

@@ -11,6 +11,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import FORMS, render_derivatives, render_modules
+from mechproof.codegen.formula_text import write_formula
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
 from mechproof.programs.derivatives import differentiate
@@ -153,8 +154,10 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     quantity, form = kernel.quantity, kernel.forms[place]
     number = number_form(quantity, form)
     shown = _show(kernel.name)
+    meant = "its definition" if kernel.is_shipped else f"the definition of {_show(quantity.name)}"
+    meant += "" if form.bound is None else " to a bound"
     rewrites = ", ".join(form.rewrites) or "none"
-    bound = "" if form.bound is None else f"; off by at most {form.bound}"
+    bound = "" if form.bound is None else f"; off by at most {write_formula(form.bound, {})}"
     definition = _write_out(quantity.definition, paper)
     enclosures = kernel.enclosures[place]
     states = form.states or partial(_equal_but_enclosures, enclosures, definition)
@@ -164,8 +167,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     yield _claim_of(
         quantity,
         number,
-        rf"\text{{the source of {shown} computes "
-        + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
+        rf"\text{{the source of {shown} computes {meant}}}",
         states(written),
         note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
         on=on,

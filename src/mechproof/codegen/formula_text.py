@@ -31,7 +31,10 @@ class FormulaPrinter(StrPrinter):  # type: ignore[misc]
         exponent = len(str(expr.q)) - 1
         if expr.p == 1 and expr.q == 10**exponent and exponent > 3:
             return f"1e-{exponent}"
-        return f"{_as_power(int(expr.p))}/{_as_power(int(expr.q))}"
+        below = _as_power(int(expr.q))
+        if expr.p == 1 and below.startswith("2**"):
+            return below.replace("**", "**-")
+        return f"{_as_power(int(expr.p))}/{below}"
 
     def _print_Abs(self, expr: sp.Abs) -> str:
         return f"|{self._print(expr.args[0])}|"

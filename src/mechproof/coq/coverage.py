@@ -17,6 +17,8 @@ from mechproof.coq.libraries import digest_libraries
 PAGE = "COQ.md"
 RECORD = "coq.json"
 NOT_CHECKED = "not checked in this run"
+# What Coq itself says of a file begins so, and what a reader is told of it.
+BY_COQ, REFUSED = "Coq: ", "Coq refuses the proof that was written for it"
 _INTRODUCTION = """# What Coq checks
 
 Rows of the ledger that are PROVED or REFUTED, written as theorems of Coq {version} and proved there
@@ -116,7 +118,10 @@ def read_checks(folder: Traversable) -> dict[str, str]:
 
 
 def _tell(withheld: str, file: str) -> str:
-    return f"not checked: {withheld}" if withheld else f"checked: {file}"
+    """Say whether a row is checked; where Coq stopped is of use only beside the file."""
+    if not withheld:
+        return f"checked: {file}"
+    return f"not checked: {REFUSED if withheld.startswith(BY_COQ) else withheld}"
 
 
 def _read_rows(folder: Traversable) -> Sequence[Mapping[str, str]]:

@@ -9,7 +9,7 @@ from importlib.resources import files
 from mechproof.lab.chart_points import write_eps
 from mechproof.measured import KERNELS, Record
 from mechproof.roundoff.assumptions import NORMAL
-from mechproof.roundoff.certificate import Certificate, RoundingClaim
+from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_place
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY
 
@@ -60,6 +60,6 @@ def tell_proved(record: Record) -> Mapping[str, str]:
 
 def tell_where(record: Record) -> str:
     """Say for which arguments the bounds are, form by form; nothing without any."""
-    places = {claim.form: " or ".join(claim.where) for claim in list_claims(record)}
-    told = "; ".join(f"{form}, where {where}" for form, where in places.items())
+    places = {claim.form: tell_place(claim.where) for claim in list_claims(record)}
+    told = "; ".join(f"{form}{place}" for form, place in places.items())
     return f"Proved: {told}; provided {NORMAL}." if told else ""

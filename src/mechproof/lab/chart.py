@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Collection, Mapping, Sequence
 from io import BytesIO
@@ -26,7 +25,7 @@ from mechproof.lab.chart_points import (
     write_headline,
 )
 from mechproof.lab.jumps import draw_jumps
-from mechproof.lab.labels import name_marks
+from mechproof.lab.labels import name_marks, set_signs
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
@@ -35,13 +34,6 @@ from mechproof.measured import Record
 DPI, WIDTH = 110, 9.2
 COLOURS = 256
 # What is typed in the text below a chart, and how it is written; powers stand raised.
-SIGNS = {
-    "<=": "≤",
-    ">=": "≥",
-    " * ": "·",
-    " - ": "\N{NO-BREAK SPACE}\N{MINUS SIGN}\N{NO-BREAK SPACE}",
-}
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
 
 
@@ -115,7 +107,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
     worst = collect_marks(record, workload, count)
     points = sum(row.points for row in record.errors_of(record.ways[0].name))
     panels = {
-        f"Usual calls ({usual})": collect_marks(record, workload, count, usual),
+        f"Usual calls{tell_usual(usual)}": collect_marks(record, workload, count, usual),
         f"The worst of {points:,} points, chosen to hurt": worst,
     }
     figure = Figure(figsize=(WIDTH, 8), dpi=DPI, layout="constrained")
@@ -136,6 +128,11 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
     return figure
 
 
+def tell_usual(name: str) -> str:
+    """Say what usual calls are, if their name says more than that."""
+    return "" if name == "usual" else f" ({name})"
+
+
 def _describe(record: Record, workload: str, count: int) -> str:
     what = (
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
@@ -145,16 +142,9 @@ def _describe(record: Record, workload: str, count: int) -> str:
     return "\n".join(
         [
             "time per point, ns (in brackets: over that of the shipped kernel)",
-            *textwrap.wrap(_set_signs(what), 120),
+            *textwrap.wrap(set_signs(what), 120),
         ]
     )
-
-
-def _set_signs(text: str) -> str:
-    """Write relations, products and powers as people do; nothing breaks before a difference."""
-    for typed, written in SIGNS.items():
-        text = text.replace(typed, written)
-    return re.sub(r"\*\*(-?\d+)", lambda power: power[1].translate(RAISED), text)
 
 
 def find_limits(marks: Sequence[ChartPoint], copy: float | None) -> tuple[float, float]:

@@ -183,7 +183,10 @@ def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
     if best.error < shipped.error and best.has_digits:
         accuracy = f"{seen}, {best.name} by {best.error:.2g}"
     elif (best.height, best.error) == (shipped.height, shipped.error):
-        accuracy = f"{seen}, as is the best of {len(others)} other ways"
+        equal = (
+            "the only other way" if len(others) == 1 else f"the best of {len(others)} other ways"
+        )
+        accuracy = f"{seen}, as is {equal}"
     else:
         accuracy = f"{seen}, the least of {1 + len(others)} ways"
     return f"{subject} {accuracy}; {_compare_times(shipped, others)}"

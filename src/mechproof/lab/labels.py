@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -16,6 +17,13 @@ from mechproof.lab.panel import LANE, LOWEST, draw_mark, find_top, trace_front
 
 Spot = tuple[float, float]
 TIMES = "\N{MULTIPLICATION SIGN}"
+SIGNS = {
+    "<=": "≤",
+    ">=": "≥",
+    " * ": "·",
+    " - ": "\N{NO-BREAK SPACE}\N{MINUS SIGN}\N{NO-BREAK SPACE}",
+}
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOTHING: Mapping[str, str] = MappingProxyType({})
 # More names than this crowd a panel.
 NAMES = 12
@@ -46,6 +54,14 @@ def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) 
             break
         chosen.append(rest.pop(gaps.index(max(gaps))))
     return chosen
+
+
+def set_signs(text: str) -> str:
+    """Write relations, products and powers as people do; nothing breaks before a difference."""
+    for typed, written in SIGNS.items():
+        text = text.replace(typed, written)
+    raised = re.sub(r"\*\*(-?\d+)", lambda power: power[1].translate(RAISED), text)
+    return re.sub(r"(?<=[\w)])\*(?=[\w(])", "·", re.sub(r"pi", "π", raised))
 
 
 def name_marks(
@@ -83,10 +99,10 @@ def write_name(mark: ChartPoint, shipped: ChartPoint, count: int) -> str:
     """
     size = "" if mark.count == count else f", N = {mark.count:,}"
     if mark is shipped:
-        return mark.name + size
+        return set_signs(mark.name) + size
     ratio = mark.time / shipped.time
     told = f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
-    return f"{mark.name} ({told}{TIMES}{size})"
+    return f"{set_signs(mark.name)} ({told}{TIMES}{size})"
 
 
 @dataclass

@@ -119,5 +119,5 @@ def _draw_simulated(
             ms=2.2,
             elinewidth=0.7,
             capsize=1.5,
-            label=None if number else f"{counted.count:,} parts simulated",
+            label=None if number else f"{counted.count:,} teeth simulated",
         )

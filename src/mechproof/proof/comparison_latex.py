@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from itertools import islice
 from typing import Any
 
@@ -31,8 +32,6 @@ _INDEX, _INDICES = "#", "i j"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _WORD = re.compile(r"[A-Za-z]{3,}")
-# One word with what follows it, where that of others is an index: a hyphen reads as a minus.
-_PREFIX = "non"
 _LONG_NAME = re.compile(rf"{_WORD.pattern}(_\w+)?$")
 # What SymPy calls a variable of integration so that it is no other: its name and a line.
 _DUMMY = re.compile(r"([A-Za-z]+)(\d*)_")
@@ -40,6 +39,8 @@ _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
 # Numbers with so many parts, and fractions of longer numbers, are written by so many digits.
 _LONGEST_NUMBER, _DIGITS = 200, 15
+# Fractions are written by so many decimals at most.
+_PLACES = 6
 # A formula may become so many times longer when our letters are written by the paper's, or have so
 # many parts.
 _MOST_MORE, _FEW = 2, 30
@@ -63,16 +64,20 @@ class _Letters:
 
 def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
     """Return the LaTeX of what a print was compared with, empty if it was compared with nothing."""
-    names = {v.symbol: v.latex[0] for v in variables if v.latex}
     ours = list_given(v for v in variables if not v.latex)
-    return _compared(statement, _Letters(names, ours))
+    return _compared(statement, _Letters(_name_letters(variables), ours))
 
 
 def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
     """Return a formula in the letters of a paper, however long it is; words stand upright."""
-    printed = {v.symbol: v.latex[0] for v in variables if v.latex}
-    text: str = _Printer({**_write_words(formula), **printed}).doprint(formula)
+    text: str = _Printer({**_write_words(formula), **_name_letters(variables)}).doprint(formula)
     return text
+
+
+def _name_letters(variables: Sequence[Variable]) -> dict[sp.Basic, str]:
+    """Write the symbols that a paper prints, and those of ours that are letters."""
+    shown = ((v.symbol, v.latex[0] if v.latex else v.letter) for v in variables)
+    return {symbol: latex for symbol, latex in shown if latex}
 
 
 def write_letter(
@@ -94,8 +99,6 @@ def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
 def _write_word(symbol: sp.Symbol) -> str:
     stem, _, index = str(symbol).partition("_")
     shown, below = map(_write_upright, (stem, index))
-    if stem == _PREFIX:
-        return rf"\text{{{stem}-{index}}}"
     return f"{shown}_{{{below}}}" if index else shown
 
 
@@ -224,6 +227,25 @@ def _falls_short(base: sp.Expr) -> bool:
     return bool(number < 0) and not any(map(_is_subtracted, others))
 
 
+def _is_decimal(number: sp.Rational) -> bool:
+    """Return whether people write a fraction by its decimals: 0.7284, but 2/5 and 1/8."""
+    return bool(number.q > 5 and number.q % 5 == 0 and 10**_PLACES % number.q == 0)
+
+
+def _write_decimal(number: sp.Rational) -> str:
+    return f"{Decimal(int(number.p)) / Decimal(int(number.q)):f}"
+
+
+def _split_product(product: sp.Mul) -> tuple[sp.Expr, ...]:
+    """Split off what stands before a product, a decimal, or behind it: an integral or cases."""
+    number, rest = product.as_coeff_Mul()
+    if isinstance(number, sp.Rational) and _is_decimal(number) and not rest.is_Add:
+        return number, rest
+    last = [f for f in product.args if isinstance(f, sp.Integral | sp.Piecewise)]
+    before = sp.Mul(*(f for f in product.args if f not in last)) if len(last) == 1 else sp.S.One
+    return () if before.is_Add or abs(before) == 1 else (before, last[0])
+
+
 class _Printer(LatexPrinter):  # type: ignore[misc]
     """Writes the symbols of a paper as the paper prints them."""
 
@@ -253,13 +275,18 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
         if isinstance(part, sp.betainc_regularized) and part.args[2] == 0:
             first, second, _, end = map(self._print, part.args)
             return rf"I_{{{end}}}\left({first}, {second}\right)"
+        if isinstance(part, sp.Rational) and _is_decimal(part):
+            return _write_decimal(part)
         turned = _turn(part) if isinstance(part, sp.Mul) else part
+        if isinstance(turned, sp.Mul) and (pieces := _split_product(turned)):
+            return " ".join(map(self._print, pieces))
         written: str = super()._print(turned, **settings)
         return written
 
     def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
         """Order terms as people do: 1 + e^2 - 2 e cos(x), and no sign before the first."""
-        terms = [_turn(term) if isinstance(term, sp.Mul) else term for term in expr.args]
+        found = sorted(expr.args, key=lambda term: term.has(sp.Function))
+        terms = [_turn(term) if isinstance(term, sp.Mul) else term for term in found]
         first = next((t for t in terms if not _is_subtracted(t)), terms[0])
         return [first, *(term for term in terms if term is not first)]
 

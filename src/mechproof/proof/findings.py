@@ -7,6 +7,7 @@ in the place of its print the statement is proved.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from decimal import Decimal
@@ -58,12 +59,18 @@ class LedgerCost:
 
     def __str__(self) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
-        return f"{self.where}: " + ", ".join(f"{n} {v}{unit}" for n, v in self.values.items())
+        told = (f"{_lead(name)} {value}{unit}" for name, value in self.values.items())
+        return f"{self.where}: {', '.join(told)}"
 
     def as_dict(self) -> dict[str, object]:
         """Return the JSON record: the text, and its numbers as such."""
         values = {name: describe_number(value) for name, value in self.values.items()}
         return {"text": str(self), "where": self.where, "unit": self.unit, "values": values}
+
+
+def _lead(name: str) -> str:
+    """Return a name before its value; what ends in a letter, a number or a sign has a colon."""
+    return f"{name}:" if re.search(r"[^a-z]$|(?<![a-z])[a-z]$", name) else name
 
 
 @dataclass(frozen=True)
@@ -266,9 +273,9 @@ def _value(
 
 
 def _round(value: balls.Ball, decimals: int) -> Decimal:
-    """Round the middle of a ball that is far smaller than the last place."""
+    """Round the middle of a ball that is far smaller than the last place; a zero has none."""
     middle = Decimal(value.mid().str(40, radius=False))
-    return middle.quantize(Decimal(1).scaleb(-decimals))
+    return middle.quantize(Decimal(1).scaleb(-decimals if middle else 0))
 
 
 def _find(rows: Mapping[str, Row], number: str) -> Row:

@@ -203,7 +203,8 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
-    return replace(equal, verdict=verdict)
+    told = "the two do not differ: " if verdict is Verdict.REFUTED else ""
+    return replace(equal, verdict=verdict, reason=f"{told}{equal.reason}")
 
 
 def _decide_relation(statement: Holds, domain: Domain) -> Answer:
@@ -274,7 +275,8 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     sign = f" {_SIGNS.get(sign, sign)} "
     printed, rebuilt = enclosed if holds is False else ("", "")
     evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
-    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
+    told = "" if holds else f" {outcome}"
+    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)}{told}", (evidence,))
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:

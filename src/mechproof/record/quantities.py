@@ -51,12 +51,14 @@ class Scale:
 class Accuracy:
     """The accuracy bound that the tests hold: |error| <= `ulp` * eps * |scale|.
 
-    Without a scale, of the value itself. It holds where the relations `within` are true.
+    Without a scale, of the value itself. It holds where the relations `within` are true; `where`
+    says so in words, where they are long.
     """
 
     ulp: float
     scale: Scale | None = None
     within: tuple[sp.Basic, ...] = ()
+    where: str = ""
 
 
 # Of derivatives relative to their conditioning: a rounding of 1/2 eps, of a step or on the way
@@ -91,8 +93,8 @@ class Quantity:
     `definition` is the exact meaning (what accuracy is measured against). The kernel takes the
     first of `forms` whose condition holds; the first without a condition ends it. The forms after
     that one are rivals, each a function of its own. A quantity without forms is computed by
-    hand-written code, the first of its peers. `period` is the spacing of wrong branches,
-    `repeats` says how the running variable can be reduced.
+    hand-written code, the first of its peers; `call` is how. `period` is the spacing of wrong
+    branches, `repeats` says how the running variable can be reduced.
     `slopes` is the accuracy of its derivatives, where the bound holds and within; without it none
     are shipped. `workloads` names calls to be timed by the arguments that vary (left out: the
     first).
@@ -113,6 +115,7 @@ class Quantity:
     periodicity: Periodicity | None = None
     workloads: tuple[tuple[str, tuple[str, ...]], ...] = ()
     remarks: tuple[str, ...] = ()
+    call: str = ""
 
     @property
     def shipped(self) -> tuple[Form, ...]:

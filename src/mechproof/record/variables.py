@@ -20,6 +20,7 @@ class Variable:
     `latex` are the ways it is printed, whole idioms included (`\varphi_3'`, `\rho(\varphi_5)`,
     `\frac{d\varphi_3}{d\varphi_1}`); without one it cannot be printed. A family (`IndexedBase`)
     is printed with its indices, which `#` stands for (`K_#(t)`; left out: at the end, `_#`).
+    `letter` is how one of ours is set, whose name is a word; it is never read.
     """
 
     symbol: sp.Symbol | sp.IndexedBase | sp.MatrixSymbol
@@ -29,6 +30,7 @@ class Variable:
     given: sp.Expr | None = None
     sign: str = ""
     latex: tuple[str, ...] = ()
+    letter: str = ""
 
 
 def family_of(matrix: sp.MatrixSymbol) -> sp.IndexedBase:

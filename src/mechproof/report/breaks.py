@@ -220,7 +220,7 @@ def _break(parts: list[Element], most: float) -> list[list[Element]]:
     joined = [found[0]]
     for piece in found[1:]:
         is_narrow = sum(map(measure, joined[-1])) < NARROW
-        if is_narrow and _sign_of(piece[0]) in RELATIONS:
+        if is_narrow and _sign_of(piece[0]) in RELATIONS and not _count_open(joined[-1]):
             joined[-1] = joined[-1] + piece
         else:
             joined.append(piece)
@@ -245,15 +245,19 @@ def _split(parts: Sequence[Element], deepest: int) -> Iterator[list[Element]]:
             yield piece
             piece = []
         piece.append(part)
-        # A power of a bracket is written at the sign that closes it.
-        base = part[0] if part.tag in SCRIPTED else part
-        depth += _go_deeper(base, _sign_of(base))
+        depth += _count_open([part])
         ends = depth <= deepest and (sign == "," or (ends and is_blank))
     yield piece
 
 
 def _sign_of(part: Element) -> str:
     return part.text or "" if part.tag == "mo" else ""
+
+
+def _count_open(parts: Iterable[Element]) -> int:
+    """Count brackets that open less those that close; their power is written at the latter."""
+    bases = [part[0] if part.tag in SCRIPTED else part for part in parts]
+    return sum(_go_deeper(base, _sign_of(base)) for base in bases)
 
 
 def _go_deeper(part: Element, sign: str) -> int:

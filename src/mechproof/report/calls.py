@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from textwrap import wrap
 
 import sympy as sp
+from markupsafe import Markup
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.measured import KERNELS
@@ -20,6 +21,11 @@ from mechproof.report.judged_derivations import JudgedDerivation
 SHORT = 8
 # Letters of a line of code on a wide page.
 LINE = 64
+# No line begins within an option.
+C_REMARK = Markup(
+    '<code>mechproof emit c {} <span class="tied">--out c</span></code> writes it; link with '
+    '<code class="tied">-lm</code>.'
+)
 
 
 def write_header(paper: Paper) -> str:
@@ -34,6 +40,8 @@ def list_calls(
     quantity: Quantity, source: JudgedDerivation, header: str
 ) -> Iterator[tuple[str, str, str]]:
     """Yield language, code and a remark for each way to compute a quantity."""
+    if quantity.call:
+        yield "Python", quantity.call, ""
     if not (quantity.forms and source.home):
         return
     system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
@@ -51,7 +59,7 @@ def list_calls(
         yield language, code, remark
     pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
     if found := re.findall(pattern, header, re.MULTILINE):
-        remark = f"Written by mechproof emit c {system} --out c; link with -lm."
+        remark = C_REMARK.format(system)
         yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
 
 

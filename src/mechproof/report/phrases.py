@@ -60,7 +60,7 @@ MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
 EXPONENT = re.compile(r"(?<=[\w)\]])\*\*(-?\d+)\b")
 POWER = re.compile(r"(\d)e([+-]?\d+)\b")
-RAISED_NAME = re.compile(r"(?<=[\w)])(?:\*\*|\^)([A-Za-z]+)\b")
+RAISED_NAME = re.compile(r"(?<=[\w)])(?:\*\*|\^)([A-Za-z]+[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*)(?![A-Za-z0-9_])")
 GREEK = {
     name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
     for case, names in (
@@ -94,22 +94,33 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
         (r"(?<=[\w)\]]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
         (r"(?<=\d) deg\b", "\N{DEGREE SIGN}"),
         (r"\bM(ax|in)\(", r"m\1("),
+        (r"\bAbs\(([^()|]+)\)", r"|\1|"),
+        (r"\bd (?=(?:phi|φ)_?\d)", "d"),
         (r"\bsqrt\((\w+)\)|\bsqrt(?=\()", r"√\1"),
         (r"(?<=\))-(?=\()", "\N{EN DASH}"),
-        # Straight quotes around words and in them; primes of letters are none.
+        # Straight quotes around words and in them; behind a number it is a prime.
         (r"(?<=[A-Za-z])'(?=[a-z])", "\N{RIGHT SINGLE QUOTATION MARK}"),
         (r'"([^"]+)"', "\N{LEFT DOUBLE QUOTATION MARK}\\1\N{RIGHT DOUBLE QUOTATION MARK}"),
         (
             r"(?<![\w)])'(?=[\w(])([^']*[\w).%?])'(?!\w)",
             "\N{LEFT SINGLE QUOTATION MARK}\\1\N{RIGHT SINGLE QUOTATION MARK}",
         ),
+        (r"(?<=\d)'(?![\w'])", "\N{PRIME}"),
         # A line begins neither with an equals sign nor with what it gives to a letter.
         (
             r"(?<![^\s(])([^\W\d]\w{0,4}) = (?=[\w\N{MINUS SIGN}.]{1,8}(?:[\s,;:.)]|$))",
             "\\1\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}",
         ),
-        # A line does not begin with the unit of its number.
-        (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns)\b)", "\N{NO-BREAK SPACE}"),
+        # A line does not begin with the sign of a relation, a sum or a product, nor with an index.
+        (
+            r"(?<=[\w)\]|²³°]) (?=(?:[=<>≤≥≈+·±]|\N{MINUS SIGN}) )",
+            "\N{NO-BREAK SPACE}",
+        ),
+        (r"(?<=_\w) (?=[^\W\d_]+_\w)", "\N{NO-BREAK SPACE}"),
+        (r"(?<=[ (]\d) (?=[^\W\d_Aa]\b)", "\N{NO-BREAK SPACE}"),
+        # A line does not begin with the unit of its number, nor with what a function is of.
+        (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns|sigma)\b)", "\N{NO-BREAK SPACE}"),
+        (r"\b(tg|sin|cos) (?=\d)", "\\1\N{NO-BREAK SPACE}"),
     )
 )
 

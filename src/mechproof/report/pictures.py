@@ -187,7 +187,7 @@ def draw_figure(place: Path, blank: Picture) -> Picture:
 
 def _date(records: Sequence[Record]) -> str:
     days = date_records(records).removeprefix("measured ").split(", ")
-    return f"measured {', '.join(sorted({day[:10] for day in days}))}"
+    return f"measured {' and '.join(sorted({day[:10] for day in days}))}"
 
 
 def _render(canvas: Canvas, says: str) -> str:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
 from mechproof.codegen.docstrings import (
     TESTED,
     describe_domain,
-    find_given,
     list_notes,
     tell_accuracy,
     tell_unit,
@@ -26,7 +25,7 @@ from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.calls import Sources, list_calls, write_header, write_sources
-from mechproof.report.formulas import write_block, write_lines
+from mechproof.report.definitions import write_definition, write_given
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
@@ -35,6 +34,8 @@ from mechproof.report.turns import goes_on, tell_turned
 
 # A point is shown with no more numbers of one argument.
 MANY = 4
+# Of a form that is shipped with one before it.
+TOGETHER = Markup("elsewhere; measured with the form above, as one kernel")
 
 
 @dataclass(frozen=True)
@@ -138,8 +139,8 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             source=quantity.source,
             unit=tell_unit(quantity.unit),
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
-            formula=_write_definition(quantity, paper),
-            given=tuple(_write_given(quantity, paper)),
+            formula=write_definition(quantity, paper),
+            given=tuple(write_given(quantity, paper)),
             domain=set_prose(re.sub(r"\boo\b", "∞", describe_domain(quantity, paper))),
             notes=tuple(_pick_notes(kernel, paper)),
             stated=_tell_stated(quantity),
@@ -163,24 +164,6 @@ def _name_charts(record: Record) -> Iterator[str]:
     return (f"{record.quantity}, {workload}" for workload, _ in list_workloads(record))
 
 
-def _write_definition(quantity: Quantity, paper: Paper) -> Markup:
-    """Write the formula behind the letter that it gives, or the name of the function."""
-    definition, given = quantity.definition, paper.given
-    printed = {v.symbol for v in paper.variables if v.latex}
-    names = [s for s, value in given.items() if value == definition and s in printed]
-    if definition in given:
-        names = [definition] if definition in printed else names
-        definition = given[definition]
-    arguments = ",".join(
-        write_letter(symbol, paper.variables, [quantity.definition])
-        for a in quantity.arguments
-        for symbol in a.symbols
-    )
-    name = quantity.name.replace("_", r"\_")
-    left = write_latex(names[0], paper.variables) if names else rf"\mathrm{{{name}}}({arguments})"
-    return write_lines(f"{left}={write_latex(definition, paper.variables)}")
-
-
 def _list_rows(
     quantity: Quantity, source: JudgedDerivation, *, of_paper: bool
 ) -> Iterator[RowView]:
@@ -191,13 +174,6 @@ def _list_rows(
     for row in judgements:
         if quantity.name in row.quantities and of_paper == (row.number in stated):
             yield describe_row(row, anchors[row.number], symbols, source.checks)
-
-
-def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
-    """Write the symbols that the formula needs and that others give."""
-    for symbol in find_given(quantity.definition, quantity, paper):
-        sides = (write_latex(side, paper.variables) for side in (symbol, paper.given[symbol]))
-        yield write_block(" = ".join(sides))
 
 
 def _describe_arguments(
@@ -282,7 +258,8 @@ def _tell_point(argument: Argument, value: object) -> str:
     """Say what an argument is; of many numbers, how many they are: the record has them."""
     parts = value if isinstance(value, tuple | list) else [value]
     if len(parts) > MANY:
-        return f"{argument.name} of {len(parts)}"
+        rows = " in a matrix" if isinstance(parts[0], tuple | list) else ""
+        return f"{len(parts)} {argument.name}{rows}"
     numbers = [f"{part:.6g}" if isinstance(part, float) else str(part) for part in parts]
     return f"{argument.name} = {numbers[0] if len(numbers) == 1 else _enclose(numbers)}"
 
@@ -301,7 +278,8 @@ def _list_forms(
         # What the kernel loses and costs is measured of all its forms together.
         measured = "" if 0 < place < count else form.name if place else "kernel"
         row = judged.get(number_form(quantity, form))
-        yield _view_form(form, place < count, row, record, measured, source.told.variables)
+        view = _view_form(form, place < count, row, record, measured, source.told.variables)
+        yield view if measured else replace(view, note=TOGETHER)
     known = {"kernel", *(form.name for form in quantity.rivals)}
     for number, way in enumerate(record.ways if record else ()):
         if way.name not in known:

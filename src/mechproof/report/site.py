@@ -186,7 +186,8 @@ def _render_index(
         systems=[ledger.system for ledger in ledgers],
         system="",
         is_paper=False,
-        cards=[share.card for share in shares],
+        # What nothing is found in comes last, standards among it.
+        cards=[share.card for share in sorted(shares, key=lambda share: not share.findings)],
         findings=[line for _, line in findings],
         totals=tuple(count_totals(judgements)),
         overview=overview,

@@ -20,6 +20,7 @@ from mechproof.arithmetic.cover import WORST, Cover, cover_below
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
+from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
@@ -112,18 +113,24 @@ def _tell_form(
     if not claims:
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
-    where = f", where {' or '.join(claims[0].where)}" if claims[0].where else ""
+    where = tell_place(claims[0].where)
     of_all = [text for text in claims[0].assumptions if all(text in c.assumptions for c in claims)]
     resting = f", as long as {' and '.join(of_all)}" if of_all else ""
     told = "; ".join(_tell(claim, of_all) for claim in claims)
     return replace(form, proved=f"Proved{name}{where}{resting}: {told}.")
 
 
+def tell_place(places: Sequence[str]) -> str:
+    """Say for which arguments something is proved, behind a word; nothing, if for all."""
+    return f", where {' or '.join(places)}" if places else ""
+
+
 def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
     if claim.open:
         return f"nothing {claim.way}, open at {claim.open}"
     rests = [text for text in claim.assumptions if text not in told]
-    given = f" with {' and '.join(rests)}" if rests else f" {claim.way}"
+    by = claim.way if claim.way == COMPILED else f"with {claim.way}"
+    given = f" with {' and '.join(rests)}" if rests else f" {by}"
     return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
 
 
