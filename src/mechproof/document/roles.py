@@ -109,7 +109,7 @@ class Known:
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
-    later: Values = field(default_factory=dict)
+    later: Mapping[sp.Basic, sp.MatrixBase] = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""

@@ -150,8 +150,8 @@ class Shapes:
         """Return the shape of a part, None if it is not known."""
         if isinstance(node, Letter):
             known = self.known.get(node.symbol) or self._find_other_frame(node)
-            is_number = not self._has_plain_matrices and not is_vector(node.text)
-            return known or (NUMBER if is_number else None)
+            is_open = self._has_plain_matrices or is_vector(node.text)
+            return known or (None if is_open else NUMBER)
         if isinstance(node, Excerpt):
             sides = [limits[1] - limits[0] + 1 for limits in node.ranges if limits]
             return (sides[0], sides[1]) if len(sides) > 1 else None
