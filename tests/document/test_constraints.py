@@ -41,6 +41,25 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "the derivative of what a constraint gives": (
+        [
+            r"x^2-2rx\cos\varphi+r^2=l^2",
+            r"\dot x=-\frac{rx\dot\varphi\sin\varphi}{x-r\cos\varphi}",
+            r"(x-r\cos\varphi)\dot x=-rx\dot\varphi\sin\varphi",
+        ],
+        ["DEFINITION", "PROVED", "PROVED"],
+    ),
+    "a wrong derivative of what a constraint gives": (
+        [
+            r"x^2-2rx\cos\varphi+r^2=l^2",
+            r"\dot x=-\frac{r\dot\varphi\sin\varphi}{x-r\cos\varphi}",
+        ],
+        ["not judged", "not judged"],
+    ),
+    "a law of motion defines what moves": (
+        [r"x^2-2rx\cos\varphi+r^2=l^2", r"\dot\varphi=k", r"\ddot\varphi=0"],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
     "constraints that cannot hold together may be two cases": (
         [r"m+n=1", r"m+n=2"],
         ["DEFINITION", "DEFINITION"],

@@ -94,7 +94,8 @@ class Known:
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
     `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are the values of
-    matrices of which others are made before they are printed.
+    matrices of which others are made before they are printed; `constrained` are letters between
+    which constraints are printed.
     """
 
     symbols: Symbols
@@ -110,6 +111,7 @@ class Known:
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
     later: Mapping[sp.Basic, sp.MatrixBase] = field(default_factory=dict)
+    constrained: set[sp.Basic] = field(default_factory=set)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -130,6 +132,14 @@ class Known:
         """Return whether a letter, or an entry of it, stands in a value."""
         own = {symbol, *self.entries.get(symbol, ())}
         return bool(own & self.settle(value).free_symbols)
+
+    def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
+        """Return whether a derivative is printed by nothing but what constraints tie together."""
+        letter = self.symbols.find_steps(symbol)[1][0]
+        if letter == symbol or letter in self.values or letter not in self.constrained:
+            return False
+        tied = {s for one in self.constrained for s in self.symbols.find_steps(one)[1]}
+        return bool(self.settle(value).free_symbols <= tied)
 
     def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
         """Take what is printed of a letter as its definition, and what follows of its rates."""
@@ -208,6 +218,9 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
         found = [replace(s, worked_out=w) for s, w in zip(found, pairwise(given), strict=True)]
         _note_others(name, found, known)
         signs += found
+    for sign in signs:
+        if sign.role is Role.CONSTRAINT:
+            known.constrained.update(*(side.free_symbols for side in sign.sides))
     for chain in read.chains:
         known.met.update({part.symbol for part in walk(chain) if isinstance(part, Letter)})
     return signs
@@ -255,6 +268,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             remedy = f"Say its size behind its name: {value.shape[0]}x{value.shape[1]}."
             raise read.source.refuse(node.start, f"{symbol} is a matrix here", remedy)
         if symbol not in known.values and _is_special(symbol, value, chain, known):
+            return Sign(Role.CONSTRAINT, symbol, sides=sides)
+        if symbol not in known.values and known.follows_from_constraints(symbol, value):
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
             return Sign(Role.DEFINITION, symbol, name, sides)
