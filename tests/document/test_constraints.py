@@ -49,6 +49,14 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "PROVED"],
     ),
+    "a derivative by two constraints": (
+        [
+            r"r\cos\varphi+l\cos\zeta=h+c\cos\eta",
+            r"r\sin\varphi+l\sin\zeta=c\sin\eta",
+            r"\dot\zeta=\frac{r\dot\varphi\sin(\eta-\varphi)}{l\sin(\zeta-\eta)}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
     "a wrong derivative of what a constraint gives": (
         [
             r"x^2-2rx\cos\varphi+r^2=l^2",
@@ -233,6 +241,7 @@ def test_a_constraint_says_which_others_have_its_letters(latex: str, told: str) 
 
 # What a block says besides.
 SAID = {
+    "a derivative by two constraints": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
     "a wrong derivative that is divided by fractions": "%% factor k\n%% where 0<k<1\n",
     "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",
     "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",

@@ -98,7 +98,10 @@ def list_divisors(expression: sp.Expr) -> list[sp.Expr]:
 
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
     """Return whether multipliers have values where the residual has one."""
-    own = {sign * factor for factor in list_divisors(residual) for sign in (1, -1)}
+    own = {*list_divisors(residual)}
+    # Multipliers have the sines of sums written out, which has poles for tangents alone.
+    own |= {sp.expand_trig(factor) for factor in own if not factor.has(sp.tan)}
+    own |= {-factor for factor in own}
     divisors = {factor for one in multipliers for factor in list_divisors(one)} - own
     return all(is_nonzero(factor, domain) for factor in divisors)
 
