@@ -57,6 +57,14 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "a value of the derivative of what a constraint gives": (
+        [
+            r"s^2-2rs\cos\psi+r^2=l^2",
+            r"s'=-\frac{rs\sin\psi}{s-r\cos\psi}",
+            r"\left.s'\right|_{\psi=0}=0",
+        ],
+        ["DEFINITION", "PROVED", "PROVED"],
+    ),
     "a wrong derivative of what a constraint gives": (
         [
             r"x^2-2rx\cos\varphi+r^2=l^2",

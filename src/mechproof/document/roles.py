@@ -95,7 +95,7 @@ class Known:
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
     `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are the values of
     matrices of which others are made before they are printed; `constrained` are letters between
-    which constraints are printed.
+    which constraints are printed, `tied` what is printed of their derivatives, which they tie.
     """
 
     symbols: Symbols
@@ -112,6 +112,7 @@ class Known:
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
     later: Mapping[sp.Basic, sp.MatrixBase] = field(default_factory=dict)
     constrained: set[sp.Basic] = field(default_factory=set)
+    tied: Values = field(default_factory=dict)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -270,6 +271,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if symbol not in known.values and _is_special(symbol, value, chain, known):
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and known.follows_from_constraints(symbol, value):
+            known.tied.setdefault(symbol, value)
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
             return Sign(Role.DEFINITION, symbol, name, sides)
@@ -371,4 +373,4 @@ def _work_out(read: Print, node: Node, known: Known) -> Any:
     try:
         return read.meaning(matrices).of(node)
     except ReadingError:
-        return read.meaning({**known.values, **known.entries}).of(node)
+        return read.meaning({**known.tied, **known.values, **known.entries}).of(node)

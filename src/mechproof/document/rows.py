@@ -152,7 +152,7 @@ class Document:
             with_units: self.symbols.paper(self.system, real, with_units=with_units)
             for with_units in (True, False)
         }
-        again = self.symbols.reader(values)
+        again = self.symbols.reader({**self.known.tied, **values})
         tables = SizeTables(self.known, self.files, self.papers[False])
         compared = list(tables.read(self.tables))
         start = Place(self.files.names[0], 1, 1)
