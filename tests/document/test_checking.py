@@ -224,6 +224,14 @@ def test_every_row_has_its_outcome(case: str) -> None:
     assert outcomes(*equations, block=SAID.get(case, "")) == expected
 
 
+def test_without_a_block_a_vector_has_the_size_that_it_is_used_with() -> None:
+    table = r"\begin{pmatrix}\cos\theta\\ \sin\theta\end{pmatrix}"
+    wrong = r"\mathbf r=\begin{pmatrix}l\cos\theta\\ -l\sin\theta\end{pmatrix}"
+    prints = (r"\mathbf r=l\mathbf s", rf"\mathbf s={table}", wrong.replace("-l", "l"), wrong)
+    found = check("paper.tex", " ".join(f"$${one}$$" for one in prints))
+    assert [row.outcome for row in found.rows] == ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
+
+
 def test_a_double_sign_without_a_branch_defines_nothing() -> None:
     block = "%% mechproof\n%% k ; m ; n : numbers\n%% end\n"
     found = check("paper.tex", block + r"$$k=m\pm n$$ $$k=m-n$$")
