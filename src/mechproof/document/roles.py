@@ -17,6 +17,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.later_matrices import Later, is_printed_now
 from mechproof.document.laws import Piece, join_pieces, order_pieces, read_piece
 from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
@@ -93,8 +94,9 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are the values of
-    matrices of which others are made before they are printed.
+    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are matrices of
+    which others are made before they are printed, with their values and what prints these.
+    `circular` are matrices that were made of what is made of them.
     """
 
     symbols: Symbols
@@ -109,7 +111,8 @@ class Known:
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
-    later: Values = field(default_factory=dict)
+    later: Later = field(default_factory=dict)
+    circular: set[sp.Basic] = field(default_factory=set)
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
@@ -118,13 +121,6 @@ class Known:
     def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
         """Return the matrices whose entries are known."""
         return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
-
-    def find_later(self) -> dict[sp.Basic, sp.MatrixBase]:
-        """Return the matrices that are known, if another was made of a letter for one of them."""
-        made = (v for v in self.values.values() if isinstance(v, sp.MatrixExpr))
-        met = {symbol for value in made for symbol in value.free_symbols}
-        found = self.list_matrices()
-        return found if met & found.keys() else {}
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a letter, or an entry of it, stands in a value."""
@@ -253,7 +249,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             if not any(map(_may_have_vectors, walk(nodes))):
                 known.sizes[symbol] = value.shape
             remedy = f"Say its size behind its name: {value.shape[0]}x{value.shape[1]}."
-            raise read.source.refuse(node.start, f"{symbol} is a matrix here", remedy)
+            letter = read.source.latex[node.start : node.end]
+            raise read.source.refuse(node.start, f"{letter} is a matrix here", remedy)
         if symbol not in known.values and _is_special(symbol, value, chain, known):
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
@@ -261,8 +258,12 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if symbol not in known.values and not known.is_shown(symbol, value):
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
+        if is_printed_now(name, symbol, value, known):
+            return Sign(Role.DEFINITION, symbol, name)
         if symbol in known.values:
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
+        if is_matrix:
+            known.circular.add(symbol)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
     if has_place:
         return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
@@ -352,7 +353,7 @@ def _is_bare(node: Node) -> bool:
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
     """Return a member, with the values of letters where it cannot be said without them."""
-    matrices = {**known.later, **known.list_matrices(), **known.entries}
+    matrices = {**known.list_matrices(), **known.entries}
     try:
         return read.meaning(matrices).of(node)
     except ReadingError:

@@ -20,6 +20,7 @@ from mechproof.document.sides import (
     is_solvable,
     list_related,
     list_sides,
+    ties_letters,
 )
 from mechproof.document.sizes import OTHERS, Sizes
 from mechproof.document.solutions import Solutions
@@ -269,7 +270,7 @@ class TaskMaker:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        return have_same_letters(sides)
+        return have_same_letters(sides) and not ties_letters(sides, sign.worked_out)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether a constraint of two compound sides may be a wrong identity."""
