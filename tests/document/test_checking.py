@@ -32,8 +32,10 @@ CASES = {
             r"F=\frac{E^*m^2}{R^\ast}",
             r"\frac{\partial F}{\partial m}=\frac{2E^{*}m}{R^{\ast}}",
             r"F=\frac{E^*m^3}{R^*}",
+            r"\frac{\partial F}{\partial m}=2E^{*2}mE^{\star-1}/R^*",
+            r"F=E^{*2}m^2R^{\ast-1}",
         ],
-        ["DEFINITION", "PROVED", "REFUTED"],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED"],
     ),
     "a bracket that rounds": (
         [

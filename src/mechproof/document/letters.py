@@ -74,8 +74,8 @@ _TABLE = re.compile(
 
 
 def name_symbol(latex: str) -> str:
-    """Return the name of the symbol that is printed so."""
-    return re.sub(r"[\\{}\s]", "", latex)
+    """Return the name of the symbol that is printed so; a star in it would read as a product."""
+    return re.sub(r"[\\{}\s]", "", latex).replace("*", "star")
 
 
 def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
