@@ -42,8 +42,10 @@ CASES = {
             r"n=\left\lfloor\frac{\varphi}{2\pi}\right\rfloor",
             r"n+1=\lfloor\frac{\varphi}{2\pi}+1\rfloor",
             r"n=\lceil\frac{\varphi}{2\pi}\rceil",
+            r"m=\lfloor\frac{\varphi+\alpha}{2\pi}\rfloor",
+            r"m=\lfloor\frac{\varphi}{2\pi}+\frac{\alpha}{\pi}\rfloor",
         ],
-        ["DEFINITION", "PROVED", "REFUTED"],
+        ["DEFINITION", "PROVED", "REFUTED", "DEFINITION", "REFUTED"],
     ),
     # Of the values that are tried for the letters some make k + n zero.
     "a form that has no value where letters are the opposite of others": (

@@ -97,6 +97,39 @@ CASES = {
         [*CLOSURE, r"\vec a=\begin{pmatrix}r\cos\varphi\\0\end{pmatrix}"],
         [*["DEFINITION"] * 3, "not judged", *["DEFINITION"] * 4, "REFUTED"],
     ),
+    "a zero beside a vector is one of zeros, no letter": (
+        [
+            r"(\mathbf K-\omega^2\mathbf M)\mathbf a=\mathbf 0",
+            r"(\mathbf K-\omega^2\mathbf M)\mathbf b=\boldsymbol{0}",
+            r"\mathbf a-\mathbf c=\vec 0",
+            r"\mathbf a+\mathbf b-\mathbf d=0",
+            r"\mathbf a+\mathbf b-2\mathbf d=\mathbf{0}",
+            r"\mathbf K=\begin{pmatrix}2k&-k\\-k&2k\end{pmatrix}",
+            r"\mathbf M=\begin{pmatrix}m&0\\0&m\end{pmatrix}",
+            r"\mathbf a=\begin{pmatrix}1\\1\end{pmatrix}",
+            r"\mathbf b=\begin{pmatrix}1\\-1\end{pmatrix}",
+            r"\mathbf d=\begin{pmatrix}2\\0\end{pmatrix}",
+            r"\mathbf c=\mathbf a",
+        ],
+        [*["DEFINITION"] * 2, "PROVED", "PROVED", "not judged", *["DEFINITION"] * 6],
+    ),
+    "that two matrices differ is no proof that one is nowhere zero": (
+        [
+            r"\mathbf A=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf A\mathbf A^T\ne\mathbf A^T\mathbf A",
+            r"\mathbf A\ne\mathbf 0",
+        ],
+        ["DEFINITION", "PROVED", "not judged"],
+    ),
+    "an entry of a matrix that is worked out to be zero is none": (
+        [
+            r"\mathbf R=\mathbf B\mathbf A",
+            r"\mathbf A=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf B=\begin{pmatrix}u&v\\0&w\end{pmatrix}",
+            r"\mathbf R=\begin{pmatrix}au&bu+cv\\a+b+c+u+v+w&cw\end{pmatrix}",
+        ],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
     "constraints excuse vectors": (
         [
             r"r\sin\varphi=l\sin\beta",

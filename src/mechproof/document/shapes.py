@@ -100,8 +100,10 @@ class Shapes:
     def _look(self, node: Node) -> None:
         """Take what one node says."""
         if isinstance(node, Chain) and {*node.relations} <= {"="}:
-            shape = next(filter(None, map(self.measure, node.members)), None)
-            for member in node.members:
+            # A zero may be one of any size.
+            members = [x for x in node.members if not (isinstance(x, Number) and x.text == "0")]
+            shape = next(filter(None, map(self.measure, members)), None)
+            for member in members:
                 if shape:
                     self._push(member, shape)
             self._take_determinant(node.members)

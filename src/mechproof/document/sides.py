@@ -14,6 +14,8 @@ from mechproof.record import Conjunction, Definition, Equality, Holds, Row, Valu
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
 # What has no number here, or only after long.
 _SLOW = (sp.Piecewise, sp.Limit, sp.Integral, sp.Sum, sp.Product)
+# What is the same between steps.
+_STEPS = (sp.floor, sp.ceiling)
 # A difference that is none.
 _SMALL = 1e-12
 
@@ -25,13 +27,14 @@ def have_same_letters(sides: Sequence[Any]) -> bool:
 
 
 def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
-    r"""Return whether matrices are equal for some values of their letters only, as a print may say.
+    r"""Return whether vectors are equal for some values of their letters only, as a print may say.
 
     So the closure of a loop is printed, $r\mathbf a+l\mathbf b=x\mathbf e$: an entry that nobody
     printed is a number, and on the other side a function of letters.
     """
     shown = [side.doit() if isinstance(side, sp.MatrixExpr) else side for side in sides]
-    if not all(isinstance(side, sp.MatrixBase) and side.free_symbols for side in shown):
+    are_vectors = all(isinstance(side, sp.MatrixBase) and side.shape[1] == 1 for side in shown)
+    if not (are_vectors and all(side.free_symbols for side in shown)):
         return False
     pairs = (
         (shown[n], shown[1 - n]) for n, is_worked_out in enumerate(worked_out) if is_worked_out
@@ -84,7 +87,7 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
     if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):
         return False
     # SymPy never ends with a sum of matrices.
-    if isinstance(side, sp.MatrixExpr) or side.has(*_SLOW):
+    if isinstance(side, sp.MatrixExpr) or side.has(*_SLOW, *_STEPS):
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
     found = [side.xreplace({**values, letter: sp.Rational(n, 13)}).evalf() for n in (8, -17, 32)]
