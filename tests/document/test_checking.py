@@ -47,6 +47,14 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "REFUTED", "DEFINITION", "REFUTED"],
     ),
+    "a letter that counts may be printed as another number": (
+        [
+            r"n=\lfloor\frac{\varphi}{2\pi}\rfloor",
+            r"\cos(\alpha+2\pi n)=\cos\alpha",
+            r"\cos(\alpha+\pi n)=\cos\alpha",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
     # Of the values that are tried for the letters some make k + n zero.
     "a form that has no value where letters are the opposite of others": (
         [r"h=\frac{kn}{k+n}-\frac{an}{k+n}=\frac{(k-a)n}{k+n}"],
@@ -217,6 +225,7 @@ CASES = {
 }
 # What a block says besides.
 SAID = {
+    "a letter that counts may be printed as another number": "%% natural n\n%% identity (2), (3)\n",
     "a star is part of a name": "%% F ; E^* ; R^\\star : sizes\n",
     "an identity may be claimed": "%% identity (1)\n",
 }

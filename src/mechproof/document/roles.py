@@ -255,6 +255,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
             return Sign(Role.DEFINITION, symbol, name, sides)
+        if symbol not in known.values and _counts_otherwise(symbol, value):
+            return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and not known.is_shown(symbol, value):
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
@@ -333,6 +335,12 @@ def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> boo
     is_letter = alone.is_Symbol or (-alone).is_Symbol or isinstance(value, sp.MatrixSymbol)
     has_number = any(isinstance(member, Number | Measure) for member in chain.members)
     return is_letter and (symbol in known.met or has_number)
+
+
+def _counts_otherwise(symbol: sp.Basic, value: Any) -> bool:
+    """Return whether a letter is said to count, and what is printed of it need not be a count."""
+    is_count = value.is_integer and (value.is_positive or not symbol.is_positive)
+    return bool(symbol.is_integer) and not is_count
 
 
 def _may_have_vectors(node: Node) -> bool:
