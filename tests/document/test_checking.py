@@ -32,14 +32,26 @@ CASES = {
             r"F=\frac{E^*m^2}{R^\ast}",
             r"\frac{\partial F}{\partial m}=\frac{2E^{*}m}{R^{\ast}}",
             r"F=\frac{E^*m^3}{R^*}",
+            r"\frac{\partial F}{\partial m}=2E^{*2}mE^{\star-1}/R^*",
+            r"F=E^{*2}m^2R^{\ast-1}",
         ],
-        ["DEFINITION", "PROVED", "REFUTED"],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED"],
     ),
     "a bracket that rounds": (
         [
             r"n=\left\lfloor\frac{\varphi}{2\pi}\right\rfloor",
             r"n+1=\lfloor\frac{\varphi}{2\pi}+1\rfloor",
             r"n=\lceil\frac{\varphi}{2\pi}\rceil",
+            r"m=\lfloor\frac{\varphi+\alpha}{2\pi}\rfloor",
+            r"m=\lfloor\frac{\varphi}{2\pi}+\frac{\alpha}{\pi}\rfloor",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "DEFINITION", "REFUTED"],
+    ),
+    "a letter that counts may be printed as another number": (
+        [
+            r"n=\lfloor\frac{\varphi}{2\pi}\rfloor",
+            r"\cos(\alpha+2\pi n)=\cos\alpha",
+            r"\cos(\alpha+\pi n)=\cos\alpha",
         ],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
@@ -213,6 +225,7 @@ CASES = {
 }
 # What a block says besides.
 SAID = {
+    "a letter that counts may be printed as another number": "%% natural n\n%% identity (2), (3)\n",
     "a star is part of a name": "%% F ; E^* ; R^\\star : sizes\n",
     "an identity may be claimed": "%% identity (1)\n",
 }

@@ -52,6 +52,9 @@ REFUSED = [
     (r"b", "b", "is not declared", r"latex=(r'b',)"),
     (r"\rho_1", "_1", "declared, but not with an index", r"\rho_1"),
     ("sin x", "sin x", "in italics", r"\sin"),
+    # A word for a function, not the command of the same letters.
+    (r"\mathrm{int}(x)", r"\mathrm{int}", "has no meaning here", r"\mathrm{int}"),
+    ("x^{*2}", "^{*2}", "declared, but not with a star", "x^*"),
     (r"\log x", r"\log x", "not the same everywhere", "functions"),
     (r"\arcctg x", r"\arcctg x", "not the same everywhere", "functions"),
     (r"\dots=x", r"\dots=x", "printed before", "whole"),

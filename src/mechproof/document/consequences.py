@@ -41,11 +41,12 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
 
 def list_letters(task: Task) -> set[sp.Basic]:
     """Return the letters of the residual of a row, or of the equations that it consists of."""
-    says = task.row.says
-    parts = says.parts if isinstance(says, Conjunction) and task.residual is None else ()
+    if task.residual is not None:
+        return set(task.residual.free_symbols)
+    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    parts = says.parts if isinstance(says, Conjunction) else (says,)
     sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
-    sides += [] if task.residual is None else [task.residual]
-    return {letter for side in sides for letter in side.free_symbols}
+    return {letter for side in sides for letter in domain.resolve(side).free_symbols}
 
 
 def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:

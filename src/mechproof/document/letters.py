@@ -56,6 +56,8 @@ _INCREMENTS = {
 }
 # The letter, where it is no sign of a transposed matrix.
 _PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z])")
+# The beginning of the print of a rate.
+_RATE = re.compile(r"\A\\d*dot\{")
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
     r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
@@ -72,8 +74,8 @@ _TABLE = re.compile(
 
 
 def name_symbol(latex: str) -> str:
-    """Return the name of the symbol that is printed so."""
-    return re.sub(r"[\\{}\s]", "", latex)
+    """Return the name of the symbol that is printed so; a star in it would read as a product."""
+    return re.sub(r"[\\{}\s]", "", latex).replace("*", "star")
 
 
 def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
@@ -225,8 +227,11 @@ def find_arguments(latex: str, place: int) -> str:
 
 
 def is_vector(letter: str) -> bool:
-    """Return whether a letter is printed as a vector, or in a frame: it is no number then."""
-    return letter.startswith((*VECTORS, LEFT))
+    """Return whether a letter is printed as a vector, or in a frame: it is no number then.
+
+    So is a rate of one.
+    """
+    return _RATE.sub("", letter).startswith((*VECTORS, LEFT))
 
 
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:

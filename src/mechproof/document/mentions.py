@@ -10,8 +10,9 @@ import sympy as sp
 
 from mechproof.document.block import Block
 from mechproof.document.displays import Printed
+from mechproof.document.known import Known
 from mechproof.document.letters import name_symbol
-from mechproof.document.roles import EQUAL, Known
+from mechproof.document.roles import EQUAL
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Approach, Derivation, Extremum, Measure, Table, walk
 

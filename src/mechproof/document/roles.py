@@ -7,19 +7,18 @@ bare number is a size.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise, takewhile
 from typing import Any
 
 import sympy as sp
 
-from mechproof.document.laws import Piece, join_pieces, order_pieces, read_piece
+from mechproof.document.known import Known
+from mechproof.document.later_matrices import is_printed_now
+from mechproof.document.laws import read_piece
 from mechproof.document.relations import read_relations
-from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.measures import find_number, is_number
@@ -39,9 +38,7 @@ from mechproof.latex.tree import (
     shows_matrix,
     walk,
 )
-from mechproof.latex.values import differentiate, settle_all
 
-Values = dict[sp.Basic, Any]
 EQUAL = ("=", r"\equiv")
 
 
@@ -82,116 +79,6 @@ class Sign:
     value: Any = None
     unit: str = ""
     worked_out: tuple[bool, bool] = (False, False)
-
-
-@dataclass
-class Known:
-    """What is known of letters: their values, which equation printed them first, which were met.
-
-    `met` counts in how many equations and tables; `unread` is all that is not read.
-    `others` are the further members of the chains that printed them first, and which these are;
-    `cases` are further prints that may be other solutions. `sizes` are those of letters that are
-    declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
-    `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are the values of
-    matrices of which others are made before they are printed; `constrained` are letters between
-    which constraints are printed, `tied` what is printed of their derivatives, which they tie.
-    """
-
-    symbols: Symbols
-    values: Values = field(default_factory=dict)
-    printed: dict[sp.Basic, str] = field(default_factory=dict)
-    met: Counter[sp.Basic] = field(default_factory=Counter)
-    unread: str = ""
-    others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
-    cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
-    sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
-    entries: Values = field(default_factory=dict)
-    pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
-    laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
-    arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
-    later: Mapping[sp.Basic, sp.MatrixBase] = field(default_factory=dict)
-    constrained: set[sp.Basic] = field(default_factory=set)
-    tied: Values = field(default_factory=dict)
-
-    def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
-        """Put in all values, to the end, but for those of the letters `stop`."""
-        return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
-
-    def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
-        """Return the matrices whose entries are known."""
-        return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
-
-    def find_later(self) -> dict[sp.Basic, sp.MatrixBase]:
-        """Return the matrices that are known, if another was made of a letter for one of them."""
-        made = (v for v in self.values.values() if isinstance(v, sp.MatrixExpr))
-        met = {symbol for value in made for symbol in value.free_symbols}
-        found = self.list_matrices()
-        return found if met & found.keys() else {}
-
-    def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
-        """Return whether a letter, or an entry of it, stands in a value."""
-        own = {symbol, *self.entries.get(symbol, ())}
-        return bool(own & self.settle(value).free_symbols)
-
-    def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
-        """Return whether a derivative is printed by nothing but what constraints tie together."""
-        letter = self.symbols.find_steps(symbol)[1][0]
-        if letter == symbol or letter in self.values or letter not in self.constrained:
-            return False
-        tied = {s for one in self.constrained for s in self.symbols.find_steps(one)[1]}
-        return bool(self.settle(value).free_symbols <= tied)
-
-    def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
-        """Take what is printed of a letter as its definition, and what follows of its rates."""
-        self.values[symbol] = value
-        self.printed[symbol] = name
-        above = symbol
-        by, steps = self.symbols.find_steps(symbol)
-        for rate in steps[steps.index(symbol) + 1 :]:
-            if rate in self.values:
-                break
-            try:
-                value = self._show_moving(self.values[above], by)
-                self.values[rate] = differentiate(value, by, self.symbols.moving)
-            except ValueError:
-                # Of its letters no derivative of so high an order has a symbol.
-                break
-            self.printed[rate] = name
-            above = rate
-
-    def _show_moving(self, value: Any, by: sp.Basic) -> Any:
-        """Put in the letters that are not said to depend on another, though their values do."""
-        moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}
-        moving |= {s for _, rates in self.symbols.moving.values() for s in rates} | {by}
-        fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
-        return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
-
-    def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
-        """Return the laws that pieces are together, of letters that nothing else gives."""
-        ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
-        return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
-
-    def define_laws(self, laws: Mapping[sp.Basic, list[Piece]]) -> None:
-        """Take laws by pieces as definitions, but for derivatives of others."""
-        for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
-            self.laws[letter] = laws[letter]
-            if letter not in self.values:
-                self.define(letter, join_pieces(laws[letter]), self.name_law(letter))
-
-    def name_law(self, letter: sp.Basic) -> str:
-        """Return which equations print the pieces of a law."""
-        return " and ".join(dict.fromkeys(one.name for one in self.laws[letter]))
-
-    def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
-        """Yield what else is printed of a letter, or of the one whose derivative it is."""
-        by, steps = self.symbols.find_steps(symbol)
-        letter, order = steps[0], steps.index(symbol)
-        for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
-            with suppress(ValueError):
-                for _ in range(order):
-                    value = differentiate(self.settle(value, {letter}), by, self.symbols.moving)
-                yield name, value
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -267,7 +154,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             if not any(map(_may_have_vectors, walk(nodes))):
                 known.sizes[symbol] = value.shape
             remedy = f"Say its size behind its name: {value.shape[0]}x{value.shape[1]}."
-            raise read.source.refuse(node.start, f"{symbol} is a matrix here", remedy)
+            letter = read.source.latex[node.start : node.end]
+            raise read.source.refuse(node.start, f"{letter} is a matrix here", remedy)
         if symbol not in known.values and _is_special(symbol, value, chain, known):
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and known.follows_from_constraints(symbol, value):
@@ -275,11 +163,17 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and chain.condition is not None:
             return Sign(Role.DEFINITION, symbol, name, sides)
+        if symbol not in known.values and _counts_otherwise(symbol, value):
+            return Sign(Role.CONSTRAINT, symbol, sides=sides)
         if symbol not in known.values and not known.is_shown(symbol, value):
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
+        if is_printed_now(name, symbol, value, known):
+            return Sign(Role.DEFINITION, symbol, name)
         if symbol in known.values:
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
+        if is_matrix:
+            known.circular.add(symbol)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
     if has_place:
         return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
@@ -351,6 +245,12 @@ def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> boo
     return is_letter and (symbol in known.met or has_number)
 
 
+def _counts_otherwise(symbol: sp.Basic, value: Any) -> bool:
+    """Return whether a letter is said to count, and what is printed of it need not be a count."""
+    is_count = value.is_integer and (value.is_positive or not symbol.is_positive)
+    return bool(symbol.is_integer) and not is_count
+
+
 def _may_have_vectors(node: Node) -> bool:
     """Return whether a letter that is taken as a number stands beside a matrix as a factor."""
     factors = node.factors if isinstance(node, Product) else ()
@@ -369,7 +269,7 @@ def _is_bare(node: Node) -> bool:
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
     """Return a member, with the values of letters where it cannot be said without them."""
-    matrices = {**known.later, **known.list_matrices(), **known.entries}
+    matrices = {**known.list_matrices(), **known.entries}
     try:
         return read.meaning(matrices).of(node)
     except ReadingError:

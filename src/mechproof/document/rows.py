@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import TypeVar
 
 import sympy as sp
@@ -15,6 +14,8 @@ import sympy as sp
 from mechproof.document.block import Declared, read_block
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.known import Known
+from mechproof.document.later_matrices import Later, define_later, find_later
 from mechproof.document.laws import Piece
 from mechproof.document.letters import (
     collect_letters,
@@ -25,7 +26,7 @@ from mechproof.document.letters import (
     name_symbol,
 )
 from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
-from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
+from mechproof.document.roles import Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
@@ -69,7 +70,7 @@ class Document:
         if not source.has_block:
             self._take_letters()
         refuse_unknown(self.block, self.printed)
-        self._declare()
+        self._declare({}, {})
 
     def _take_letters(self) -> None:
         """Take letters that no block declares as numbers, or as the matrices they are printed.
@@ -91,14 +92,11 @@ class Document:
             for names in group_alike(self.taken)
         ]
 
-    def _declare(
-        self,
-        laws: Mapping[sp.Basic, list[Piece]] = MappingProxyType({}),
-        later: Mapping[sp.Basic, sp.MatrixBase] = MappingProxyType({}),
-    ) -> None:
+    def _declare(self, laws: Mapping[sp.Basic, list[Piece]], later: Later) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
-        self.known = Known(self.symbols, later=later)
+        self.known = Known(self.symbols)
         give_values(self.block.values, self.known)
+        define_later(later, self.known)
         self.known.define_laws(laws)
 
     def _parse_all(self) -> list[list[Sign] | Left]:
@@ -107,7 +105,7 @@ class Document:
         Again, too, where a matrix is made of others that are printed behind it.
         """
         laws: dict[sp.Basic, list[Piece]] = {}
-        later: dict[sp.Basic, sp.MatrixBase] = {}
+        later: Later = {}
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
@@ -117,12 +115,12 @@ class Document:
                     replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
                     for x in self.block.letters
                 ]
-                self._declare(laws)
+                self._declare(laws, later)
                 continue
             if not laws and (laws := self.known.join_pieces()):
-                self._declare(laws)
+                self._declare(laws, later)
                 continue
-            if len(found := self.known.find_later()) > len(later):
+            if len(found := find_later(self.known)) > len(later):
                 later = found
                 self._declare(laws, later)
                 continue
@@ -190,7 +188,11 @@ class Document:
             return find_roles(printed.name, read, self.known)
         # What has two signs, or follows, defines no letter.
         known = replace(
-            self.known, values={**self.known.values}, printed={**self.known.printed}, others={}
+            self.known,
+            values={**self.known.values},
+            printed={**self.known.printed},
+            others={},
+            later={**self.known.later},
         )
         signs = find_roles(printed.name, read, known)
         if double is None and len(signs) > 1 and signs[0].role is Role.DEFINITION:
@@ -215,7 +217,9 @@ class Document:
         notation = replace(reader.notation, branch=SIGN)
         read = Reader(reader.variables, notation, reader.remedies).parse(printed.latex.string)
         values = {**self.known.values}
-        known = replace(self.known, values=values, printed={**self.known.printed}, others={})
+        known = replace(
+            self.known, values=values, printed={**self.known.printed}, others={}, later={}
+        )
         (sign,) = find_roles(printed.name, read, known)
         if sign.role is Role.DEFINITION:
             return replace(sign, role=Role.SOLUTIONS, sides=(sign.letter, values[sign.letter]))

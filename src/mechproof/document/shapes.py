@@ -15,7 +15,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.document.letters import Collected, find_shapes, is_vector, make_reader
+from mechproof.document.letters import Collected, find_shapes, is_vector, make_reader, name_symbol
 from mechproof.latex import ReadingError
 from mechproof.latex.tree import (
     Add,
@@ -48,6 +48,8 @@ NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
 _NUMBERS = (Number, Constant, Radical)
 # Scripts at the left for two frames, and what they belong to.
 _CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
+# The beginning of the name of a rate.
+_RATE = re.compile(r"\Ad*dot")
 # A table of more entries is none of blocks.
 _BLOCKS = 2
 
@@ -98,8 +100,10 @@ class Shapes:
     def _look(self, node: Node) -> None:
         """Take what one node says."""
         if isinstance(node, Chain) and {*node.relations} <= {"="}:
-            shape = next(filter(None, map(self.measure, node.members)), None)
-            for member in node.members:
+            # A zero may be one of any size.
+            members = [x for x in node.members if not (isinstance(x, Number) and x.text == "0")]
+            shape = next(filter(None, map(self.measure, members)), None)
+            for member in members:
                 if shape:
                     self._push(member, shape)
             self._take_determinant(node.members)
@@ -150,8 +154,8 @@ class Shapes:
         """Return the shape of a part, None if it is not known."""
         if isinstance(node, Letter):
             known = self.known.get(node.symbol) or self._find_other_frame(node)
-            is_open = self._has_plain_matrices or is_vector(node.text)
-            return known or (None if is_open else NUMBER)
+            is_plain = not self._has_plain_matrices and not is_vector(node.text)
+            return known or (NUMBER if is_plain else None)
         if isinstance(node, Excerpt):
             sides = [limits[1] - limits[0] + 1 for limits in node.ranges if limits]
             return (sides[0], sides[1]) if len(sides) > 1 else None
@@ -287,6 +291,8 @@ def find_sizes(
                 read.append((latex, reader.parse(latex, upper=1).chains))
         shapes = Shapes(read, has_plain_matrices=has_plain_matrices)
         known = {str(symbol): shape for symbol, shape in shapes.find().items()}
+        names = [*map(name_symbol, letters)]
+        known |= {x: found[y] for x in names if (y := _RATE.sub("", x)) in found and x not in found}
         if known.keys() <= found.keys():
             return Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
         found |= known

@@ -7,13 +7,16 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.roles import Known, Sign
+from mechproof.document.known import Known
+from mechproof.document.roles import Sign
 from mechproof.record import Conjunction, Definition, Equality, Holds, Row, ValueWhere
 
 # What has no value, or another formula, in places.
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
 # What has no number here, or only after long.
 _SLOW = (sp.Piecewise, sp.Limit, sp.Integral, sp.Sum, sp.Product)
+# What is the same between steps.
+_STEPS = (sp.floor, sp.ceiling)
 # A difference that is none.
 _SMALL = 1e-12
 
@@ -22,6 +25,26 @@ def have_same_letters(sides: Sequence[Any]) -> bool:
     """Return whether both sides are functions of the same letters."""
     one, other = map(_list_letters, sides)
     return bool(one == other)
+
+
+def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
+    r"""Return whether vectors are equal for some values of their letters only, as a print may say.
+
+    So the closure of a loop is printed, $r\mathbf a+l\mathbf b=x\mathbf e$: an entry that nobody
+    printed is a number, and on the other side a function of letters.
+    """
+    shown = [side.doit() if isinstance(side, sp.MatrixExpr) else side for side in sides]
+    are_vectors = all(isinstance(side, sp.MatrixBase) and side.shape[1] == 1 for side in shown)
+    if not (are_vectors and all(side.free_symbols for side in shown)):
+        return False
+    pairs = (
+        (shown[n], shown[1 - n]) for n, is_worked_out in enumerate(worked_out) if is_worked_out
+    )
+    return any(
+        one.is_number and _list_letters(other)
+        for side, rest in pairs
+        for one, other in zip(side, rest, strict=False)
+    )
 
 
 def list_related(says: Any) -> set[sp.Basic]:
@@ -64,7 +87,8 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
     symbols = sorted(getattr(side, "free_symbols", ()), key=str)
     if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):
         return False
-    if side.has(*_SLOW):
+    # SymPy never ends with a sum of matrices.
+    if isinstance(side, sp.MatrixExpr) or side.has(*_SLOW, *_STEPS):
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
     found = [side.xreplace({**values, letter: sp.Rational(n, 13)}).evalf() for n in (8, -17, 32)]
@@ -73,7 +97,8 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
 
 def _list_letters(side: Any) -> set[sp.Basic]:
     """Return the letters of which a side is a function, as far as it is seen without a proof."""
-    shown = side.replace(ValueWhere, lambda value, _: value)
+    shown = side.doit() if isinstance(side, sp.MatrixExpr) else side
+    shown = shown.replace(ValueWhere, lambda value, _: value)
     for limit in shown.atoms(sp.Limit):
         there = limit.args[0].subs(limit.args[1], limit.args[2])
         if not there.has(sp.nan, sp.zoo, sp.oo):

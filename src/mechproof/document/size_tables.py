@@ -24,7 +24,8 @@ from mechproof.document.cells import (
     read_head,
     read_numeral,
 )
-from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.known import Known
+from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import Result, RoundedSize, Scales
 from mechproof.document.tabulars import TableCell, Tabular
 from mechproof.document.tasks import Task

@@ -14,7 +14,8 @@ import sympy as sp
 
 from mechproof.document.cells import Head, Numeral
 from mechproof.document.displays import Printed
-from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.known import Known
+from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
 from mechproof.document.units import REVOLUTIONS, Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer

@@ -9,9 +9,10 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.document.known import Known
 from mechproof.document.laws import read_piece
 from mechproof.document.relations import narrow
-from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.roles import Role, Sign
 from mechproof.document.symbols import ORDERS
 from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate

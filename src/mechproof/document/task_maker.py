@@ -11,15 +11,17 @@ import sympy as sp
 from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
 from mechproof.document.displays import Printed
+from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
-from mechproof.document.roles import CONSTRAINING, Known, Role, Sign
+from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
     have_same_letters,
     is_solvable,
     list_related,
     list_sides,
+    ties_letters,
 )
 from mechproof.document.sizes import OTHERS, Sizes
 from mechproof.document.solutions import Solutions
@@ -269,7 +271,7 @@ class TaskMaker:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        return have_same_letters(sides)
+        return have_same_letters(sides) and not ties_letters(sides, sign.worked_out)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether a constraint of two compound sides may be a wrong identity."""

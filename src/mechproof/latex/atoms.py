@@ -9,6 +9,7 @@ import sympy as sp
 
 from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
+from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.measures import read_measure
 from mechproof.latex.names import find_brace
 from mechproof.latex.numerals import read_number
@@ -23,6 +24,7 @@ from mechproof.latex.tree import (
     Letter,
     Magnitude,
     Node,
+    Number,
     PrintedFunction,
     Quotient,
     Radical,
@@ -52,6 +54,11 @@ def read_atom(parser: Parser) -> Node:
         return read_measure(parser)
     if match := parser.names.match(parser.tokens, parser.place):
         return letters.read_letter(parser, match)
+    if text in VECTORS and [token.text for token in parser.rest[1:4]] == ["{", "0", "}"]:
+        for _ in range(4):
+            parser.take()
+        # Beside a matrix it is one of zeros.
+        return Number("0", start=start, end=parser.end)
     if text == r"\frac" and derivatives.is_derivative(parser):
         return derivatives.read_derivative(parser)
     if text == r"\frac":

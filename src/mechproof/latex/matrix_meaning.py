@@ -22,11 +22,7 @@ def give_product(meaning: Meaning, node: Product) -> Any:
     try:
         return multiply(factors, node.signs)
     except UnclearProductError as error:
-        raise meaning.source.refuse(
-            node.start,
-            "vectors and matrices side by side: which product is meant, which is taken first?",
-            "Print brackets around a product of two vectors, T at one that is a row.",
-        ) from error
+        raise meaning.source.refuse(node.start, *error.args) from error
 
 
 def give_table(meaning: Meaning, node: Table) -> sp.Basic:

@@ -16,8 +16,19 @@ import sympy as sp
 _CROSS, _DOT = r"\times", r"\cdot"
 
 
+# What is not clear of a product, and what to print instead.
+_SIDE_BY_SIDE = (
+    "vectors and matrices side by side: which product is meant, which is taken first?",
+    "Print brackets around a product of two vectors, T at one that is a row.",
+)
+_NUMBER_BY_VECTOR = (
+    "a cross between a number and a vector: a cross product, or a multiple?",
+    "Print the number as a vector for a cross product, no cross for a multiple.",
+)
+
+
 class UnclearProductError(ValueError):
-    """Factors of which it matters which are multiplied first."""
+    """Factors of which it is not clear how they are multiplied: the reason, and the remedy."""
 
 
 def is_matrix(value: Any) -> bool:
@@ -46,7 +57,7 @@ def make_cross_matrix(vector: Any) -> sp.ImmutableMatrix:
 
 
 def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
-    """Return a product; `UnclearProductError` where brackets are missing between vectors."""
+    """Return a product; `UnclearProductError` where it may be one of several."""
     if not any(map(is_matrix, values)):
         return sp.Mul(*values)
     signs = signs or ("",) * (len(values) - 1)
@@ -58,7 +69,7 @@ def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
     one, other = map(show_entries, vectors)
     if one.shape != other.shape and other.shape[1] > 1:
         # A column before a row: a number to some, a matrix to others.
-        raise UnclearProductError
+        raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts), one.dot(other))
 
 
@@ -75,18 +86,20 @@ def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
     runs = [run for run, _ in _split(values, signs, _CROSS)]
     parts = [reduce(mul, run) for run in runs]
     vectors = [part for part in parts if _is_vector(part)]
+    if len(vectors) == 1 and any(part.free_symbols for part in _find_numbers(parts)):
+        raise UnclearProductError(*_NUMBER_BY_VECTOR)
     if len(vectors) < 2:
         return reduce(mul, parts)
     _refuse_third(parts, vectors)
     if any(sum(map(is_matrix, run)) > 1 for run in runs):
-        raise UnclearProductError
+        raise UnclearProductError(*_SIDE_BY_SIDE)
     one, other = map(show_entries, vectors)
     return sp.Mul(*_find_numbers(parts)) * one.cross(other)
 
 
 def _refuse_third(parts: Sequence[Any], vectors: Sequence[Any]) -> None:
     if len(vectors) > 2 or sum(map(is_matrix, parts)) > 2:
-        raise UnclearProductError
+        raise UnclearProductError(*_SIDE_BY_SIDE)
 
 
 def _find_numbers(parts: Sequence[Any]) -> list[Any]:

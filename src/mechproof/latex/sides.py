@@ -17,8 +17,12 @@ _ARCS = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
 
 
 def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
-    """Return sides of which a bracket with commas stands as a column if the other is one."""
-    left, right = sides
+    """Return sides of which a bracket with commas stands as a column if the other is one.
+
+    A zero beside a matrix is one of zeros; that of a letter alone is a value of it.
+    """
+    left, right = (_fill(*pair) for pair in (sides, sides[::-1]))
+    sides = left, right
     if not (is_matrix(left) and is_matrix(right)) or left.shape != right.shape[::-1]:
         return sides
     if isinstance(strip(nodes[1]), Entries) and 1 in left.shape:
@@ -26,6 +30,11 @@ def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
     if isinstance(strip(nodes[0]), Entries) and 1 in left.shape:
         return left.T, right
     return sides
+
+
+def _fill(side: Any, other: Any) -> Any:
+    is_open = is_matrix(other) and not isinstance(other, sp.MatrixSymbol)
+    return sp.ImmutableMatrix.zeros(*other.shape) if is_open and side == 0 else side
 
 
 def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:

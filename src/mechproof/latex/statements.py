@@ -132,9 +132,12 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     left = _substitute(row, _derive(row, members.left, members.left_derived, reader))
     right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
     _refuse_unknown_entries(row, left, right)
+    matrices = [side for side in (left, right) if isinstance(side, sp.MatrixBase)]
+    if any(matrix.is_zero_matrix for matrix in matrices):
+        raise ValueError(f"row {row.number!r}: whether a matrix is zero somewhere is not judged")
     if sign == r"\ne" and isinstance(left, sp.MatrixBase):
         return Distinct(left, right)
-    if any(isinstance(side, sp.MatrixBase) for side in (left, right)):
+    if matrices:
         raise ValueError(f"row {row.number!r}: matrices are not put in order by {sign}")
     return Holds(RELATIONS[sign](left, right, evaluate=False))
 

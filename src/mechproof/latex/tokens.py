@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import takewhile
 
 from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script
@@ -19,9 +20,10 @@ from mechproof.latex.signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _ARGUMENTS = {r"\frac": 2, r"\binom": 2, r"\sqrt": 1}
-_PRIME = r"\prime"
-# Nobody raises to a sign of multiplication.
-_STARS = ([r"\cdot"], [r"\ast"], [r"\star"])
+# What an upright word is not read as: `\mathrm{int}` rounds, and no fraction stands in an index.
+_COMMANDS = (*_ARGUMENTS, r"\int", r"\sum", r"\prod")
+# What belongs to a letter before its power; nobody raises to a sign of multiplication.
+_SUFFIXES = {r"\prime": "'", **dict.fromkeys((r"\cdot", r"\ast", r"\star"), STAR)}
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 # What marks its argument, but says nothing of it.
@@ -235,6 +237,7 @@ class _Normaliser:
         name = re.sub(r"\\[,;:! ]|\s|\\mathrm|[{}]", "", words)
         is_word = name.isalnum() and name[0].isalpha() and len(name) > 1
         text = rf"\{name}" if is_word else rf"\mathrm{{{name}}}"
+        text = rf"\operatorname{{{name}}}" if text in _COMMANDS else text
         return Token("d" if name == "d" else text, command.start, end)
 
     def _read_scripts(self) -> list[Token]:
@@ -250,14 +253,17 @@ class _Normaliser:
             else:
                 inner = self._read_sign_script(mark)
             kind, inside = inner[0].text, inner[2:-1]
-            if kind == "^" and all(t.text == _PRIME for t in inside) and inside:
-                primes += [Token("'", t.start, t.end) for t in inside]
-            elif kind == "^" and [t.text for t in inside] in _STARS:
-                primes.append(Token(STAR, mark.start, inner[-1].end))
-            elif kind in found:
+            signs = (_SUFFIXES.get(t.text, "") for t in inside if kind == "^")
+            suffixes = [*takewhile(bool, signs)]
+            power = inside[len(suffixes) :]
+            # Beside a power in the same braces they have no place of their own.
+            end = mark.start if power else inner[-1].end
+            primes += [Token(sign, mark.start, end) for sign in suffixes]
+            if suffixes and not power:
+                continue
+            if kind in found:
                 raise self.source.refuse(mark.start, f"a second {kind} at the same sign")
-            else:
-                found[kind] = inner
+            found[kind] = [*inner[:2], *power, inner[-1]]
         return [*found.get("_", []), *primes, *found.get("^", [])]
 
     def _read_sign_script(self, first: Token) -> list[Token]:

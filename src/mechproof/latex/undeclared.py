@@ -213,5 +213,7 @@ def _find_base(tokens: Sequence[Token], place: int) -> int:
 
 def printed_name(parser: Parser, place: int) -> str:
     """Return how the letter at a place is printed, with its index and primes."""
-    last = parser.tokens[_find_end(parser, place) - 1]
-    return parser.source.latex[parser.tokens[place].start : last.end]
+    tokens = parser.tokens[place : _find_end(parser, place)]
+    # Those beside a power have no place of their own.
+    hidden = (t.text for t in tokens if t.text in SUFFIXES and t.start == t.end)
+    return parser.source.latex[tokens[0].start : tokens[-1].end] + "".join(hidden)

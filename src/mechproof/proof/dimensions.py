@@ -134,7 +134,8 @@ def _infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
 def infer_common(sides: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
     """Return the dimension of the sides of a statement, of matrices entry by entry."""
     if any(getattr(side, "is_Matrix", False) for side in sides):
-        entries = zip(*(side if side.is_Matrix else repeat(side) for side in sides), strict=False)
+        shown = (s.as_explicit() if isinstance(s, sp.MatrixExpr) else s for s in sides)
+        entries = zip(*(s if s.is_Matrix else repeat(s) for s in shown), strict=False)
         first, *_ = [_common(pair, known) for pair in entries]
         return first
     return _common(sides, known)

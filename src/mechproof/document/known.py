@@ -1,0 +1,123 @@
+"""What is known of the letters of a paper while its equations are read, one after the other."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.later_matrices import Later
+from mechproof.document.laws import Piece, join_pieces, order_pieces
+from mechproof.document.symbols import Symbols
+from mechproof.latex.values import differentiate, settle_all
+
+Values = dict[sp.Basic, Any]
+
+
+@dataclass
+class Known:
+    """What is known of letters: their values, which equation printed them first, which were met.
+
+    `met` counts in how many equations and tables; `unread` is all that is not read.
+    `others` are the further members of the chains that printed them first, and which these are;
+    `cases` are further prints that may be other solutions. `sizes` are those of letters that are
+    declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
+    `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
+    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are matrices of
+    which others are made before they are printed, with their values and what prints these.
+    `circular` are matrices that were made of what is made of them. `constrained` are letters
+    between which constraints are printed, `tied` what is printed of their derivatives.
+    """
+
+    symbols: Symbols
+    values: Values = field(default_factory=dict)
+    printed: dict[sp.Basic, str] = field(default_factory=dict)
+    met: Counter[sp.Basic] = field(default_factory=Counter)
+    unread: str = ""
+    others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
+    cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
+    sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
+    entries: Values = field(default_factory=dict)
+    pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
+    later: Later = field(default_factory=dict)
+    circular: set[sp.Basic] = field(default_factory=set)
+    constrained: set[sp.Basic] = field(default_factory=set)
+    tied: Values = field(default_factory=dict)
+
+    def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
+        """Put in all values, to the end, but for those of the letters `stop`."""
+        return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
+
+    def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
+        """Return the matrices whose entries are known."""
+        return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
+
+    def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
+        """Return whether a letter, or an entry of it, stands in a value."""
+        own = {symbol, *self.entries.get(symbol, ())}
+        return bool(own & self.settle(value).free_symbols)
+
+    def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
+        """Return whether a derivative is printed by nothing but what constraints tie together."""
+        letter = self.symbols.find_steps(symbol)[1][0]
+        if letter == symbol or letter in self.values or letter not in self.constrained:
+            return False
+        tied = {s for one in self.constrained for s in self.symbols.find_steps(one)[1]}
+        return bool(self.settle(value).free_symbols <= tied)
+
+    def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
+        """Take what is printed of a letter as its definition, and what follows of its rates."""
+        self.values[symbol] = value
+        self.printed[symbol] = name
+        above = symbol
+        by, steps = self.symbols.find_steps(symbol)
+        for rate in steps[steps.index(symbol) + 1 :]:
+            if rate in self.values:
+                break
+            try:
+                value = self._show_moving(self.values[above], by)
+                self.values[rate] = differentiate(value, by, self.symbols.moving)
+            except ValueError:
+                # Of its letters no derivative of so high an order has a symbol.
+                break
+            self.printed[rate] = name
+            above = rate
+
+    def _show_moving(self, value: Any, by: sp.Basic) -> Any:
+        """Put in the letters that are not said to depend on another, though their values do."""
+        moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}
+        moving |= {s for _, rates in self.symbols.moving.values() for s in rates} | {by}
+        fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
+        return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
+
+    def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
+        """Return the laws that pieces are together, of letters that nothing else gives."""
+        ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
+        return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
+
+    def define_laws(self, laws: Mapping[sp.Basic, list[Piece]]) -> None:
+        """Take laws by pieces as definitions, but for derivatives of others."""
+        for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
+            self.laws[letter] = laws[letter]
+            if letter not in self.values:
+                self.define(letter, join_pieces(laws[letter]), self.name_law(letter))
+
+    def name_law(self, letter: sp.Basic) -> str:
+        """Return which equations print the pieces of a law."""
+        return " and ".join(dict.fromkeys(one.name for one in self.laws[letter]))
+
+    def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
+        """Yield what else is printed of a letter, or of the one whose derivative it is."""
+        by, steps = self.symbols.find_steps(symbol)
+        letter, order = steps[0], steps.index(symbol)
+        for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
+            with suppress(ValueError):
+                for _ in range(order):
+                    value = differentiate(self.settle(value, {letter}), by, self.symbols.moving)
+                yield name, value

@@ -1,0 +1,151 @@
+"""Vectors and matrices of papers without a block: printed before what they are made of, too."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+STIFFNESS = r"\mathbf K=\begin{pmatrix}k+m&-m\\-m&m\end{pmatrix}"
+LOAD = r"\mathbf f=\begin{pmatrix}0\\F\end{pmatrix}"
+CLOSURE = (
+    r"\vec a+\vec b=\vec s",
+    r"\vec a=r\vec i",
+    r"\vec b=l\vec j",
+    r"\vec s=x\vec e",
+    r"x=r\cos\varphi+l\cos\beta",
+    r"\vec i=\begin{pmatrix}\cos\varphi\\ \sin\varphi\end{pmatrix}",
+    r"\vec j=\begin{pmatrix}\cos\beta\\-\sin\beta\end{pmatrix}",
+    r"\vec e=\begin{pmatrix}1\\0\end{pmatrix}",
+)
+CASES = {
+    "a rate has the size of its vector": (
+        [
+            r"\dot{\mathbf r}=\mathbf J\dot{\mathbf q}",
+            r"\dot{\mathbf q}=\mathbf J^{-1}\dot{\mathbf r}",
+            r"\dot{\mathbf r}=\mathbf J^T\dot{\mathbf q}",
+            r"\mathbf J=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf q=\begin{pmatrix}u\\v\end{pmatrix}",
+            r"\mathbf r=\begin{pmatrix}x\\y\end{pmatrix}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", *["DEFINITION"] * 3],
+    ),
+    "a cross between a number and a vector is not read": (
+        [
+            r"\vec v=\omega\times\vec r",
+            r"\vec r=\begin{pmatrix}x\\y\end{pmatrix}",
+            r"\vec v=\begin{pmatrix}-\omega y\\ \omega x\end{pmatrix}",
+        ],
+        ["not read", "DEFINITION", "DEFINITION"],
+    ),
+    "a vector is printed behind what is made of it": (
+        [
+            r"\mathbf r=l\mathbf s",
+            r"\mathbf s=\begin{pmatrix}\cos\varphi\\ \sin\varphi\end{pmatrix}",
+            r"\mathbf r=\begin{pmatrix}l\cos\varphi\\l\sin\varphi\end{pmatrix}",
+            r"\mathbf r=\begin{pmatrix}l\cos\varphi\\-l\sin\varphi\end{pmatrix}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "a system and its solution": (
+        [
+            r"\mathbf K\mathbf u=\mathbf f",
+            STIFFNESS,
+            LOAD,
+            r"\mathbf u=\mathbf K^{-1}\mathbf f",
+            r"\mathbf u=\begin{pmatrix}F/k\\F/k+F/m\end{pmatrix}",
+        ],
+        ["PROVED", "DEFINITION", "DEFINITION", "DEFINITION", "PROVED"],
+    ),
+    "a wrong solution of a system is not proved by what is made of it": (
+        [
+            r"\mathbf K\mathbf u=\mathbf f",
+            STIFFNESS,
+            LOAD,
+            r"\mathbf u=\mathbf K^{-1}\mathbf f",
+            r"\mathbf u=\begin{pmatrix}F/k\\F/k-F/m\end{pmatrix}",
+        ],
+        ["PROVED", "DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "the solution of a system before the system": (
+        [
+            r"\mathbf u=\mathbf K^{-1}\mathbf f",
+            r"\mathbf K\mathbf u=\mathbf f",
+            STIFFNESS,
+            LOAD,
+            r"\mathbf u=\begin{pmatrix}F/k\\F/k-F/m\end{pmatrix}",
+        ],
+        ["DEFINITION", "PROVED", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "each of two vectors is made of the other": (
+        [
+            r"\mathbf r=\mathbf s+\mathbf c",
+            r"\mathbf s=\mathbf r-\mathbf c",
+            r"\mathbf r=\begin{pmatrix}a\\b\end{pmatrix}",
+            r"\mathbf c=\begin{pmatrix}g\\h\end{pmatrix}",
+            r"\mathbf s=\begin{pmatrix}a-g\\b+h\end{pmatrix}",
+        ],
+        ["PROVED", "DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "the closure of a loop is no identity": (
+        CLOSURE,
+        [*["DEFINITION"] * 3, "not judged", *["DEFINITION"] * 4],
+    ),
+    "a wrong table beside a loop is one": (
+        [*CLOSURE, r"\vec a=\begin{pmatrix}r\cos\varphi\\0\end{pmatrix}"],
+        [*["DEFINITION"] * 3, "not judged", *["DEFINITION"] * 4, "REFUTED"],
+    ),
+    "a zero beside a vector is one of zeros, no letter": (
+        [
+            r"(\mathbf K-\omega^2\mathbf M)\mathbf a=\mathbf 0",
+            r"(\mathbf K-\omega^2\mathbf M)\mathbf b=\boldsymbol{0}",
+            r"\mathbf a-\mathbf c=\vec 0",
+            r"\mathbf a+\mathbf b-\mathbf d=0",
+            r"\mathbf a+\mathbf b-2\mathbf d=\mathbf{0}",
+            r"\mathbf K=\begin{pmatrix}2k&-k\\-k&2k\end{pmatrix}",
+            r"\mathbf M=\begin{pmatrix}m&0\\0&m\end{pmatrix}",
+            r"\mathbf a=\begin{pmatrix}1\\1\end{pmatrix}",
+            r"\mathbf b=\begin{pmatrix}1\\-1\end{pmatrix}",
+            r"\mathbf d=\begin{pmatrix}2\\0\end{pmatrix}",
+            r"\mathbf c=\mathbf a",
+        ],
+        [*["DEFINITION"] * 2, "PROVED", "PROVED", "not judged", *["DEFINITION"] * 6],
+    ),
+    "that two matrices differ is no proof that one is nowhere zero": (
+        [
+            r"\mathbf A=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf A\mathbf A^T\ne\mathbf A^T\mathbf A",
+            r"\mathbf A\ne\mathbf 0",
+        ],
+        ["DEFINITION", "PROVED", "not judged"],
+    ),
+    "an entry of a matrix that is worked out to be zero is none": (
+        [
+            r"\mathbf R=\mathbf B\mathbf A",
+            r"\mathbf A=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf B=\begin{pmatrix}u&v\\0&w\end{pmatrix}",
+            r"\mathbf R=\begin{pmatrix}au&bu+cv\\a+b+c+u+v+w&cw\end{pmatrix}",
+        ],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
+    ),
+    "constraints excuse vectors": (
+        [
+            r"r\sin\varphi=l\sin\beta",
+            r"\vec a=\begin{pmatrix}x+l\sin\beta\\l\sin\beta\end{pmatrix}",
+            r"\vec b=\begin{pmatrix}x+r\sin\varphi\\r\sin\varphi\end{pmatrix}",
+            r"x=l\cos\beta+r\cos\varphi",
+            r"\vec a=\vec b",
+            r"\vec a=-\vec b",
+        ],
+        ["DEFINITION"] * 4 + ["not judged", "REFUTED"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_vectors_without_a_block(name: str) -> None:
+    equations, expected = CASES[name]
+    lines = (f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in equations)
+    assert [row.outcome for row in check("paper.tex", "\n".join(lines)).rows] == expected
