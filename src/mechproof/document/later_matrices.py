@@ -33,13 +33,16 @@ def find_later(known: Known) -> Later:
     return {s: (v, known.printed[s]) for s, v in found.items()}
 
 
-def is_printed_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
-    """Return whether here is printed what was known before, or was made of what is not known yet.
+def define_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
+    """Take a print for the definition of a matrix, if it was known before, or made of unknown ones.
 
-    Then it defines the matrix, and what was printed before is compared with it.
+    Return whether it is: what was printed before is compared with it.
     """
     if symbol in known.later:
-        return known.later[symbol][1] == name and bool(known.later.pop(symbol))
+        is_here = known.later[symbol][1] == name
+        if is_here:
+            del known.later[symbol]
+        return is_here
     if not isinstance(value, sp.MatrixBase) or symbol not in known.values:
         return False
     is_open = bool(_list_open(known.settle(known.values[symbol])))

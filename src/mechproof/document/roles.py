@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.known import Known
-from mechproof.document.later_matrices import is_printed_now
+from mechproof.document.later_matrices import define_now
 from mechproof.document.laws import read_piece
 from mechproof.document.relations import read_relations
 from mechproof.latex import ReadingError
@@ -168,7 +168,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if symbol not in known.values and not known.is_shown(symbol, value):
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
-        if is_printed_now(name, symbol, value, known):
+        if define_now(name, symbol, value, known):
             return Sign(Role.DEFINITION, symbol, name)
         if symbol in known.values:
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
