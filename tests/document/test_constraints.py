@@ -57,6 +57,28 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "a second derivative by two": (
+        [
+            r"r\cos\varphi+l\cos\zeta=h+c\cos\eta",
+            r"r\sin\varphi+l\sin\zeta=c\sin\eta",
+            r"\dot\zeta=\frac{r\dot\varphi\sin(\eta-\varphi)}{l\sin(\zeta-\eta)}",
+            r"\dot\eta=\frac{r\dot\varphi\sin(\varphi-\zeta)}{c\sin(\eta-\zeta)}",
+            r"\ddot\eta=\frac{r\ddot\varphi\sin(\varphi-\zeta)+r\dot\varphi^2\cos(\varphi-\zeta)"
+            r"+l\dot\zeta^2-c\dot\eta^2\cos(\eta-\zeta)}{c\sin(\eta-\zeta)}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "PROVED"],
+    ),
+    "a wrong second derivative by two": (
+        [
+            r"r\cos\varphi+l\cos\zeta=h+c\cos\eta",
+            r"r\sin\varphi+l\sin\zeta=c\sin\eta",
+            r"\dot\zeta=\frac{r\dot\varphi\sin(\eta-\varphi)}{l\sin(\zeta-\eta)}",
+            r"\dot\eta=\frac{r\dot\varphi\sin(\varphi-\zeta)}{c\sin(\eta-\zeta)}",
+            r"\ddot\eta=\frac{r\ddot\varphi\sin(\varphi-\zeta)+r\dot\varphi^2\cos(\varphi-\zeta)"
+            r"-l\dot\zeta^2-c\dot\eta^2\cos(\eta-\zeta)}{c\sin(\eta-\zeta)}",
+        ],
+        ["not judged", "DEFINITION", "PROVED", "PROVED", "not judged"],
+    ),
     "a value of the derivative of what a constraint gives": (
         [
             r"s^2-2rs\cos\psi+r^2=l^2",
@@ -250,6 +272,8 @@ def test_a_constraint_says_which_others_have_its_letters(latex: str, told: str) 
 # What a block says besides.
 SAID = {
     "a derivative by two constraints": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
+    "a second derivative by two": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
+    "a wrong second derivative by two": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
     "a wrong derivative that is divided by fractions": "%% factor k\n%% where 0<k<1\n",
     "what is said to follow is compared with nothing else": "%% follows (3): (1)\n",
     "what is said to be a constraint is one, whatever its letters": "%% constraint (1)\n",

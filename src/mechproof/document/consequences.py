@@ -10,6 +10,7 @@ from mechproof.document.constraints import find_combination, find_multiple, list
 from mechproof.document.tasks import Task
 from mechproof.document.witnesses import hold_together
 from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality
 
@@ -61,7 +62,34 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
             parts = ", plus ".join(f"{name} times {m}" for name, m in used.items())
             reason = f"follows from constraints, taken as given: left - right is {parts}"
             return Verdict.PROVED, COMBINATION, reason
-    return None
+    return _put_in(task, alone, domain)
+
+
+def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
+    """Return that a row is the derivative of one printed before, what others print put in.
+
+    These hold only where they have values, so that no divisor of theirs is a matter.
+    """
+    letters = list_letters(task)
+    rates = [
+        (other, other.rates[0], letter)
+        for other in others
+        if other.rates
+        for letter in other.rates[0].free_symbols & letters - list_letters(other)
+    ]
+    printed = [(other, other.residual, other.sign.letter) for other in others if other.sign.letter]
+    rest, used = sp.sympify(task.residual), dict[str, sp.Expr]()
+    for solved in (rates, printed):
+        known = [(o, r, letter) for o, r, letter in solved if sp.diff(r, letter) == 1]
+        used |= {other.row.number: other.residual for other, _, _ in known}
+        rest = rest.xreplace({letter: sp.expand(letter - r) for _, r, letter in known})
+        if not known or rest == task.residual:
+            return None
+    is_shown = decide(Equality(rest, sp.S.Zero), domain).verdict is Verdict.PROVED
+    if not is_shown or not hold_together([*used.values()], domain, list_divisors(rest)):
+        return None
+    reason = f"follows from {', '.join(used)}, taken as given, and from derivatives of these"
+    return Verdict.PROVED, COMBINATION, reason
 
 
 def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
