@@ -161,6 +161,7 @@ PEAK_QUANTITIES = (
         "Compute the first phi1 >= 0 where the acceleration is smallest; at -phi1 it is largest.",
         SMALLEST_ACCELERATION,
         Accuracy(7, within=SIZES),
+        charts=BY_SIZES,
     ),
     of_sizes(
         "largest_jerk",

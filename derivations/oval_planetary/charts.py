@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sympy import Expr, Interval, Symbol, oo
+from sympy import Expr, Integer, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart
 
@@ -18,7 +18,7 @@ from .._eccentric import (
     first_turn,
     next_to_pi,
 )
-from .symbols import R4, R5, e2, phi1
+from .symbols import R4, R5, e1, e2, mount, phi1
 
 # The radius that scales both, the smaller one as a share of it, or what it lacks, and x.
 RADIUS, SHARE, LACK = (Symbol(name, positive=True) for name in ("R", "share", "lack"))
@@ -68,3 +68,15 @@ PLAIN = (
     *(wheels.chart(ROUND, ANGLE_X, LACK * V, {**ANY_X, V: Interval(0, 1)}) for wheels in ALIKE),
 )
 NEGATED = ((phi1,),)
+
+# Two pairs of ovals as they are mounted in print: by the larger eccentricity.
+LARGER = Symbol("larger", positive=True)
+MOUNTED = tuple(
+    Chart(
+        "mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2",
+        {phi1: ANGLE_X, one: LARGER, other: LARGER * SHARE, mount: Integer(0)},
+        {ANGLE_X: Interval(0, Rational(3, 2)), LARGER: UP_TO_HALF, SHARE: Interval(0, 1)},
+    )
+    for one, other in ((e1, e2), (e2, e1))
+)
+MOUNTED_NEGATED = ((phi1, mount),)

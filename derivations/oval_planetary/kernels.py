@@ -18,7 +18,7 @@ from mechproof.record import (
 
 from .._eccentric import on_branch
 from . import forms
-from .charts import NEGATED, PLAIN, SMOOTH, STEEP
+from .charts import MOUNTED, MOUNTED_NEGATED, NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
 from .mechanics import (
     ACCELERATION,
@@ -122,7 +122,11 @@ QUANTITIES = (
         RATIO,
         (
             Form(
-                "quotient in tan(phi1)", 1 - forms.WHEEL_3_FORM, states=forms.by_parts(RATIO, swing)
+                "quotient in tan(phi1)",
+                1 - forms.WHEEL_3_FORM,
+                states=forms.by_parts(RATIO, swing),
+                charts=MOUNTED,
+                mirrors=MOUNTED_NEGATED,
             ),
             Form(
                 "printed (3)-(6), (10)",
@@ -152,7 +156,11 @@ QUANTITIES = (
         POSITION,
         (
             Form(
-                "one arctangent of tan(phi1)", forms.POSITION_FORM, states=forms.position_by_parts
+                "one arctangent of tan(phi1)",
+                forms.POSITION_FORM,
+                states=forms.position_by_parts,
+                charts=MOUNTED,
+                mirrors=MOUNTED_NEGATED,
             ),
             Form(
                 "leads by atan2, 1 - e cos 2 phi",

@@ -1,5 +1,7 @@
 """Coordinates over which the rounding errors of paper 5 are bounded."""
 
+from functools import partial
+
 import sympy as sp
 
 from mechproof.record import Chart
@@ -59,4 +61,52 @@ BY_SPACE = tuple(
     )
     for larger, smaller in ((error_x, error_y), (error_y, error_x))
     for side, height in ((SIZE, SIZE * SHARE), (SIZE * SHARE, SIZE))
+)
+
+# Of a tilt only the error beyond the offset counts, which in the plane is of any size beside it.
+ONE, TWO, THREE, OFFSET_ALONE = sp.symbols("one two three offset_alone", positive=True)
+# A square root of 15/16, and a little.
+NEARLY_ALL = sp.Rational(31, 32)
+ENDS = {SIZE: sp.oo, ONE: 1, TWO: 1, THREE: 1, OFFSET_ALONE: sp.oo}
+BY_RADIUS, BY_HEIGHT = (radius_vector, thickness), (thickness, radius_vector)
+
+
+def beyond_offset(
+    text: str,
+    error: sp.Symbol,
+    sizes: tuple[sp.Symbol, sp.Symbol],
+    share: sp.Expr,
+    offset: sp.Expr,
+    over: sp.Expr,
+    **ends: sp.Expr,
+) -> Chart:
+    """Make the chart of two sizes by the larger one, and of an error beyond an offset.
+
+    That is a share of their sum. What vanishes under the root does so as one product.
+    """
+    larger, smaller = sizes
+    whole = sp.expand(offset + over * SIZE * (1 + share))
+    arguments = {larger: SIZE, smaller: SIZE * share, error: whole, eccentricity: offset}
+    within = {
+        symbol: sp.Interval(0, ends.get(symbol.name, end))
+        for symbol, end in ENDS.items()
+        if any(value.has(symbol) for value in arguments.values())
+    }
+    return Chart(text, arguments, within)
+
+
+in_plane = partial(beyond_offset, "error - offset <= 15/16*(rho + H)", planar_error)
+in_space = partial(beyond_offset, "offset <= H and error - offset <= rho + H", spatial_error)
+FOR_PLANAR = (
+    in_plane(BY_RADIUS, ONE * TWO, OFFSET_ALONE, ONE**2, one=NEARLY_ALL, two=sp.Rational(17, 16)),
+    in_plane(BY_RADIUS, ONE, OFFSET_ALONE, ONE**2 * TWO**2, two=NEARLY_ALL),
+    in_plane(BY_HEIGHT, ONE, OFFSET_ALONE, TWO, two=sp.Rational(15, 16)),
+)
+FOR_SPATIAL = (
+    in_space(BY_RADIUS, ONE * TWO, SIZE * ONE * TWO * THREE, ONE),
+    in_space(BY_RADIUS, ONE, SIZE * ONE * TWO * THREE, ONE * TWO),
+    in_space(BY_RADIUS, ONE * THREE, SIZE * ONE * TWO * THREE, ONE**3 * TWO * THREE),
+    in_space(BY_RADIUS, ONE, SIZE * ONE * TWO, ONE**3 * TWO * THREE**2),
+    in_space(BY_HEIGHT, ONE, SIZE * TWO * THREE, TWO),
+    in_space(BY_HEIGHT, ONE, SIZE * TWO, TWO * THREE),
 )

@@ -10,6 +10,7 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
+    Chart,
     Equality,
     Form,
     Part,
@@ -22,6 +23,7 @@ from mechproof.record import (
 )
 
 from .._sizes import is_moderate, is_zero_or_moderate
+from .charts import FOR_PLANAR, FOR_SPATIAL
 from .kernels import HEIGHT
 from .kernels_of_poses import SOURCE
 from .symbols import *
@@ -53,7 +55,7 @@ OVER_SPACE = (spatial_error - eccentricity) * (spatial_error + eccentricity)
 REACH = radius_vector**2 + thickness**2 + eccentricity * radius_vector
 SPATIAL_HALF = 2 * eccentricity * thickness
 # Of the equation q t**2 + 2 b t = g for t = tan(alpha/2), sqrt(b**2 + q g).
-PLANAR_SQUARE = thickness**2 + OVER_PLANE * (2 * radius_vector - OVER_PLANE)
+PLANAR_SQUARE = thickness**2 + 2 * radius_vector * OVER_PLANE - OVER_PLANE**2
 SPATIAL_SQUARE = SPATIAL_HALF**2 + OVER_SPACE * (4 * REACH - OVER_SPACE)
 PLANAR_ROOT = OVER_PLANE / (thickness + sp.sqrt(PLANAR_SQUARE))
 SPATIAL_ROOT = OVER_SPACE / (SPATIAL_HALF + sp.sqrt(SPATIAL_SQUARE))
@@ -81,7 +83,13 @@ CREST_RADIUS = Argument(
 
 
 def tilt_for(
-    name: str, where: str, error: sp.Symbol, tangent: sp.Expr, over: sp.Expr, on: Part
+    name: str,
+    where: str,
+    error: sp.Symbol,
+    tangent: sp.Expr,
+    over: sp.Expr,
+    on: Part,
+    charts: tuple[Chart, ...],
 ) -> Quantity:
     """Make the quantity of the tilt with which the largest error is the one given."""
     excess, below = tangent.as_numer_denom()
@@ -96,13 +104,13 @@ def tilt_for(
             HEIGHT,
         ),
         tilt,
-        (Form("root without cancellation", tilt),),
+        (Form("root without cancellation", tilt, charts=charts),),
         f"inverse of {SOURCE}, equation (15)",
         unit="rad",
         on=on,
         accuracy=Accuracy(
             6,
-            Scale("the tilt and what eps*error makes of it", tilt + over),
+            Scale("the tilt and what eps*(error - offset) makes of it", tilt + over),
             (*MODERATE, is_moderate(error)),
         ),
     )
@@ -114,16 +122,18 @@ DESIGN_QUANTITIES = (
         "in the plane",
         planar_error,
         PLANAR_ROOT,
-        planar_error / sp.sqrt(PLANAR_SQUARE),
+        OVER_PLANE / sp.sqrt(PLANAR_SQUARE),
         IN_PLANE,
+        FOR_PLANAR,
     ),
     tilt_for(
         "spatial_error",
         "in space",
         spatial_error,
         SPATIAL_ROOT,
-        2 * spatial_error**2 / sp.sqrt(SPATIAL_SQUARE),
+        2 * spatial_error * (spatial_error - eccentricity) / sp.sqrt(SPATIAL_SQUARE),
         IN_SPACE,
+        FOR_SPATIAL,
     ),
 )
 DESIGN_ROWS = (

@@ -82,6 +82,17 @@ PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
         Fraction(1, 4) <= at["alpha"] <= Fraction(11, 14)
         and abs(at["dh"]) <= Fraction(3, 16) * at["m"]
     ),
+    "mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2": lambda at: (
+        at["mount"] == 0
+        and abs(at["phi1"]) <= Fraction(3, 2)
+        and max(at["e1"], at["e2"]) <= Fraction(1, 2)
+    ),
+    "error - offset <= 15/16*(rho + H)": lambda at: (
+        at["error"] - at["offset"] <= Fraction(15, 16) * (at["rho"] + at["H"])
+    ),
+    "offset <= H and error - offset <= rho + H": lambda at: (
+        at["offset"] <= at["H"] and at["error"] - at["offset"] <= at["rho"] + at["H"]
+    ),
     "|x| <= 3 and e2 <= 1/2": lambda at: at["x"] <= 3 and at["e2"] <= Fraction(1, 2),
     "|x| <= 22/7": lambda at: at["x"] <= Fraction(22, 7),
     "|x| <= 22/7 and |pi - |x|| >= 2**-40": lambda at: (
@@ -195,7 +206,9 @@ def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, 
             drawn[name] = np.where(rng.random(4000) < 0.5, size, rng.uniform(0, 44 / 7, 4000))
         elif name.startswith("phi"):
             drawn[name] = rng.choice((-1.0, 1.0), 4000) * 22 / 7 * size
-        elif name in ("e", "e2"):
+        elif name == "mount":
+            drawn[name] = np.where(rng.random(4000) < 0.5, 0.0, size)
+        elif name in ("e", "e1", "e2"):
             drawn[name] = np.choose(rng.integers(0, 3, 4000), [size, 1 - size, rng.random(4000)])
         elif name in ("largest", "smallest", "quotient"):
             drawn[name] = 1 + np.where(rng.random(4000) < 0.5, size, 1 / size)

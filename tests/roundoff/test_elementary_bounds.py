@@ -24,6 +24,7 @@ TRUTH: dict[str, Callable[..., arb]] = {
     "cos": arb.cos,
     "small_arctan": arb.atan,
     "arctan_quotient": lambda a, b: (a / b).atan(),
+    "arctan2": arb.atan2,
 }
 
 
@@ -32,7 +33,7 @@ def draw_arguments(kind: str, count: int) -> tuple[np.ndarray, ...]:
     size = 2.0 ** rng.uniform(-30, 26, count) * rng.choice([-1, 1], count)
     if kind == "small_arctan":
         return (rng.uniform(-1, 1, count) * 3**-0.5,)
-    if kind == "arctan_quotient":
+    if kind in ("arctan_quotient", "arctan2"):
         near = size * (1 + rng.integers(-3, 4, count) * EPS)
         return size, np.where(rng.random(count) < 0.3, near, rng.normal(size=count) * 9.0)
     quarters = np.rint(rng.uniform(0, 4e7, count) ** rng.uniform(0, 1, count)) * np.pi / 4
@@ -110,16 +111,38 @@ def test_a_low_word_of_the_wrong_sign_has_a_larger_bound(monkeypatch: pytest.Mon
     assert found > prove("arctan_quotient").most + 0.3
 
 
-@pytest.mark.parametrize(("one", "other"), [("a", "b"), ("b", "a")])
+@pytest.mark.parametrize(
+    ("kind", "one", "other"),
+    [("arctan_quotient", "a", "b"), ("arctan_quotient", "b", "a"), ("arctan2", "a", "b")],
+)
 def test_the_sign_of_another_argument_is_refused(
-    one: str, other: str, monkeypatch: pytest.MonkeyPatch
+    kind: str, one: str, other: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def swap(step: Operation) -> Operation:
         signed = step.kind == "copysign" and step.operands[1] == one
         return replace(step, operands=(step.operands[0], other)) if signed else step
 
     with pytest.raises(ValueError, match="the sign is not that of"):
-        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+        prove_changed(kind, change(kind, swap), monkeypatch)
+
+
+def test_a_point_behind_is_not_taken_for_one_ahead(monkeypatch: pytest.MonkeyPatch) -> None:
+    def swap(step: Operation) -> Operation:
+        if step.kind != "choose" or step.operands[0] != behind.result:
+            return step
+        condition, *both = step.operands
+        return replace(step, operands=(condition, *both[::-1]))
+
+    behind = next(s for s in build("arctan2", DOUBLE).program.operations if s.kind == "less")
+    assert prove_changed("arctan2", change("arctan2", swap), monkeypatch) > 1e10
+
+
+def test_no_other_sign_is_decided(monkeypatch: pytest.MonkeyPatch) -> None:
+    def move(step: Operation) -> Operation:
+        return replace(step, operands=(step.operands[0], 1.0)) if step.kind == "less" else step
+
+    with pytest.raises(ValueError, match="only the last argument is compared with zero"):
+        prove_changed("arctan2", change("arctan2", move), monkeypatch)
 
 
 def test_an_arctangent_of_more_than_a_quotient_is_refused(

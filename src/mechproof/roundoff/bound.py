@@ -134,7 +134,8 @@ class ErrorAnalysis:
         else:
             exact, slopes = RULES[step.kind](given, self.turn)
             if step.proved and step.ulps:
-                error = self._look_up(step, given[0]) * EPS
+                # Of two arguments the place is that of their quotient.
+                error = self._look_up(step, given[0] / given[1] if given[1:] else given[0]) * EPS
                 self._add(
                     step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
                 )

@@ -63,7 +63,9 @@ def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
 
 def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     drawn = {symbol: sp.Dummy(str(symbol)) for symbol in chart.arguments}
-    equations = [value - drawn[symbol] for symbol, value in chart.arguments.items()]
+    # What is no coordinate's is one number.
+    fixed = {symbol: value for symbol, value in chart.arguments.items() if value.is_number}
+    equations = [v - drawn[symbol] for symbol, v in chart.arguments.items() if symbol not in fixed]
     if chart.rest is not None:
         equations.append(chart.rest + 2 * sp.pi * TURNS - chart.angle)
     found = sp.solve(equations, list(chart.within), dict=True)
@@ -73,6 +75,7 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
         raise ValueError(f"chart: {chart.arguments} do not tell their coordinates")
     (place,) = found
     gaps = [gap for name, side in chart.within.items() for gap in _list_gaps(place[name], side)]
+    gaps += [off for s, v in fixed.items() for off in (drawn[s] - v, v - drawn[s])]
     inputs = {drawn[symbol]: names[symbol] for symbol in chart.arguments}
     return lower_steps(
         inputs, frozenset(), tuple(inputs.values()), _count_turns(chart, place), gaps

@@ -42,6 +42,11 @@ def _expand_quotient() -> Expansion:
     return Expansion(program, {"w": EXACT, "q": PROVED}, {"q": "arctan_quotient"})
 
 
+def _expand_direction() -> Expansion:
+    program = Program(("a", "b"), (Operation("q", "arctan2", ("a", "b")),), ("q",))
+    return Expansion(program, {"q": PROVED}, {"q": "arctan2"})
+
+
 def _expand_hypotenuse() -> Expansion:
     """Leave out the power of two by which the sides are scaled: it moves no rounding."""
     operations = (
@@ -114,6 +119,7 @@ def list_expansions() -> Mapping[str, Expansion]:
             "tan": _expand_tangent(),
             "small_arctan": _expand_function("small_arctan", "arctan"),
             "arctan_quotient": _expand_quotient(),
+            "arctan2": _expand_direction(),
             "hypot": _expand_hypotenuse(),
             "tangent_quotient": _expand_tangent_quotient(),
             **{kind: _expand_part(kind) for kind in PARTS},

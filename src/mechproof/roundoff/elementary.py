@@ -6,7 +6,7 @@ as those of kernels are, and its value is held against the function over the who
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -181,39 +181,57 @@ def _put_on(bounds: Array, off: Array) -> Array:
 
 def _prove_quotient(kind: str) -> ErrorTable:
     """Bound the arctangent of a quotient, its place that of the quotient."""
-    _check_signs(build(kind, DOUBLE).program)
+    program = build(kind, DOUBLE).program
+    _check_signs(program, program.inputs)
+    return _tabulate_arcs(kind, (False,))
+
+
+def _prove_direction(kind: str) -> ErrorTable:
+    """Bound the angle of a point that is not the origin, its place that of the quotient."""
+    program = build(kind, DOUBLE).program
+    _check_signs(program, program.inputs[:1])
+    return _tabulate_arcs(kind, (False, True))
+
+
+def _tabulate_arcs(kind: str, behind: Sequence[bool]) -> ErrorTable:
     edges = np.linspace(0.0, 1.0, PIECES + 1)
-    flat, steep = (_bound_arc(kind, edges[:-1], edges[1:], is_steep) for is_steep in (False, True))
+    flat, steep = (
+        np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
+        for s in (False, True)
+    )
     # All reciprocals that are rounded to zero have a place, too.
     places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
     return ErrorTable(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
-def _check_signs(program: Program) -> None:
-    """Require that the sign turns with that of each argument; ValueError if not."""
+def _check_signs(program: Program, arguments: Sequence[str]) -> None:
+    """Require that the sign turns with that of each of some arguments; ValueError if not."""
     whole = StraightLineProgram(
         program.inputs, tuple(map(make_step, program.operations)), program.outputs
     )
-    for turned in program.inputs:
+    for turned in arguments:
         parities = find_parities(whole, {n: ODD if n == turned else EVEN for n in program.inputs})
         if any(parities[output] == EVEN for output in program.outputs):
             raise ValueError(f"the sign is not that of {turned}")
 
 
-def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
-    """Bound the arctangent of quotients, or of their reciprocals, of at most 1."""
+def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
+    """Bound the angle of quotients, or of their reciprocals, of at most 1."""
     program = build(kind, DOUBLE).program
-    found = resolve(program, Case(is_larger=is_steep))
+    found = resolve(program, case)
     one, other = map(name_size, program.inputs)
     # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
     sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
     scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
     straight = replace(found.straight, scaled=scaled)
-    above, below = (other, one) if is_steep else (one, other)
+    above, below = (other, one) if case.is_larger else (one, other)
+    quarters = 1 if case.is_larger else 2 * case.is_behind
+    is_backward = case.is_larger != case.is_behind
 
     def sides(w: Series) -> tuple[Series, Series]:
         (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)
-        return value, arb.pi() / 2 - w.atan() if is_steep else w.atan()
+        start = arb.pi() * quarters / 2
+        return value, start - w.atan() if is_backward else start + w.atan()
 
     bounds = _bound(straight, {above: None, below: 1.0}, low, high)
     return _put_on(bounds, _enclose(sides, low, high))
@@ -241,6 +259,7 @@ _PROVED: Mapping[str, Callable[[str], ErrorTable]] = MappingProxyType(
     {
         **dict.fromkeys(ANGLES, _prove_angle),
         "arctan_quotient": _prove_quotient,
+        "arctan2": _prove_direction,
         "small_arctan": _prove_small,
     }
 )

@@ -54,8 +54,9 @@ def _corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, E
     low, high = found[0], found[0]
     for other in found[1:]:
         less, more = other[0] < low[0], other[0] > high[0]
-        low = tuple(np.where(less, new, old) for new, old in zip(other, low, strict=True))
-        high = tuple(np.where(more, new, old) for new, old in zip(other, high, strict=True))
+        # Of numbers these are numbers.
+        low = tuple(np.where(less, new, old)[()] for new, old in zip(other, low, strict=True))
+        high = tuple(np.where(more, new, old)[()] for new, old in zip(other, high, strict=True))
     return _rest(*low), _rest(*high)
 
 

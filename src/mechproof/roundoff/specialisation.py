@@ -56,10 +56,14 @@ class Whole:
 
 @dataclass(frozen=True)
 class Case:
-    """What a program decides: the number of quarter turns, whether one size is the larger."""
+    """What a program decides: the number of quarter turns, whether one size is the larger.
+
+    Also whether the second argument is negative. No larger size is zero.
+    """
 
     number: Whole | None = None
     is_larger: bool = False
+    is_behind: bool = False
 
 
 @dataclass(frozen=True)
@@ -85,6 +89,8 @@ class _Resolver:
         self._names: dict[Operand, Operand] = {}
         self._steps: list[Step] = []
         self._sizes = {name: name_size(name) for name in program.inputs}
+        # What has the sign of an argument, and no other size than a number.
+        self._signs: dict[str, Operand] = {}
         self._per: set[float] = set()
         self._words: set[tuple[float, ...]] = set()
 
@@ -118,7 +124,20 @@ class _Resolver:
         if isinstance(first, Whole) and isinstance(second, Whole):
             self._facts[operation.result] = first == second
             return True
+        if self._find(operation.operands[0]) == self._find_larger() and operation.operands[1] == 0:
+            self._facts[operation.result] = False
+            return True
         return False
+
+    def _find_larger(self) -> Operand:
+        return list(self._sizes.values())[0 if self._case.is_larger else -1]
+
+    def _compare_sign(self, operation: Operation) -> bool:
+        signed, zero = operation.operands
+        if self._signs.get(str(signed)) != self._program.inputs[-1] or zero != 0:
+            raise ValueError(f"{operation}: only the last argument is compared with zero")
+        self._facts[operation.result] = self._case.is_behind
+        return True
 
     def _compare(self, operation: Operation) -> bool:
         # Both are doubles that were given: no rounding has a part in this.
@@ -130,6 +149,10 @@ class _Resolver:
     def _compute(self, operation: Operation) -> bool:
         first, second = operation.operands
         whole = self._facts.get(str(first))
+        if whole is None and operation.kind == "add" and self._find(first) == 0:
+            # The sum is exact, and what is added alone.
+            self._names[operation.result] = self._find(second)
+            return True
         if not isinstance(whole, Whole) or isinstance(second, str):
             return False
         self._facts[operation.result] = _COMPUTE[operation.kind](whole, second)
@@ -178,6 +201,7 @@ class _Resolver:
         if sign not in self._program.inputs:
             raise ValueError(f"{operation}: only signs of arguments are put on results")
         self._names[operation.result] = self._find(size)
+        self._signs[operation.result] = sign
         return True
 
 
@@ -192,6 +216,7 @@ _RULES: Mapping[str, Callable[[_Resolver, Operation], bool]] = MappingProxyType(
         "floor": _Resolver._round,
         "equal": _Resolver._decide,
         "greater": _Resolver._compare,
+        "less": _Resolver._compare_sign,
         "multiply": _Resolver._compute,
         "add": _Resolver._compute,
         "fma": _Resolver._take_off,

@@ -24,7 +24,12 @@ def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
     of_sum = [take_least(*shares) for shares in errors]
     totals = [sum(of_sum, np.float64(0.0))]
     if terms > 1:
-        of_terms = [np.array(np.broadcast_arrays(*shares[-terms:])) for shares in errors]
+        # Some are the same in all boxes.
+        shape = np.broadcast_shapes(*(np.shape(s) for shares in errors for s in shares[-terms:]))
+        of_terms = [
+            np.array([np.broadcast_to(share, shape) for share in shares[-terms:]])
+            for shares in errors
+        ]
         totals += [_share_out(of_sum, of_terms, factor) for factor in HARDLY_MORE]
     return take_least(*totals)
 

@@ -58,6 +58,12 @@ def _choose(condition: Parity, a: Parity, b: Parity) -> Parity:
     return a + b
 
 
+def _turn(above: Parity, ahead: Parity) -> Parity:
+    if ahead == ODD:
+        raise ValueError("the angle of a point that is turned about another axis")
+    return above
+
+
 # To round to nearest is odd, and so are NumPy's odd functions.
 PARITIES = Arithmetic(
     {
@@ -65,6 +71,7 @@ PARITIES = Arithmetic(
         "number": lambda number: EVEN,
         CONSTANT: lambda operand: EVEN,
         "choose": _choose,
+        "arctan2": _turn,
     }
 )
 
