@@ -6,6 +6,8 @@ import doctest
 import json
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -42,6 +44,14 @@ def test_examples_print_what_they_show(
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)
     assert result.attempted > 0
     assert result.failed == 0
+
+
+def test_the_example_of_jax_prints_what_its_comments_say() -> None:
+    (block,) = (block for block in BLOCKS["docs/export.md"] if "import jax" in block)
+    command = [sys.executable, "-c", block]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines() == re.findall(r"print.*  # (.*)", block)
+    assert len(done.stdout.splitlines()) > 2
 
 
 CONSOLES = {

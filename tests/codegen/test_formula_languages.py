@@ -14,6 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+import array_api_strict as standard
 import numpy as np
 import pytest
 import sympy as sp
@@ -125,6 +126,18 @@ def run_python(files: dict[str, str], names: list[str], folder: Path) -> Values:
     }
 
 
+def run_array_api(files: dict[str, str], names: list[str], folder: Path) -> Values:
+    """Run by the library that has what the standard says, and nothing else."""
+    module = load_source(*files.values(), folder)
+    values: Values = {}
+    for name in names:
+        points = [standard.asarray(column) for column in points_of(name)]
+        with np.errstate(all="ignore"):
+            found = getattr(module, name.replace(".", "_"))(*points, xp=standard)
+        values[name] = np.ravel(np.asarray(found))
+    return values
+
+
 def run_structured_text(files: dict[str, str], names: list[str], folder: Path) -> Values:
     """Run Structured Text by its meaning: assignments, IF and RETURN, and functions."""
     (text,) = files.values()
@@ -138,6 +151,7 @@ def run_structured_text(files: dict[str, str], names: list[str], folder: Path) -
 
 
 RUN = {
+    "array_api": (run_array_api, "python3"),
     "javascript": (run_javascript, "node"),
     "octave": (run_octave, "octave"),
     "python": (run_python, "python3"),
@@ -246,7 +260,10 @@ def test_the_digits_are_those_of_numpy(language: str, tmp_path: Path) -> None:
 def test_formulas_of_a_quantity_need_nothing_beside_them(tmp_path: Path) -> None:
     found = mechproof.formula("elliptic_planetary.position")
     assert repr(found) == "Formula(name='elliptic_planetary.position')"
-    texts = [getattr(found, name) for name in ("latex", "mathml", "sympy", *SCRIPTS, "c")]
+    names = ["latex", "mathml", "sympy", *SCRIPTS, "c"]
+    names.remove("array_api")
+    texts = [getattr(found, name) for name in names]
+    texts.append(mechproof.formula("elliptic_planetary.position_tan_half").array_api)
     for text in texts:
         flat = re.sub(r"\s+(//|%|#|\*)?\s*", " ", text)
         assert "0 < R1, R2 < oo, 0 <= e < 1, R2 < R1" in flat

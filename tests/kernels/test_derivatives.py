@@ -13,11 +13,14 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import by_jax
 import numpy as np
 import pytest
 import sympy as sp
 from flint import arb
+from weights import first_of
 
+import mechproof
 from mechproof.arithmetic import slopes
 from mechproof.arithmetic.slopes import GradientTape
 from mechproof.codegen import forms
@@ -149,6 +152,41 @@ def test_derivatives_keep_their_bound(name: str, monkeypatch: pytest.MonkeyPatch
     worst, decided = worst_of(subject)
     assert decided > 10
     assert worst <= bound
+
+
+def differentiate_by_jax(name: str) -> Compute:
+    """Differentiate the formula of a quantity, or of the first form that is offered instead."""
+    try:
+        text = mechproof.formula(name).array_api
+    except NotImplementedError as refusal:
+        name = str(refusal).split("; ")[1].split()[0]
+        text = mechproof.formula(name).array_api
+    return lambda *points: by_jax.compute(text, name.replace(".", "_"), points, slopes=True)
+
+
+# Where the derivatives of single steps cancel, as near e = 1, or one is infinite, as that of a root
+# of zero where |A| = R.
+LOST = {
+    *("elliptic_planetary.jerk", "oval_planetary.acceleration", "oval_planetary.jerk"),
+    *("oval_planetary.acceleration_cylindrical", "oval_planetary.jerk_cylindrical"),
+    *("oval_planetary.position", "oval_planetary.ratio", "track_wheel.radius"),
+}
+FEW = ("elliptic_planetary.position", "track_wheel.radius", "oval_planetary.ratio")
+
+
+@pytest.mark.parametrize(
+    "name", first_of([*FEW, *sorted(subjects().keys() - {*FEW})], count=len(FEW) + 5)
+)
+def test_jax_differentiates_formulas_within_the_same_bound(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slopes, "BITS", 400)
+    compute = differentiate_by_jax(name)
+    monkeypatch.setattr("test_derivatives.list_ways", lambda _: iter([compute]))
+    subject = subjects()[name]
+    worst, decided = worst_of(subject)
+    assert decided > 10
+    assert (worst > accuracy_of(subject.quantity)[0]) == (name in LOST)
 
 
 def test_an_error_of_some_eps_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,11 +24,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from changed import position as changed
+from mechproof import EllipticPlanetary, ToothThickness, TrackWheel, WedgeLinkage
 from mechproof.kernels import elliptic_planetary, oval_planetary, track_wheel
 from mechproof.kernels.compiled import elliptic_planetary as compiled
 from mechproof.kernels.derivatives import elliptic_planetary as derivatives
 
 angles: NDArray[np.float64] = np.linspace(0, 1, 6).reshape(2, 3)
+drive, wedge = EllipticPlanetary(60, 20, 0.3), WedgeLinkage.published(1)
+tooth, wheel = ToothThickness.published(), TrackWheel(60, 0.3, 8, 20)
 """
 NUMBER, ARRAY, ANY = "float64", "ndarray[float64]", "Any"
 SOME_ARRAY = "ndarray[Any]"
@@ -46,6 +49,19 @@ REVEALED = {
     "compiled.position(angles, 60, 20, 0.3)": ARRAY,
     "compiled.motion(0.3, 60, 20, 0.3)": SOME_ARRAY,
     "derivatives.position(0.3, 60, 20, 0.3)": SOME_ARRAY,
+    "drive.position(0.3)": NUMBER,
+    "drive.ratio(angles, degrees=True)": ARRAY,
+    "drive.jerk([0.3, 1])": ANY,
+    "drive.position(phi1=angles)": ANY,
+    "drive.carrier_angle(90, degrees=True)": NUMBER,
+    "drive.carrier_angle(angles)": ARRAY,
+    "wheel.radius(angles)": ARRAY,
+    "wheel.normal_error(0.3)": NUMBER,
+    "wheel.rotation()": ARRAY,
+    "wedge.position(-20)": NUMBER,
+    "wedge.velocity(angles)": ARRAY,
+    "tooth.thickness_change(angles)": ARRAY,
+    "tooth.constant_chord": NUMBER,
 }
 # With a stub in which a number gives anything.
 REVEALED_OF_CHANGED = {"changed(0.3, 60, 20, 0.3)": NUMBER}
@@ -54,6 +70,10 @@ REFUSED = (
     "elliptic_planetary.position(0.3, 60, 20, f=0.3)",
     "elliptic_planetary.position(None, 60, 20, 0.3)",
     "elliptic_planetary.position(0.3, 60, 20, 0.3).append(1)",
+    "drive.position(0.3).append(1)",
+    "drive.position(0.3, f=1)",
+    "drive.position(phi3=0.3)",
+    "wedge.position(-20, degrees=True)",
 )
 
 
@@ -62,7 +82,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """What mypy says of each use."""
     folder = tmp_path_factory.mktemp("types")
     (folder / "mechproof").mkdir()
-    for name in ("__init__.py", "kernel_support", "arguments"):
+    for name in ("__init__.py", "kernel_support", "arguments", "mechanisms"):
         (folder / "mechproof" / name).symlink_to(ROOT / "src" / "mechproof" / name)
     (folder / "mechproof" / "kernels").symlink_to(GENERATED)
     stub = (GENERATED / "elliptic_planetary.pyi").read_text()

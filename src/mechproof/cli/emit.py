@@ -115,6 +115,7 @@ def _judge(systems: list[str] | None, derivations: Path | None) -> Iterator[tupl
 # What is written of a system, by the name of the command.
 SCRIPTS = {
     "octave": "Write each kernel as a function file of Octave or MATLAB, of numbers or arrays.",
+    "array-api": "Write functions of arrays for each system, for JAX, PyTorch and others.",
     "javascript": "Write a module of JavaScript for each system, functions of numbers.",
     "structured-text": "Write functions of Structured Text (IEC 61131-3) for each system.",
 }
@@ -148,7 +149,7 @@ def _add_script(language: str, text: str) -> None:
 
     They are the operations of the NumPy kernels, with the functions of the language's own library;
     where there is no fused multiply-add, rests of products come from error-free products. What the
-    language cannot compute is left out by name.
+    language cannot compute, or its compilers may spoil, is left out by name.
 
     Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
 

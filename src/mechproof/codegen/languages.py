@@ -13,6 +13,8 @@ from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.syntax import Syntax
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import (
+    ATOM,
+    CHOICE,
     HELPER,
     KINDS,
     AxisReduction,
@@ -123,7 +125,8 @@ class Script:
     """A language of formulas: how it spells operations, and how its files are laid out.
 
     Where it takes arrays, all forms are computed and one is chosen for each element; where it takes
-    vectors, a point may have components. `apart`: a file for each function. `native` are the kinds
+    vectors, a point may have components. `apart`: a file for each function. `fuses`: its compilers
+    may take sums and products together, and what roundings left is lost. `native` are the kinds
     that the language has, `helpers` functions that no program can say.
     """
 
@@ -136,6 +139,7 @@ class Script:
     takes_vectors: bool = True
     apart: bool = False
     ignores_case: bool = False
+    fuses: bool = False
 
     @property
     def template(self) -> str:
@@ -183,6 +187,28 @@ _PYTHON = replace(
     constants=_name_constants("np.inf", "np.nan"),
     number=lambda number: repr(float(number)),
     name=partial(_avoid, "np abs values"),
+)
+
+
+def _spell_array_api(row: Kind) -> Spelling | None:
+    found = row.array_api or _spell_python(row)
+    if isinstance(found, str):
+        return found.replace("np.arc", "xp.a").replace("np.", "xp.")
+    return found
+
+
+# What makes an array of a number, as functions of the standard want it.
+ARRAY = "array"
+_ARRAY_API = replace(
+    _spell(
+        {ARRAY: Pattern("xp.asarray({}, dtype=dtype)", CHOICE, ATOM)}
+        | {k: _spell_array_api(row) for k, row in KINDS.items()}
+    ),
+    constants=_name_constants("xp.inf", "xp.nan"),
+    number=lambda number: repr(float(number)),
+    name=partial(_avoid, "abs dtype given ones types v xp"),
+    # Functions beside the formula take the namespace, too.
+    last=MappingProxyType({k: "xp" for k, row in KINDS.items() if not _spell_array_api(row)}),
 )
 # Names of functions that a formula may call, and words.
 _OCTAVE = replace(
@@ -237,6 +263,7 @@ SCRIPTS: Mapping[str, Script] = MappingProxyType(
         script.name: script
         for script in (
             _script("python", ".py", _PYTHON, {}, takes_arrays=True),
+            _script("array_api", ".py", _ARRAY_API, {}, takes_arrays=True, fuses=True),
             _script("octave", ".m", _OCTAVE, {"choose": _CHOOSE}, takes_arrays=True, apart=True),
             _script("javascript", ".mjs", _JAVASCRIPT, {}),
             _script(

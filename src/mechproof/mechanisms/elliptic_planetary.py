@@ -28,6 +28,7 @@ from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
+from mechproof.mechanisms.pointwise import pointwise_in_angles
 from mechproof.mechanisms.units import Units
 
 
@@ -161,6 +162,7 @@ class EllipticPlanetary(Drive):
         found = Extremes(float(largest), places[0], float(smallest), places[1], period)
         return Units(degrees).give_fields(found, PLACES | {"maximum": unit, "minimum": unit})
 
+    @pointwise_in_angles
     def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
 

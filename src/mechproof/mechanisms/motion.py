@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import refuse
+from mechproof.mechanisms.pointwise import pointwise_in_angles
 from mechproof.mechanisms.time_derivatives import differentiate, interpolate
 from mechproof.mechanisms.units import Units, is_quantity
 from mechproof.tools.notebook import Displayed
@@ -62,18 +63,22 @@ class Drive(Displayed):
     def _call(self, name: str, phi1: ArrayLike) -> Any:
         """Return the values of a kernel of the mechanism."""
 
+    @pointwise_in_angles
     def ratio(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d phi3/d phi1 at the carrier angles `phi1`; see the kernels of the mechanism."""
         return self._give("ratio", phi1, "1", degrees)
 
+    @pointwise_in_angles
     def position(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the output angles phi3(phi1), continuous over any number of turns."""
         return self._give("position", phi1, "rad", degrees)
 
+    @pointwise_in_angles
     def acceleration(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d ratio/d phi1 at the carrier angles `phi1`."""
         return self._give("acceleration", phi1, "1/rad", degrees)
 
+    @pointwise_in_angles
     def jerk(self, phi1: ArrayLike, *, degrees: bool = False) -> Any:
         """Return d acceleration/d phi1 at the carrier angles `phi1`."""
         return self._give("jerk", phi1, "1/rad**2", degrees)

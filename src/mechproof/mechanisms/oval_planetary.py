@@ -49,6 +49,7 @@ from mechproof.mechanisms.oval_planetary_kinds import (
     classify,
     compose,
 )
+from mechproof.mechanisms.pointwise import pointwise_in_angles
 from mechproof.mechanisms.units import Units
 
 
@@ -242,6 +243,7 @@ class OvalPlanetary(Drive):
         kind = DwellInDegrees if units.degrees else Dwell
         return replace(found, candidates=tuple(kind(*row) for row in rows))
 
+    @pointwise_in_angles
     def carrier_angle(self, phi3: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
 

@@ -28,6 +28,7 @@ from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.mechanisms.pointwise import pointwise
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 
@@ -88,20 +89,21 @@ class ToothThickness(Displayed):
         return cls(sizes["m"], int(sizes["z"]), sizes["alpha"])
 
     @property
-    def constant_chord(self) -> Any:
+    def constant_chord(self) -> np.float64:
         """Distance of the points where a rack touches both flanks (mm)."""
         return kernels.constant_chord(self.m, self.alpha)
 
     @property
-    def chord_height(self) -> Any:
+    def chord_height(self) -> np.float64:
         """Height from the tip circle to the constant chord (mm)."""
         return kernels.chord_height(self.m, self.alpha)
 
     @property
-    def deepest(self) -> Any:
+    def deepest(self) -> np.float64:
         """From the constant chord down to where the flank is parallel to the tooth's axis (mm)."""
         return kernels.height_change(-self.alpha, self.m, self.z, self.alpha)
 
+    @pointwise
     def thickness_change(self, dh: ArrayLike) -> Any:
         """Return how much the chord thickens if it lies `dh` deeper: exact, on the involute.
 
@@ -139,12 +141,14 @@ class ToothThickness(Displayed):
         found = follow_kind(given, np.where(proper, change, np.nan).astype(depth.dtype))
         return units.give(found, "mm")
 
+    @pointwise
     def thickness_change_linear(self, dh: ArrayLike) -> Any:
         """Return the change of thickness to first order, 2*tan(alpha)*dh."""
         units = Units()
         depth = units.take("dh", dh, "mm")
         return units.give(kernels.thickness_change_linear(depth, self.alpha), "mm")
 
+    @pointwise
     def linearisation_bound(self, dh: ArrayLike) -> Any:
         """Bound the excess of the first order: 0 <= linear - exact <= bound (mm).
 

@@ -23,7 +23,7 @@ from dataclasses import InitVar, dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import check_count, check_real, check_triple, require
 from mechproof.kernel_support.arrays import as_floats
@@ -32,6 +32,7 @@ from mechproof.kernels.derivatives import track_wheel as derivatives
 from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import WIDENING
+from mechproof.mechanisms.pointwise import pointwise_in_angles
 from mechproof.mechanisms.track_wheel_design import (
     QUARTER,
     check_offset,
@@ -108,10 +109,11 @@ class TrackWheel(Displayed):
         angles = sizes["alpha"], sizes["beta"], sizes["gamma"]
         return cls(sizes["R"], sizes["A"], z, H, angles=angles, shift=shift)
 
-    def rotation(self) -> Any:
+    def rotation(self) -> NDArray[np.float64]:
         """Return the matrix K (14), shape (3, 3): coordinates in the part's frame."""
         return kernels.rotation(*self.angles)
 
+    @pointwise_in_angles
     def radius(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the radius vector of the track (16) at polar angles `phi`."""
         units = Units(degrees)
@@ -150,18 +152,21 @@ class TrackWheel(Displayed):
         """Return the position errors (15) of the track's points, shape (..., 3)."""
         return self.displacement_of(self.track(phi, degrees=degrees))
 
+    @pointwise_in_angles
     def planar_error(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the error in the end plane (17) of the track's points."""
         units = Units()
         moved = units.take("phi", self.displacement(phi, degrees=degrees), "mm")
         return units.give(kernels.planar_error(moved), "mm")
 
+    @pointwise_in_angles
     def spatial_error(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the error in space (18) of the track's points."""
         units = Units()
         moved = units.take("phi", self.displacement(phi, degrees=degrees), "mm")
         return units.give(kernels.spatial_error(moved), "mm")
 
+    @pointwise_in_angles
     def normal_error(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the error along the normal of the track in the plane, positive outwards.
 

@@ -25,6 +25,7 @@ from mechproof.arguments.scalars import check_items, check_mapping, check_real, 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.pointwise import pointwise
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 
@@ -108,6 +109,7 @@ class WedgeLinkage(Displayed):
         sizes = choose_published(kernels.PUBLISHED, "set", set)
         return {name: Size(*limits) for name, limits in sizes.items()}
 
+    @pointwise
     def position(self, x1: ArrayLike) -> Any:
         """Return the displacements y9 of the wedge; see `kernels.wedge_linkage`.
 
@@ -124,6 +126,7 @@ class WedgeLinkage(Displayed):
         self._check_reach(moved)
         return units.give(kernels.position(moved, **asdict(self)), "mm")
 
+    @pointwise
     def velocity(self, x1: ArrayLike) -> Any:
         """Return dy9/dx1, the velocity of the wedge at unit speed of the pusher.
 

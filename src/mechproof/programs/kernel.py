@@ -58,6 +58,12 @@ class Kernel:
         """Return whether it is the kernel of its quantity, not a rival."""
         return self.forms == self.quantity.shipped
 
+    @property
+    def is_alternative(self) -> bool:
+        """Return whether it is a rival of ours that equals the definition without reservation."""
+        said = [(f.source, f.note, f.bound, f.on, f.holds_on) for f in self.forms]
+        return not self.is_shipped and not any(map(any, said))
+
 
 # The functions of the papers last asked for; a record with mappings in it has no hash.
 _built: list[tuple[Paper, Functions]] = []

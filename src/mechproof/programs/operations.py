@@ -77,7 +77,8 @@ class Kind:
     second. `head` is its name in expressions, if that is no function of SymPy's own.
     Languages that have no spelling take the function of `elementary`, formulas what it means.
     Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads,
-    too, `javascript` and `structured_text` of IEC 61131-3.
+    too, `javascript`, `structured_text` of IEC 61131-3 and `array_api`, by that standard (as
+    `python`, where its name follows from NumPy's).
     """
 
     name: str
@@ -92,6 +93,7 @@ class Kind:
     octave: Spelling | None = None
     javascript: Spelling | None = None
     structured_text: Spelling | None = None
+    array_api: Spelling | None = None
 
     @property
     def is_composed(self) -> bool:
@@ -276,10 +278,10 @@ _ROWS = (
     _library("arctanh", sp.atanh, "atanh"),
     Kind("power", LIBRARY, sp.Pow, None, "_np.power", "_math.pow", "pow",
          octave=Pattern("{}.^{}", ATOM, POWER), javascript="Math.pow",
-         structured_text="EXPT"),
+         structured_text="EXPT", array_api=Pattern("{} ** {}", ATOM, POWER)),
     Kind("cbrt", LIBRARY, sp.cbrt, None, "_np.cbrt", "_np.cbrt", "cbrt",
-         javascript="Math.cbrt"),
-    Kind("mod", NEAREST, sp.Mod, None, "_np.mod", octave="mod"),
+         javascript="Math.cbrt", array_api=Pattern("{} ** (1 / 3)", ATOM, POWER)),
+    Kind("mod", NEAREST, sp.Mod, None, "_np.mod", octave="mod", array_api="xp.remainder"),
     Kind("sinc", LIBRARY, sp.sinc, _sinc, Support("functions", "sinc")),
     # What is computed by others.
     _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),

@@ -30,6 +30,7 @@ LANGUAGES = {
     "python": "Python",
     "c": "C",
     "octave": "Octave or MATLAB",
+    "array_api": "Array API (JAX, PyTorch)",
     "javascript": "JavaScript",
     "structured_text": "Structured Text",
     "latex": "LaTeX",
@@ -42,12 +43,12 @@ class Formula:
 
     `latex` and `mathml` are the definition in the letters of the paper, `sympy` is source that
     binds it to the quantity's name. The others are functions `<system>_<quantity>`, of the
-    operations of the shipped kernel: `python` with NumPy and `octave` (MATLAB, too) of numbers or
-    arrays, `c` (C99; elementary functions written out, as `mechproof emit c` has them),
-    `javascript` and `structured_text` (IEC 61131-3) of numbers. Where a language has no fused
-    multiply-add, rests of products are computed by error-free products. Numbers are written so that
-    they are read back exactly. An attribute raises NotImplementedError where a language cannot
-    compute the quantity, and says why.
+    operations of the kernel: `python` with NumPy, `array_api` (for JAX, PyTorch and what else keeps
+    to that standard) and `octave` (MATLAB, too) of numbers or arrays, `c` (C99; elementary
+    functions written out, as `mechproof emit c` has them), `javascript` and `structured_text` (IEC
+    61131-3) of numbers. Where a language has no fused multiply-add, rests of products are computed
+    by error-free products. Numbers are written so that they are read back exactly. An attribute
+    raises NotImplementedError where a language cannot compute the quantity, and says why.
     """
 
     name: str
@@ -95,6 +96,11 @@ class Formula:
         return render_script(self._kernel, self._paper, "python")
 
     @property
+    def array_api(self) -> str:
+        """Return a module of Python for arrays of any library, as JAX's and PyTorch's."""
+        return render_script(self._kernel, self._paper, "array_api")
+
+    @property
     def octave(self) -> str:
         """Return a file of Octave or MATLAB."""
         return render_script(self._kernel, self._paper, "octave")
@@ -125,7 +131,8 @@ def formula(name: str, *, derivations: str | os.PathLike[str] | None = None) -> 
     Parameters
     ----------
     name : str
-        system.quantity, such as elliptic_planetary.position.
+        system.quantity, such as elliptic_planetary.position, or the function of another form of
+        ours that equals it, as elliptic_planetary.position_tan_half.
     derivations : path, optional
         The folder of the derivation; that of the package if left out.
 
@@ -142,7 +149,8 @@ def formula(name: str, *, derivations: str | os.PathLike[str] | None = None) -> 
     if system not in systems:
         refuse("name", name, f"the system must be one of {', '.join(systems)}")
     paper = load_paper(systems[system])
-    kernels = {k.name: k for k in build_functions(paper).kernels if k.is_shipped}
+    functions = build_functions(paper).kernels
+    kernels = {k.name: k for k in functions if k.is_shipped or k.is_alternative}
     if wanted not in kernels:
         refuse("name", name, f"the quantity of {system} must be one of {', '.join(kernels)}")
     return Formula(name, paper, kernels[wanted])

@@ -15,6 +15,7 @@ from mechproof.codegen.backends.numpy import format_source, render_template
 from mechproof.codegen.backends.scalar_texts import BOOLEAN, ScalarKernel, write_scalar
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.languages import (
+    ARRAY,
     FORM,
     RESULT,
     SCRIPTS,
@@ -22,10 +23,12 @@ from mechproof.codegen.languages import (
     Script,
 )
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
-from mechproof.programs.elementary.plain import write_plainly
-from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.branches import block_branches
+from mechproof.programs.code import Stage
+from mechproof.programs.elementary.plain import needs_roundings, write_plainly
+from mechproof.programs.kernel import Kernel, build_functions, list_functions
 from mechproof.programs.operations import HELPER
-from mechproof.programs.program import TEMPORARY, Operation, Program, is_unnamed
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, is_unnamed, unfuse
 from mechproof.programs.scalar import join_stage, list_conditions, list_stages
 from mechproof.record import Paper
 
@@ -96,24 +99,24 @@ def _render(texts: Sequence[FormulaText], script: Script, paper: Paper) -> str:
     data |= {"result": RESULT, "form": FORM} if script.takes_arrays else {}
     texts_beside = [script.helpers[name] for name in written]
     text = "\n".join([render_template(script.template, data), *texts_beside])
-    return format_source(text) if script.name == "python" else _tidy(text)
+    return format_source(text) if script.suffix == ".py" else _tidy(text)
 
 
 def _write(kernel: Kernel, paper: Paper, script: Script) -> FormulaText:
     _refuse(kernel, script)
+    if script.fuses:
+        _refuse_rests(kernel, paper, script)
     name = f"{paper.system}_{kernel.name}"
     syntax = replace(script.syntax, name=_name_apart(kernel, script))
     kernel = _spell_out(kernel, script)
-    programs = [join_stage(stage) for _, stage in list_stages(kernel)]
-    conditions = list_conditions(kernel)
-    choices = _choose(kernel, programs, syntax) if script.takes_arrays else ()
-    kinds = [s.kind for p in (*programs, *conditions) for s in p.operations]
+    choices = _choose(kernel, syntax) if script.takes_arrays else ()
+    kinds = [step.kind for step in _list_steps(kernel, script)]
     kinds += ["choose"] * bool(choices)
     helpers = _find_helpers(kinds, script)
     written = tuple(k for k in script.helpers if k in {*kinds, *_list_kinds(helpers)})
     return FormulaText(
         name,
-        write_scalar(kernel, syntax),
+        _write_stages(kernel, syntax, script),
         tuple(describe_formula(kernel, paper)),
         choices,
         tuple(_write_helper(kind, script) for kind in helpers),
@@ -153,6 +156,59 @@ def _refuse(kernel: Kernel, script: Script) -> None:
         raise NotImplementedError("functions take and return numbers there, no vectors")
 
 
+def _refuse_rests(kernel: Kernel, paper: Paper, script: Script) -> None:
+    """Raise NotImplementedError for what roundings left, naming the forms that do without."""
+    if lost := _list_rests(kernel, script):
+        others = [
+            f"{paper.system}.{other.name}"
+            for other in build_functions(paper).kernels
+            if other.is_alternative and other.quantity.name == kernel.quantity.name
+            if not _list_rests(other, script)
+        ]
+        offer = f"; {' or '.join(others)} does without" if others else ""
+        raise NotImplementedError(
+            "compilers of arrays may take sums and products together, which destroys what "
+            f"roundings left ({', '.join(lost)}){offer}"
+        )
+
+
+def _list_rests(kernel: Kernel, script: Script) -> list[str]:
+    kinds = dict.fromkeys(step.kind for step in _list_steps(kernel, script))
+    return [k for k in kinds if k not in script.native and needs_roundings(k)]
+
+
+def _list_steps(kernel: Kernel, script: Script) -> list[Operation]:
+    programs = [_join(stage, script) for _, stage in list_stages(kernel)]
+    return [step for p in (*programs, *list_conditions(kernel)) for step in p.operations]
+
+
+def _join(stage: Stage, script: Script) -> Program:
+    program = join_stage(stage)
+    return block_branches(_make_arrays(unfuse(program), script)) if script.fuses else program
+
+
+def _make_arrays(program: Program, script: Script) -> Program:
+    """Return the program with arrays for the numbers that functions take."""
+    numbers, operations = set[Operand](), list[Operation]()
+    for step in program.operations:
+        given = [o for o in step.operands if o in numbers or not str(o).isidentifier()]
+        if step.kind in script.syntax.calls:
+            names = {o: f"{TEMPORARY}{ARRAY}{len(operations) + i}" for i, o in enumerate(given)}
+            operations += [Operation(name, ARRAY, (o,)) for o, name in names.items()]
+            step = replace(step, operands=tuple(names.get(o, o) for o in step.operands))
+        elif len(given) == len(step.operands):
+            numbers.add(step.result)
+        operations.append(step)
+    return replace(program, operations=tuple(operations)).normal_form()
+
+
+def _write_stages(kernel: Kernel, syntax: Syntax, script: Script) -> ScalarKernel:
+    written = write_scalar(kernel, syntax)
+    stages = zip(written.stages, list_stages(kernel), strict=True)
+    wholes = [(text, write_program(_join(stage, script), syntax)) for text, (_, stage) in stages]
+    return replace(written, stages=tuple(replace(text, whole=whole) for text, whole in wholes))
+
+
 def _name_apart(kernel: Kernel, script: Script) -> Callable[[str], str]:
     """Return how names are spelled, by more than capitals different where these do not count."""
     if not script.ignores_case:
@@ -168,13 +224,11 @@ def _name_apart(kernel: Kernel, script: Script) -> Callable[[str], str]:
     return lambda name: names.get(name, name)
 
 
-def _choose(
-    kernel: Kernel, programs: Sequence[Program], syntax: Syntax
-) -> tuple[tuple[str, str], ...]:
+def _choose(kernel: Kernel, syntax: Syntax) -> tuple[tuple[str, str], ...]:
     """Write the steps that choose a form for each element, and NaN outside the domain."""
     steps: list[tuple[str, str]] = []
     stages = list_stages(kernel)
-    for place in range(len(programs[0].outputs)):
+    for place in range(len(join_stage(stages[0][1]).outputs)):
         result = f"{RESULT}_{place}"
         value = f"{FORM}{len(stages)}_{place}"
         for number in reversed(range(1, len(stages))):
@@ -242,7 +296,7 @@ def describe_formula(kernel: Kernel, paper: Paper) -> Iterable[str]:
     fill = partial(textwrap.wrap, width=WIDTH)
     yield from fill(f"Result: {tell_unit(quantity.unit)}.")
     yield from fill(f"Domain: {describe_domain(quantity, paper)}.")
-    if told := tell_bound(quantity):
+    if kernel.is_shipped and (told := tell_bound(quantity)):
         yield from fill(
             f"Accuracy of the NumPy kernel, tested: {told}, eps = 2**-52. In another language last "
             "digits are those of its own functions."

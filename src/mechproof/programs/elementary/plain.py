@@ -6,9 +6,11 @@ NumPy do it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from inspect import signature
 from types import MappingProxyType
+from typing import Any
 
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
@@ -79,15 +81,25 @@ def write_plainly(kind: str) -> Program:
     A function of libraries is what it means in others of them; what a rounding left is not.
     Raises NotImplementedError for a kind that is neither.
     """
-    row = KINDS[kind]
     if kind in PLAIN:
         body = PLAIN[kind]
         return trace(body, tuple(signature(body).parameters))
-    is_meant = row.rounding is Rounding.LIBRARY or (row.rounding is NEAREST and kind not in BODIES)
-    if row.meaning is not None and is_meant:
-        meaning = row.meaning
+    if (meaning := _find_meaning(kind)) is not None:
         inputs = tuple(signature(meaning).parameters)[1:]
         return trace(lambda *values: meaning(_MEANT, *values), inputs)
     if kind in BODIES:
         return build(kind, DOUBLE).program
     raise NotImplementedError(f"the language has no {kind}")
+
+
+def _find_meaning(kind: str) -> Callable[..., Any] | None:
+    row = KINDS[kind]
+    is_meant = row.rounding is Rounding.LIBRARY or (row.rounding is NEAREST and kind not in BODIES)
+    return row.meaning if is_meant else None
+
+
+def needs_roundings(kind: str) -> bool:
+    """Say whether what a kind is computed from must round every sum and product by itself."""
+    if kind in PLAIN:
+        return kind in ("fma", "product_rest", "quotient_rest")
+    return kind in BODIES and _find_meaning(kind) is None
