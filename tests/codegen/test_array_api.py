@@ -26,6 +26,9 @@ from mechproof.codegen.backends.scripts import render_scripts
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Paper
 
+# The truth at the points is found once for all languages.
+pytestmark = pytest.mark.xdist_group("codegen/test_formula_languages.py")
+
 RESTS, SUM_RESTS = "quotient_rest, product_rest, small_tangent", "sum_rest, product_rest"
 AXES = "no axes of any length"
 # Why a quantity has none, and which forms are offered.
@@ -50,6 +53,8 @@ REFUSED = {
     "track_wheel.error_sum_correlated": (AXES, ""),
     "track_wheel.error_sum_thermal": (AXES, ""),
 }
+# The others are compiled in the thorough tests.
+ALWAYS = ("elliptic_planetary", "wedge_linkage")
 # What JAX does not do unless it is told to: sums and products as if they were exact.
 FAST = {"xla_cpu_enable_fast_math": True}
 
@@ -64,7 +69,14 @@ def compute(text: str, name: str, **how: Any) -> Any:
     return by_jax.compute(text, name.replace(".", "_"), points_of(name), **how)
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
+# All of them keep the bounds on the strict library.
+@pytest.mark.parametrize(
+    "system",
+    [
+        pytest.param(system, marks=[] if system in ALWAYS else pytest.mark.thorough)
+        for system in SYSTEMS
+    ],
+)
 def test_compiled_formulas_keep_the_bounds_of_the_kernels(system: str) -> None:
     text = write(paper_of(system))
     for name in KERNELS:
