@@ -23,6 +23,7 @@ from mechproof.latex.tree import (
     Call,
     Chain,
     Constant,
+    Entries,
     Excerpt,
     Letter,
     Magnitude,
@@ -170,10 +171,16 @@ class Shapes:
         if isinstance(node, Quotient):
             return self.measure(node.above)
         if isinstance(node, Power):
-            return self.measure(node.base)
+            shape = self.measure(node.base)
+            # The square of a vector is its product with itself.
+            return NUMBER if shape and shape[0] != shape[1] else shape
+        if isinstance(node, Entries):
+            # Components, which nobody prints as vectors.
+            is_flat = not any(_is_vector(part) for part in walk(node.parts))
+            return (len(node.parts), 1) if is_flat else None
         if isinstance(node, Transposed):
             shape = self.measure(node.of)
-            return shape and (shape[1], shape[0])
+            return shape and (shape if isinstance(node.of, Entries) else (shape[1], shape[0]))
         if isinstance(node, Table):
             heights, widths = self._measure_blocks(node)
             return (sum(heights), sum(widths)) if heights and widths else None
@@ -231,7 +238,7 @@ class Shapes:
             self._push(node.of, (shape[1], shape[0]))
         elif isinstance(node, Quotient):
             self._push(node.above, shape)
-        elif isinstance(node, Power) and shape[0] == shape[1]:
+        elif isinstance(node, Power) and shape[0] == shape[1] > 1:
             self._push(node.base, shape)
         elif isinstance(node, Product):
             self._solve(node, shape)

@@ -266,12 +266,23 @@ def _make(
 def _find_phases(
     variables: Sequence[Variable], running: Collection[sp.Basic], bare: Collection[sp.Basic]
 ) -> Iterator[tuple[sp.Basic, sp.Basic]]:
-    r"""Yield letters with a unit whose product with one that runs has none: \omega t."""
-    known = [v for v in variables if v.symbol not in bare and v.dimension != NUMBER]
-    for by in (v for v in known if v.symbol in running):
-        for v in known:
+    r"""Yield letters that a phase has side by side: \omega t, whose units make a number, N\varphi.
+
+    N counts or is a number; what begins a phase may have it, or pi, before it.
+    """
+    known = [v for v in variables if v.symbol not in bare]
+    units = [v for v in known if v.dimension != NUMBER]
+    speeds: set[sp.Basic] = set()
+    for by in (v for v in units if v.symbol in running):
+        for v in units:
             if v.dimension * by.dimension == NUMBER:
+                speeds.add(v.symbol)
                 yield v.symbol, by.symbol
+    angles = {v.symbol for v in known if v.dimension.is_angle}
+    numbers = {v.symbol for v in known if v.dimension == NUMBER} - angles
+    counts = numbers | {v.symbol for v in variables if v.symbol.is_integer}
+    yield from product(counts, {*angles, *speeds, sp.pi})
+    yield from product([sp.pi], speeds)
 
 
 def _print_rate(latex: str, by: str, order: int) -> Iterator[str]:
