@@ -297,9 +297,13 @@ def find_sizes(
             with suppress(ReadingError, RecursionError):
                 read.append((latex, reader.parse(latex, upper=1).chains))
         shapes = Shapes(read, has_plain_matrices=has_plain_matrices)
-        known = {str(symbol): shape for symbol, shape in shapes.find().items()}
+        known = {name_symbol(str(symbol)): shape for symbol, shape in shapes.find().items()}
         names = [*map(name_symbol, letters)]
         known |= {x: found[y] for x in names if (y := _RATE.sub("", x)) in found and x not in found}
         if known.keys() <= found.keys():
-            return Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
+            crosses, unclear = (
+                tuple(name_symbol(str(symbol)) for symbol in symbols)
+                for symbols in (shapes.crosses, shapes.unclear)
+            )
+            return Sizes(found, crosses, unclear)
         found |= known
