@@ -97,6 +97,25 @@ PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
         ],
     ),
 }
+LOOP = (
+    r"l_1\cos q_1+l\cos\alpha=r+l_2\cos q_2",
+    r"l_1\sin q_1+l\sin\alpha=l_2\sin q_2",
+)
+RATES = (
+    r"\dot\alpha=\frac{l_1\dot q_1\sin(q_2-q_1)}{l\sin(\alpha-q_2)}",
+    r"\dot q_2=\frac{l_1\dot q_1\sin(q_1-\alpha)}{l_2\sin(q_2-\alpha)}",
+)
+ACCELERATION = (
+    r"\ddot q_2=\frac{l_1\ddot q_1\sin(q_1-\alpha)+l_1\dot q_1^2\cos(q_1-\alpha)"
+    r"+l\dot\alpha^2-l_2\dot q_2^2\cos(q_2-\alpha)}{l_2\sin(q_2-\alpha)}"
+)
+WRONG = [
+    ACCELERATION.replace(r"+l\dot\alpha^2", r"-l\dot\alpha^2"),
+    ACCELERATION.replace(r"\cos(q_1-\alpha)", r"\sin(q_1-\alpha)"),
+    ACCELERATION.replace(r"-l_2\dot q_2^2", r"+l_2\dot q_2^2"),
+]
+# Rows that follow from the loop tell that it is no other case.
+PAPERS["an acceleration"] = (*LOOP, *RATES), ACCELERATION, WRONG
 JOINT = PAPERS["a joint"][0]
 CENTRE = (ROD, SLIDER, r"\alpha=-\beta", "x=u", "u^2=(r+l)^2")
 INLINE = (*FOUR_BAR[:2], r"q_1=\alpha", r"(l_1+l)^2=l_2^2+r^2+2rl_2\cos q_2")
@@ -115,6 +134,8 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
         (*FOUR_BAR, r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)"),
         ["(2)", "(6)"],
     ),
+    # Nothing else is printed that follows from the loop, or what does comes before it.
+    "an acceleration alone": ((*LOOP, WRONG[0]), ["(1)", "(3)"]),
     "a dead centre": (CENTRE, []),
     "a dead centre, wrong": ((*CENTRE[:2], r"\alpha=\beta", *CENTRE[3:]), ["(1)", "(3)"]),
     "crank and coupler in line": (INLINE, []),

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.consequences import GIVEN, list_letters
+from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
 from mechproof.document.judging import (
     WITH_DEFINITIONS,
     Key,
@@ -23,6 +23,8 @@ from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Definition, Equality
 from mechproof.tools.processes import run_tasks
 
+# How rows follow from constraints.
+_FOLLOWING = (MULTIPLE, COMBINATION)
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
@@ -101,7 +103,8 @@ def find_misprints(
     """Judge what may be a constraint or a misprint.
 
     One that shows only beside another print that may itself be wrong, or be meant for another
-    case, contradicts that print: neither is refuted.
+    case, contradicts that print: neither is refuted. That it may be meant for another case is ruled
+    out where it comes first and further rows follow from it, and not without it.
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     asked = {
@@ -113,11 +116,15 @@ def find_misprints(
     }
     found = _accuse(key, [*asked.items()], limit)
     accused = {n: found[place] for place, n in enumerate(asked) if place in found}
+    excused = {o for n in accused for o in asked[n] if tasks[o].is_excused}
+    needed = _find_needed(key, tasks, rows, excused, limit)
     rivals = [
         (n, other)
         for n in accused
         for other in asked[n]
-        if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
+        if (other in accused and n in asked[other])
+        or _may_be_special(tasks, n, other)
+        or (other in excused and (other > n or other not in needed))
     ]
     without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
     still = _accuse(key, without, limit)
@@ -216,8 +223,28 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     is_plain = other > number and all(
         term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
     )
-    is_case = tasks[other].is_excused or tasks[other].sign.role is Role.SOLUTIONS
-    return is_case or is_plain
+    return is_plain or tasks[other].is_case or tasks[other].sign.role is Role.SOLUTIONS
+
+
+def _find_needed(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    others: Collection[int],
+    limit: float,
+) -> set[int]:
+    """Return constraints without which a row does not follow that is shown to follow."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in _FOLLOWING]
+    pairs = [(other, n) for other in others for n in following if other < n]
+    asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
+    found = dict(run_tasks(judge_beside, asked, limit=limit))
+    without = {place for place, one in found.items() if _is_proof(one)}
+    return {other for place, (other, _) in enumerate(pairs) if place not in without}
+
+
+def _is_proof(found: object) -> bool:
+    return isinstance(found, Judgement) and found.verdict is Verdict.PROVED
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
