@@ -24,6 +24,9 @@ _DIGITS = tuple(map(sp.Integer, range(1, 10)))
 _FEWEST_DIGITS = 3
 _LONG = 5
 
+# How it is told that a change is one of a definition.
+WITHIN = " in what defines "
+
 Sides = tuple[sp.Expr, sp.Expr]
 
 
@@ -47,7 +50,7 @@ class Change:
     @property
     def reason(self) -> str:
         """Say what is wrong."""
-        where = f" in what defines {self.within}" if self.within else ""
+        where = f"{WITHIN}{self.within}" if self.within else ""
         return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
 
 
