@@ -127,6 +127,7 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["b : radius {b>0}", "c : pitch"],
             [],
         ),
+        (r"$b_{c,q}$ is the pitch. $$y=b_{c,q}+q$$", ["b_{c,q} : pitch", "q :"], []),
         (r"$b$ is defined as follows. $$b=c$$", ["b :"], []),
         (r"Here $b$ is constant. $$y=bc$$", ["b :"], []),
         (

@@ -117,19 +117,19 @@ def find_misprints(
     }
     found = _accuse(key, [*asked.items()], limit)
     accused = {n: found[place] for place, n in enumerate(asked) if place in found}
-    excused = {o for n in accused for o in asked[n] if tasks[o].is_excused}
-    needed = _find_needed(key, tasks, rows, excused, limit)
-    rivals = [
+    beside = [(n, other) for n in accused for other in asked[n]]
+    certain = {
         (n, other)
-        for n in accused
-        for other in asked[n]
-        if (other in accused and n in asked[other])
-        or _may_be_special(tasks, n, other)
-        or (other in excused and (other > n or other not in needed))
-    ]
+        for n, other in beside
+        if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
+    }
+    rivals = [pair for pair in beside if pair in certain or tasks[pair[1]].is_excused]
     without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
     still = _accuse(key, without, limit)
     pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    excused = {(n, other) for n, other in pairs if other < n} - certain
+    needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
+    pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
     open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
     pairs += open_pairs
     refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}

@@ -75,6 +75,8 @@ _NO_NOUN = re.compile(
     r"|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
 )
+# What stands between letters, not in their indices.
+_BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
 _RESPECTIVELY = re.compile(r",?\s*respectively")
 _ITEMS = re.compile(r",\s*(?:and\s+)?(?:the\s+)?|\s+and\s+(?:the\s+)?")
 _INLINE = re.compile(r"\\([()])")
@@ -97,7 +99,7 @@ def find_said(source: Source) -> Iterator[tuple[str, Said]]:
             named = {*match.groupdict().values()}
             units = [group for group in match.groups() if group and group not in named]
             place = source.files.locate(source.text.offsets[match.start("name")])
-            letters = [name.strip(" $") for name in re.split(r",|\band\b", match["name"])]
+            letters = [name.strip(" $") for name in _BETWEEN.split(match["name"])]
             letters = [name for name in letters if name]
             for name, meaning in zip(letters, _share(match["meaning"], len(letters)), strict=True):
                 if not _NO_NOUN.match(meaning):
