@@ -108,6 +108,7 @@ class Shapes:
                 if shape:
                     self._push(member, shape)
             self._take_determinant(node.members)
+            self._take_components(node.members)
         elif isinstance(node, Add) and (shape := self.measure(node)):
             self._push(node, shape)
         elif isinstance(node, Product) and self._is_cross(node):
@@ -129,6 +130,15 @@ class Shapes:
             is_column = shape is not None and shape[1] == 1 != shape[0]
             if shape and is_column and isinstance(one, Letter) and _CHANGES_FRAME.match(one.text):
                 self._push(one, (shape[0], shape[0]))
+
+    def _take_components(self, members: Sequence[Node]) -> None:
+        """Take the components in a bracket for those of the vectors beside it."""
+        brackets = (x.of if isinstance(x, Transposed) else x for x in members)
+        lists = [x.parts for x in brackets if isinstance(x, Entries)]
+        for parts in lists:
+            for member in members:
+                if _is_vector(member) and not any(map(_is_vector, walk(parts))):
+                    self._push(member, (len(parts), 1))
 
     def _take_determinant(self, members: Sequence[Node]) -> None:
         """Take bars around a letter beside a printed determinant for its own."""
@@ -174,13 +184,9 @@ class Shapes:
             shape = self.measure(node.base)
             # The square of a vector is its product with itself.
             return NUMBER if shape and shape[0] != shape[1] else shape
-        if isinstance(node, Entries):
-            # Components, which nobody prints as vectors.
-            is_flat = not any(_is_vector(part) for part in walk(node.parts))
-            return (len(node.parts), 1) if is_flat else None
         if isinstance(node, Transposed):
             shape = self.measure(node.of)
-            return shape and (shape if isinstance(node.of, Entries) else (shape[1], shape[0]))
+            return shape and (shape[1], shape[0])
         if isinstance(node, Table):
             heights, widths = self._measure_blocks(node)
             return (sum(heights), sum(widths)) if heights and widths else None
