@@ -77,7 +77,7 @@ CASES = {
             r"\ddot\eta=\frac{r\ddot\varphi\sin(\varphi-\zeta)+r\dot\varphi^2\cos(\varphi-\zeta)"
             r"-l\dot\zeta^2-c\dot\eta^2\cos(\eta-\zeta)}{c\sin(\eta-\zeta)}",
         ],
-        ["not judged", "DEFINITION", "PROVED", "PROVED", "not judged"],
+        ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "REFUTED"],
     ),
     "a value of the derivative of what a constraint gives": (
         [

@@ -117,6 +117,28 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"$$\delta=b\quad y=c+\delta b$$", [r"\delta :"], [r"\delta b :"]),
         (r"Let $b$ be the radius, $c$ the length of a rod $$y=b+c$$", ["b : radius {b>0}"], []),
         (r"Let $b$ be the radius, $c$ the pitch. $$y=b+c$$", ["c : pitch"], ["c : pitch {c>0}"]),
+        (
+            r"$b$, $c$ and $q$ are the numbers of teeth of the sun, planet and ring: $$y=b+c+q$$",
+            [f"{x} : numbers of teeth of the sun, planet and ring" for x in "bcq"],
+            [],
+        ),
+        (
+            r"$b$ and $c$ are the radius and the pitch, respectively. $$y=b+c$$",
+            ["b : radius {b>0}", "c : pitch"],
+            [],
+        ),
+        (r"$b_{c,q}$ is the pitch. $$y=b_{c,q}+q$$", ["b_{c,q} : pitch", "q :"], []),
+        # A bracket is one of components beside a vector, whatever it is elsewhere.
+        (r"$$[T]=[R,d+t]$$ $$\mathbf{u}=(b,c)$$", [r"\mathbf{u} 2x1 :"], ["T 2x1 :"]),
+        (r"$b$ is defined as follows. $$b=c$$", ["b :"], []),
+        (r"Here $b$ is constant. $$y=bc$$", ["b :"], []),
+        (
+            r"$b$ is the speed of the rear and front wheel. $$y=2b$$",
+            ["b : speed of the rear and front wheel"],
+            [],
+        ),
+        (r"$b$ is the pitch and it is small. $$y=2b$$", ["b : pitch"], []),
+        (r"$$y=e^*+b$$", ["e^* :"], ["e :"]),
         (r"With the speed $b$ the power is $$y=b+c$$", ["b :"], []),
         (r"For $b=2$ and then $b=3$ $$y=2b$$", [], ["sizes b=2", "sizes b=3"]),
         (r"at $b=0$ $$y=2b$$", [], ["sizes b=0"]),

@@ -97,6 +97,25 @@ PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
         ],
     ),
 }
+LOOP = (
+    r"l_1\cos q_1+l\cos\alpha=r+l_2\cos q_2",
+    r"l_1\sin q_1+l\sin\alpha=l_2\sin q_2",
+)
+RATES = (
+    r"\dot\alpha=\frac{l_1\dot q_1\sin(q_2-q_1)}{l\sin(\alpha-q_2)}",
+    r"\dot q_2=\frac{l_1\dot q_1\sin(q_1-\alpha)}{l_2\sin(q_2-\alpha)}",
+)
+ACCELERATION = (
+    r"\ddot q_2=\frac{l_1\ddot q_1\sin(q_1-\alpha)+l_1\dot q_1^2\cos(q_1-\alpha)"
+    r"+l\dot\alpha^2-l_2\dot q_2^2\cos(q_2-\alpha)}{l_2\sin(q_2-\alpha)}"
+)
+WRONG = [
+    ACCELERATION.replace(r"+l\dot\alpha^2", r"-l\dot\alpha^2"),
+    ACCELERATION.replace(r"\cos(q_1-\alpha)", r"\sin(q_1-\alpha)"),
+    ACCELERATION.replace(r"-l_2\dot q_2^2", r"+l_2\dot q_2^2"),
+]
+# Rows that follow from the loop tell that it is no other case.
+PAPERS["an acceleration"] = (*LOOP, *RATES), ACCELERATION, WRONG
 JOINT = PAPERS["a joint"][0]
 CENTRE = (ROD, SLIDER, r"\alpha=-\beta", "x=u", "u^2=(r+l)^2")
 INLINE = (*FOUR_BAR[:2], r"q_1=\alpha", r"(l_1+l)^2=l_2^2+r^2+2rl_2\cos q_2")
@@ -115,6 +134,8 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
         (*FOUR_BAR, r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)"),
         ["(2)", "(6)"],
     ),
+    # Nothing else is printed that follows from the loop, or what does comes before it.
+    "an acceleration alone": ((*LOOP, WRONG[0]), ["(1)", "(3)"]),
     "a dead centre": (CENTRE, []),
     "a dead centre, wrong": ((*CENTRE[:2], r"\alpha=\beta", *CENTRE[3:]), ["(1)", "(3)"]),
     "crank and coupler in line": (INLINE, []),
@@ -216,6 +237,45 @@ def test_a_misprint_is_told_with_what_mends_it() -> None:
     )
     before, _, (wrong, *_) = PAPERS["Freudenstein"]
     assert judge((*before, wrong)).reason.endswith("; compared with (1), (2)")
+
+
+# The theorem of cosines, what it is brought to, and the root of it: which print is wrong, and with
+# how many others it is seen which.
+STEPS = (
+    r"l^2=r^2+x^2-2rx\cos\gamma",
+    r"l^2-r^2+r^2\cos^2\gamma=(x-r\cos\gamma)^2",
+    r"l^2-r^2\sin^2\gamma=(x-r\cos\gamma)^2",
+    r"x=r\cos\gamma+\sqrt{l^2-r^2\sin^2\gamma}",
+)
+ROOT = STEPS[3].replace("l^2-r", "l^2+r")
+WRONG_STEP = STEPS[2].replace(r"\sin^2", r"\cos^2")
+
+
+@pytest.mark.parametrize(
+    ("equations", "words", "refuted", "contested"),
+    [
+        (STEPS, "", [], []),
+        ((*STEPS[:3], ROOT), "", ["(4)"], []),
+        ((*STEPS[:3], ROOT), "In the other case", [], ["(1)", "(4)"]),
+        ((*STEPS[:2], WRONG_STEP, STEPS[3]), "", ["(3)"], []),
+        ((STEPS[0], ROOT), "", [], ["(1)", "(2)"]),
+        ((WRONG_STEP, STEPS[3]), "", [], ["(1)", "(2)"]),
+    ],
+)
+def test_the_rest_tells_whether_a_definition_or_what_it_contradicts_is_wrong(
+    equations: tuple[str, ...], words: str, refuted: list[str], contested: list[str]
+) -> None:
+    block = BLOCK.replace("x(t) ;", "x ;") + "%% where l>r\n%% where r>0\n%% where l>0\n%% end\n"
+    *shown, last = [f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations]
+    rows = check("paper.tex", "".join([block, *shown, words, " ", last])).rows
+    assert [row.name for row in rows if row.outcome == "REFUTED"] == refuted
+    assert [row.name for row in rows if "contradict each other" in row.reason] == contested
+
+
+def test_what_cancels_in_what_gives_a_letter_is_no_definition() -> None:
+    speeds = (r"w_3=\frac{w_1+w_2}2", r"u=\frac{w_1-w_2}k")
+    assert judge((*speeds, r"w_2=w_3-\frac{uk}2")).outcome == "PROVED"
+    assert judge((*speeds, r"w_2=w_3+\frac{uk}2")).outcome == "REFUTED"
 
 
 # Points -----------------------------------------------------------------------------------------

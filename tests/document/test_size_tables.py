@@ -227,7 +227,9 @@ def test_a_column_of_a_formula_whose_letters_are_not_there_is_told() -> None:
     found = run(tabular("$a$ & $b$ & $k$ & $b/q$", "2 & 4 & 0.5 & 0.5"))
     assert [row.outcome for row in found.rows[8:]] == ["PROVED"]
     ((_, reason),) = found.told
-    assert reason.startswith("the column b/q is not compared: the formula needs gamma: neither in")
+    assert reason.startswith(
+        r"the column b/q is not compared: the formula needs \gamma: neither in"
+    )
 
 
 def test_sizes_of_the_block_that_are_not_those_of_the_table_accuse_nobody() -> None:

@@ -127,6 +127,54 @@ CASES = {
     r"\max_\psi h+a=a": ["not read"],
     r"p=\cos\nu\alpha": ["not read"],
 }
+TURNS = r"""%% mechproof
+%% N ; u : numbers of teeth [1]
+%% n ; u_1 : counts
+%% natural n
+%% \psi ; \alpha : angles [rad]
+%% \nu ; \mu : speeds [rad/s]
+%% f : frequency [Hz]
+%% t : time [s]
+%% z(t) : position [mm]
+%% r : length [mm]
+%% p ; q : numbers
+%% end
+"""
+# What a function without brackets takes, and what it cannot be told to take.
+PHASES = {
+    r"\cos2N\psi=1-2\sin^2N\psi": ["PROVED"],
+    r"\cos N\psi=\cos(\psi N)": ["PROVED"],
+    r"\cos N\psi=\psi\cos(N)": ["not judged"],
+    r"\tan\frac n3\alpha=\tan(n\alpha/3)": ["PROVED"],
+    r"\sin(n+1)\psi=\sin n\psi\cos\psi+\cos n\psi\sin\psi": ["PROVED"],
+    r"\sin(n+1)\psi=\psi\sin(n+1)": ["not judged"],
+    r"\sin(\nu-\mu)t=\sin(\nu t-\mu t)": ["PROVED"],
+    r"\cos\frac12(\psi+\alpha)=\cos(\psi/2+\alpha/2)": ["PROVED"],
+    r"\cos\frac12\psi=\frac\psi2\cos1": ["not judged"],
+    r"\cos n\pi=(-1)^n": ["PROVED"],
+    r"\cos n\pi=(-1)^{n+1}": ["REFUTED"],
+    r"z=r\sin n\nu t\quad \dot z=rn\nu\cos n\nu t": ["DEFINITION", "PROVED"],
+    r"z=r\cos2\pi ft\quad \dot z=2\pi fr\sin2\pi ft": ["DEFINITION", "REFUTED"],
+    r"\cos n\nu=1": ["not read"],
+    r"\cos\psi N=1": ["not read"],
+    r"\cos(n+1)\,\psi=1": ["not read"],
+    r"\cos(N)\psi=\psi\cos(N)": ["PROVED"],
+    r"\cos p\psi=1": ["not read"],
+    r"\cos(n+1)r=1": ["not read"],
+    r"\cos(\psi+1)N=N\cos(1+\psi)": ["PROVED"],
+}
+
+
+@pytest.mark.parametrize("latex", PHASES)
+def test_a_function_takes_the_letters_whose_product_is_an_angle(latex: str) -> None:
+    rows = check("paper.tex", f"{TURNS}$${latex}$$").rows
+    assert [row.outcome for row in rows] == PHASES[latex]
+
+
+def test_without_units_a_count_before_a_letter_is_not_read_as_the_whole_argument() -> None:
+    (row,) = check("paper.tex", r"$$y=\cos(n-1)\theta$$").rows
+    assert row.outcome == "not read"
+    assert "part of the argument" in row.reason
 
 
 @pytest.mark.parametrize("latex", CASES)

@@ -130,6 +130,28 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "DEFINITION", "REFUTED"],
     ),
+    "components in a bracket": (
+        [
+            r"\mathbf s=(a,b)",
+            r"\vec w=(u,v,0)^T",
+            r"\boldsymbol\omega=(0, 0, \omega)",
+            r"\boldsymbol\omega\times\vec w=(-\omega v,\omega u,0)",
+            r"T=\frac m2\mathbf s^2+\vec w^2",
+            r"T=\frac{ma^2+mb^2}2+u^2+v^2",
+            r"T=\frac m2(a^2-b^2)+u^2+v^2",
+            r"\mathbf s=(b,a)",
+        ],
+        [*["DEFINITION"] * 3, "PROVED", "DEFINITION", "PROVED", "REFUTED", "REFUTED"],
+    ),
+    "a bracket beside a row is one": (
+        [
+            r"\mathbf K=\begin{pmatrix}a&b\\c&d\end{pmatrix}",
+            r"\mathbf q=(u,v)",
+            r"\mathbf q^\top\mathbf K=(au+cv,\ bu+dv)",
+            r"\mathbf q^\top\mathbf K=(au+bv,\ cu+dv)",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "not judged"],
+    ),
     "constraints excuse vectors": (
         [
             r"r\sin\varphi=l\sin\beta",

@@ -30,6 +30,8 @@ READ = [
     ("45°", sp.pi / 4),
     ("x\u00a0y\u2009x", x**2 * y),
     ("∣x∣", sp.Abs(x)),
+    ("⌊x+1⌋", sp.floor(x) + 1),
+    ("2⌈x/3⌉", 2 * sp.ceiling(x / 3)),
 ]
 
 

@@ -138,7 +138,7 @@ def _read_letter(
     stem = names[0][: running.start()].strip() if running else names[0]
     family = _FAMILY.match(stem) if by and len(names) == 1 else None
     if family and _list_signs(family[2]) == _list_signs(by):
-        name = symbol.strip() or re.sub(r"[\\{}\s]", "", stem)
+        name = symbol.strip() or stem
         return Declared((family[1],), meaning, unit, condition, symbol=name, is_family=True)
     # What depends on several is no motion.
     by = "" if "," in by else by

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.consequences import GIVEN, list_letters
+from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
 from mechproof.document.judging import (
     WITH_DEFINITIONS,
     Key,
@@ -18,11 +18,14 @@ from mechproof.document.judging import (
     judge_roots,
 )
 from mechproof.document.roles import CONSTRAINING, Role
+from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Definition, Equality
 from mechproof.tools.processes import run_tasks
 
+# How rows follow from constraints.
+_FOLLOWING = (MULTIPLE, COMBINATION)
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
@@ -101,7 +104,8 @@ def find_misprints(
     """Judge what may be a constraint or a misprint.
 
     One that shows only beside another print that may itself be wrong, or be meant for another
-    case, contradicts that print: neither is refuted.
+    case, contradicts that print: neither is refuted. That it may be meant for another case is ruled
+    out where it comes first and further rows follow from it, and not without it.
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     asked = {
@@ -113,24 +117,62 @@ def find_misprints(
     }
     found = _accuse(key, [*asked.items()], limit)
     accused = {n: found[place] for place, n in enumerate(asked) if place in found}
-    rivals = [
+    beside = [(n, other) for n in accused for other in asked[n]]
+    certain = {
         (n, other)
-        for n in accused
-        for other in asked[n]
+        for n, other in beside
         if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
-    ]
+    }
+    rivals = [pair for pair in beside if pair in certain or tasks[pair[1]].is_excused]
     without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
     still = _accuse(key, without, limit)
     pairs = [pair for place, pair in enumerate(rivals) if place not in still]
-    later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
-    pairs += [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
-    refuted = accused.keys() - {n for n, _ in pairs}
+    excused = {(n, other) for n, other in pairs if other < n} - certain
+    needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
+    pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
+    open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
+    pairs += open_pairs
+    refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
         names = ", ".join(tasks[other].row.number for other in sorted(others))
         said = f": {accused[n].reason}" if n in accused else ""
         contradicts = f"{_tell_contradiction(names)}{said}"
-        yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
+        if n in refuted or n not in wrong.values():
+            yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
+    for m, n in wrong.items():
+        yield m, make_row(tasks[m], _charge(rows[m], accused[n], tasks[n].row.number))
+
+
+def _ask_definitions(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    accused: Mapping[int, Judgement],
+    limit: float,
+) -> tuple[list[tuple[int, int]], dict[int, int]]:
+    """Return misprints with the later definitions that they contradict, and definitions to blame.
+
+    A definition is to blame that would have to be changed if further rows follow from what it
+    contradicts; that is itself, by a change of its own, if other rows before the definition are
+    true by it.
+    """
+    later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
+    later = [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
+    needed = _find_needed(key, tasks, rows, {n for n, _ in later}, limit)
+    wrong = {
+        m: n
+        for n, m in later
+        if n in needed and WITHIN in accused[n].reason and not tasks[m].is_case
+    }
+    alone = {
+        n
+        for n, m in later
+        if n not in needed
+        and WITHIN not in accused[n].reason
+        and _is_supported(m, {k for k, other in later if other == m}, tasks, rows)
+    }
+    return [(n, m) for n, m in later if m not in wrong and n not in alone], wrong
 
 
 def find_contradictions(
@@ -157,11 +199,13 @@ def doubt_by_letters(
     doubted = [
         tasks[n]
         for n, row in sorted(contested.items())
-        if tasks[n].sign.role is Role.DEFINITION and row.state is State.NOT_JUDGED
+        if tasks[n].sign.role is Role.DEFINITION
+        and (row.state is State.NOT_JUDGED or _is_refuted(row))
     ]
     for n, task in enumerate(tasks):
         letters = _list_used(task, tasks) if doubted and _is_refuted(rows[n]) else ()
-        if names := ", ".join(one.row.number for one in doubted if _defines(one, letters)):
+        others = [one for one in doubted if one is not task and _defines(one, letters)]
+        if names := ", ".join(one.row.number for one in others):
             yield n, make_row(task, f"it differs, but rests on {names}, which may be wrong itself")
 
 
@@ -216,8 +260,55 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     is_plain = other > number and all(
         term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
     )
-    is_case = tasks[other].is_excused or tasks[other].sign.role is Role.SOLUTIONS
-    return is_case or is_plain
+    return is_plain or tasks[other].is_case or tasks[other].sign.role is Role.SOLUTIONS
+
+
+def _find_needed(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    others: Collection[int],
+    limit: float,
+) -> set[int]:
+    """Return constraints without which a row does not follow that is shown to follow."""
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in _FOLLOWING]
+    pairs = [(other, n) for other in others for n in following if other < n]
+    asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
+    found = dict(run_tasks(judge_beside, asked, limit=limit))
+    without = {place for place, one in found.items() if _is_proof(one)}
+    return {other for place, (other, _) in enumerate(pairs) if place not in without}
+
+
+def _is_supported(
+    definition: int,
+    doubted: Collection[int],
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+) -> bool:
+    """Return whether a row before a definition is true by it; those behind it may rest on it."""
+    letter = tasks[definition].sign.letter
+    before = {n: rows[n].judgement for n in range(definition) if n not in doubted}
+    return any(
+        found is not None
+        and found.verdict is Verdict.PROVED
+        and found.rung not in _FOLLOWING
+        and letter in _list_printed(tasks[n])
+        for n, found in before.items()
+    )
+
+
+def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
+    """Return that a definition is wrong, as an equation shows from which further rows follow."""
+    reason = f"it contradicts {name}, from which further rows follow: {found.reason}"
+    if row.judgement is None:
+        return reason
+    verdict, rung, evidence = Verdict.REFUTED, found.rung, found.evidence
+    return replace(row.judgement, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
+
+
+def _is_proof(found: object) -> bool:
+    return isinstance(found, Judgement) and found.verdict is Verdict.PROVED
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:

@@ -49,7 +49,7 @@ _RESPECT = re.compile(r"with\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$([^$]{1
 # Signs of letters, and a letter e: any, and one that is raised.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 _E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
-_RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*\d)")
+_RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
 # A letter, or its opposite, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"

@@ -59,9 +59,17 @@ class Known:
         return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
-        """Return whether a letter, or an entry of it, stands in a value."""
+        """Return whether a letter, or an entry of it, stands in a value, or in what it is given by.
+
+        It may cancel there: then a print is wrong, and no definition.
+        """
         own = {symbol, *self.entries.get(symbol, ())}
-        return bool(own & self.settle(value).free_symbols)
+        met, new = set[sp.Basic](), set(value.free_symbols)
+        while new:
+            met |= new
+            given = (self.values[s] for s in new if s in self.values)
+            new = set[sp.Basic]().union(*(one.free_symbols for one in given)) - met
+        return bool(own & (met | self.settle(value).free_symbols))
 
     def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a derivative is printed by nothing but what constraints tie together."""

@@ -14,6 +14,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
+from mechproof.latex.names import strip_braces
 from mechproof.record import Notation, Variable
 
 REMEDIES = Remedies(
@@ -74,8 +75,13 @@ _TABLE = re.compile(
 
 
 def name_symbol(latex: str) -> str:
-    """Return the name of the symbol that is printed so; a star in it would read as a product."""
-    return re.sub(r"[\\{}\s]", "", latex).replace("*", "star")
+    """Return a name by which prints of one letter are known to be one: without braces."""
+    return strip_braces(latex).replace("*", "star")
+
+
+def show_letter(latex: str) -> str:
+    """Return how answers show a letter: as it is printed, its star in braces."""
+    return " ".join(latex.replace("^*", "^{*}").split())
 
 
 def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
@@ -184,11 +190,9 @@ def make_reader(
     sizes: Mapping[str, tuple[int, int]] = MappingProxyType({}),
 ) -> Reader:
     """Return a reader that knows these letters, their sizes, and what else is guessed of prints."""
-    symbols = {x: sp.Symbol(name_symbol(x)) for x in letters}
+    symbols = {x: sp.Symbol(x) for x in letters}
     symbols |= {
-        x: sp.MatrixSymbol(str(symbol), *sizes[str(symbol)])
-        for x, symbol in symbols.items()
-        if str(symbol) in sizes
+        x: sp.MatrixSymbol(x, *sizes[name_symbol(x)]) for x in letters if name_symbol(x) in sizes
     }
     names = tuple(Variable(symbol, "", latex=(x,)) for x, symbol in symbols.items())
     functions = {x.removeprefix("\\"): FUNCTIONS[is_[1:]] for x, is_ in said.functions.items()}

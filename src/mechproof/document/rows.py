@@ -109,7 +109,7 @@ class Document:
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
-            sizes = {str(symbol): shape for symbol, shape in self.known.sizes.items()}
+            sizes = {name_symbol(str(s)): shape for s, shape in self.known.sizes.items()}
             if self.taken and sizes:
                 self.block.letters = [
                     replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))

@@ -18,15 +18,27 @@ _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"
 _UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _ARTICLE = r"(?:the\s+|an?\s+)?"
+# An "and" behind a meaning that goes on with few words: "of the rear and front wheel".
+_AND = (
+    r"\s+and\s(?!(?!the\b|an?\b|it|we\b|they\b|th[ai]|has\b|is\b)"
+    r"(?:[a-z-]+[ ]){0,2}[a-z-]+\s*[.,;:(])"
+)
+# What is said of several letters: where it ends, commas do not tell.
+_NAMES = r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$)"
+_BEHIND = r"(?=[.;:(\n\\$]|,[^.;:\n]*\$|,\s+(?:wh|so|with|but)|\s+and\s[^.;:\n]{0,30}\$)"
 _BULLET = r"^[ \t]*(?:[-*+]|\\item|\d+\.)[ \t]+"
 _PATTERNS = (
     re.compile(
         rf"{_NAME}\s*{_VERBS}\s+{_ARTICLE}(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
-        rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)"
+        rf"{_UNIT}(?=[.,;:(\n\\$]|{_AND})"
+    ),
+    re.compile(
+        rf"{_NAMES}\s+(?:are|denote|represent|stand for)\s+{_ARTICLE}"
+        rf"(?P<meaning>[^.;:$\\\n(\[]{{3,80}}?){_UNIT}{_BEHIND}"
     ),
     re.compile(
         rf"(?:\b(?:[Ll]et|and|[Hh]ere|[Ww]here|[Ww]ith)|,)\s+{_NAME}\s+(?:be\s+)?the\s+(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
-        rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)"
+        rf"{_UNIT}(?=[.,;:(\n\\$]|{_AND})"
     ),
     re.compile(
         rf"{_BULLET}{_NAME}[ \t]*[:,]?[ \t]*(?P<meaning>[^\W\d_][^.,;:$\\\n(\[]{{2,60}}?)"
@@ -56,6 +68,17 @@ _PATTERNS = (
         re.MULTILINE,
     ),
 )
+# What begins so, or is no more than that, says what is done with a letter, not what it is.
+_NO_NOUN = re.compile(
+    r"(?:defined|given|called|denoted|obtained|chosen|equal|shown|known|found|used|assumed|said|taken"
+    r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
+    r"|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
+    r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
+)
+# What stands between letters, not in their indices.
+_BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
+_RESPECTIVELY = re.compile(r",?\s*respectively")
+_ITEMS = re.compile(r",\s*(?:and\s+)?(?:the\s+)?|\s+and\s+(?:the\s+)?")
 _INLINE = re.compile(r"\\([()])")
 
 
@@ -76,9 +99,19 @@ def find_said(source: Source) -> Iterator[tuple[str, Said]]:
             named = {*match.groupdict().values()}
             units = [group for group in match.groups() if group and group not in named]
             place = source.files.locate(source.text.offsets[match.start("name")])
-            meaning = " ".join(match["meaning"].split()).strip(" ~*_")
-            for name in match["name"].split(","):
-                yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+            letters = [name.strip(" $") for name in _BETWEEN.split(match["name"])]
+            letters = [name for name in letters if name]
+            for name, meaning in zip(letters, _share(match["meaning"], len(letters)), strict=True):
+                if not _NO_NOUN.match(meaning):
+                    yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+
+
+def _share(text: str, count: int) -> list[str]:
+    """Return what is said of each of so many letters: "radius and length, respectively"."""
+    meaning = " ".join(text.split()).strip(" ~*_")
+    items = _ITEMS.split(_RESPECTIVELY.sub("", meaning))
+    is_shared = len(items) != count or not _RESPECTIVELY.search(meaning)
+    return [meaning] * count if is_shared else items
 
 
 def _check_unit(units: list[str]) -> str:

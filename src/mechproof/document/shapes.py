@@ -23,6 +23,7 @@ from mechproof.latex.tree import (
     Call,
     Chain,
     Constant,
+    Entries,
     Excerpt,
     Letter,
     Magnitude,
@@ -107,6 +108,7 @@ class Shapes:
                 if shape:
                     self._push(member, shape)
             self._take_determinant(node.members)
+            self._take_components(node.members)
         elif isinstance(node, Add) and (shape := self.measure(node)):
             self._push(node, shape)
         elif isinstance(node, Product) and self._is_cross(node):
@@ -128,6 +130,15 @@ class Shapes:
             is_column = shape is not None and shape[1] == 1 != shape[0]
             if shape and is_column and isinstance(one, Letter) and _CHANGES_FRAME.match(one.text):
                 self._push(one, (shape[0], shape[0]))
+
+    def _take_components(self, members: Sequence[Node]) -> None:
+        """Take the components in a bracket for those of the vectors beside it."""
+        brackets = (x.of if isinstance(x, Transposed) else x for x in members)
+        lists = [x.parts for x in brackets if isinstance(x, Entries)]
+        for parts in lists:
+            for member in members:
+                if _is_vector(member) and not any(map(_is_vector, walk(parts))):
+                    self._push(member, (len(parts), 1))
 
     def _take_determinant(self, members: Sequence[Node]) -> None:
         """Take bars around a letter beside a printed determinant for its own."""
@@ -170,7 +181,9 @@ class Shapes:
         if isinstance(node, Quotient):
             return self.measure(node.above)
         if isinstance(node, Power):
-            return self.measure(node.base)
+            shape = self.measure(node.base)
+            # The square of a vector is its product with itself.
+            return NUMBER if shape and shape[0] != shape[1] else shape
         if isinstance(node, Transposed):
             shape = self.measure(node.of)
             return shape and (shape[1], shape[0])
@@ -231,7 +244,7 @@ class Shapes:
             self._push(node.of, (shape[1], shape[0]))
         elif isinstance(node, Quotient):
             self._push(node.above, shape)
-        elif isinstance(node, Power) and shape[0] == shape[1]:
+        elif isinstance(node, Power) and shape[0] == shape[1] > 1:
             self._push(node.base, shape)
         elif isinstance(node, Product):
             self._solve(node, shape)
@@ -290,9 +303,13 @@ def find_sizes(
             with suppress(ReadingError, RecursionError):
                 read.append((latex, reader.parse(latex, upper=1).chains))
         shapes = Shapes(read, has_plain_matrices=has_plain_matrices)
-        known = {str(symbol): shape for symbol, shape in shapes.find().items()}
+        known = {name_symbol(str(symbol)): shape for symbol, shape in shapes.find().items()}
         names = [*map(name_symbol, letters)]
         known |= {x: found[y] for x in names if (y := _RATE.sub("", x)) in found and x not in found}
         if known.keys() <= found.keys():
-            return Sizes(found, tuple(map(str, shapes.crosses)), tuple(map(str, shapes.unclear)))
+            crosses, unclear = (
+                tuple(name_symbol(str(symbol)) for symbol in symbols)
+                for symbols in (shapes.crosses, shapes.unclear)
+            )
+            return Sizes(found, crosses, unclear)
         found |= known

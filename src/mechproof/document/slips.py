@@ -24,6 +24,9 @@ _DIGITS = tuple(map(sp.Integer, range(1, 10)))
 _FEWEST_DIGITS = 3
 _LONG = 5
 
+# How it is told that a change is one of a definition.
+WITHIN = " in what defines "
+
 Sides = tuple[sp.Expr, sp.Expr]
 
 
@@ -47,7 +50,7 @@ class Change:
     @property
     def reason(self) -> str:
         """Say what is wrong."""
-        where = f" in what defines {self.within}" if self.within else ""
+        where = f"{WITHIN}{self.within}" if self.within else ""
         return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
 
 
@@ -121,7 +124,9 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
         yield from (part + letter for letter in letters)
     elif isinstance(part, _TURNING):
         yield part**2
-        yield from (other(*part.args) for other in _TURNING)
+        # SymPy does not keep which way round a difference is printed.
+        signs = (1, -1) if _is_difference(part.args[0]) else (1,)
+        yield from (sign * other(*part.args) for other in _TURNING for sign in signs)
     elif isinstance(part, sp.Pow):
         yield from (part.base**exponent for exponent in _EXPONENTS.get(part.exp, ()))
         yield from (part / part.base * letter for letter in letters)
@@ -136,6 +141,11 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     if is_term:
         yield from (part * letter for letter in letters)
         yield from (part / letter for letter in letters)
+
+
+def _is_difference(angle: sp.Expr) -> bool:
+    terms = sp.Add.make_args(angle)
+    return len({term.could_extract_minus_sign() for term in terms}) > 1
 
 
 def _move_bracket(part: sp.Mul) -> Iterator[sp.Expr]:

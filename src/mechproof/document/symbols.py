@@ -13,21 +13,25 @@ import sympy as sp
 from mechproof.document.block import Block, Declared
 from mechproof.document.cells import name_unit
 from mechproof.document.letters import REMEDIES, name_symbol
+from mechproof.document.names import (
+    ORDERS,
+    TIME,
+    leave_names,
+    list_rates,
+    name_letter,
+    print_rate,
+    refuse_twins,
+)
 from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.latex import Reader
 from mechproof.latex.functions import FUNCTIONS
-from mechproof.latex.names import to_signs
 from mechproof.latex.values import Moving
 from mechproof.proof.verdict import Place
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 
-# Derivatives of a letter that have prints of their own.
-ORDERS = (1, 2)
-TIME = "t"
 # The unit behind a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?-?\d)?)+)\s*\Z")
-_STEM = re.compile(r"(\\[A-Za-z]+(?:\s*\{[^{}]*\})?|.)(.*)\Z", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -136,9 +140,11 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     bare: set[sp.Basic] = set()
     scales: dict[sp.Basic, sp.Expr] = {}
     places: dict[sp.Basic, Place | None] = {}
+    rates = {name_symbol(rate) for x in letters for rate in list_rates(x)}
     for letter in letters:
         units = _list_units(letter, letters)
-        own = list(_make(letter, units, block, assume=assume))
+        name = name_letter(letter, rates, assume=assume)
+        own = list(_make(letter, name, units, block, assume=assume))
         variables += own
         places |= dict.fromkeys((v.symbol for v in own), letter.place)
         scales |= {v.symbol: unit.scale for v, unit in zip(own, units, strict=False)}
@@ -149,8 +155,8 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
-    _refuse_twins(variables)
-    variables, faults = _leave_names(variables, places)
+    refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
+    variables, faults = leave_names(variables, places)
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
     symbols = {name: v.symbol for v in plain for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
@@ -189,8 +195,7 @@ def _name_values(letters: Sequence[Declared]) -> list[Declared]:
         if by and known.get(name_symbol(first), by) != by:
             found.append(replace(letter, names=(f"{first}({by})", *letter.names[1:]), running=""))
             continue
-        rates = (rate for order in ORDERS for rate in _print_rate(first, by, order)) if by else ()
-        known |= {name_symbol(latex): by for latex in (first, *rates) if by}
+        known |= {name_symbol(latex): by for latex in (first, *list_rates(letter)) if by}
         found.append(letter)
     return found
 
@@ -214,10 +219,6 @@ def _add_running(letters: Sequence[Declared]) -> list[Declared]:
     return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]
 
 
-def _name(letter: Declared) -> str:
-    return letter.symbol or name_symbol(letter.names[0])
-
-
 def _list_units(letter: Declared, letters: Sequence[Declared]) -> list[Unit]:
     """Return the units of a letter and of its derivatives; what is not declared counts as 1."""
     by = next((x.unit for x in letters if letter.running in x.names), None)
@@ -226,11 +227,10 @@ def _list_units(letter: Declared, letters: Sequence[Declared]) -> list[Unit]:
 
 
 def _make(
-    letter: Declared, units: Sequence[Unit], block: Block, *, assume: bool
+    letter: Declared, name: str, units: Sequence[Unit], block: Block, *, assume: bool
 ) -> Iterator[Variable]:
     """Yield the variable of a letter, and one for each of its derivatives."""
     first, *others = letter.names
-    name = _name(letter)
     dimension = units[0].dimension
     meaning, _, convention = letter.meaning.partition("; ")
     if letter.is_family:
@@ -251,74 +251,35 @@ def _make(
         within = sp.FiniteSet(-1, 1)
     yield Variable(symbol, meaning, dimension, within, sign=convention, latex=printed)
     for order in ORDERS if letter.running else ():
+        rates = [*print_rate(first, letter.running, order)]
         yield Variable(
-            sp.Symbol(f"d{order if order > 1 else ''}{name}", real=True),
+            sp.Symbol(f"d{order if order > 1 else ''}{name}" if assume else rates[0], real=True),
             f"derivative of {meaning or first} by {letter.running}, order {order}",
             units[order].dimension,
-            latex=tuple(
-                printed
-                for rate in _print_rate(first, letter.running, order)
-                for printed in (rate, f"{rate}({letter.running})")
-            ),
+            latex=tuple(p for rate in rates for p in (rate, f"{rate}({letter.running})")),
         )
 
 
 def _find_phases(
     variables: Sequence[Variable], running: Collection[sp.Basic], bare: Collection[sp.Basic]
 ) -> Iterator[tuple[sp.Basic, sp.Basic]]:
-    r"""Yield letters with a unit whose product with one that runs has none: \omega t."""
-    known = [v for v in variables if v.symbol not in bare and v.dimension != NUMBER]
-    for by in (v for v in known if v.symbol in running):
-        for v in known:
+    r"""Yield letters that a phase has side by side: \omega t, whose units make a number, N\varphi.
+
+    N counts or is a number; what begins a phase may have it, or pi, before it.
+    """
+    known = [v for v in variables if v.symbol not in bare]
+    units = [v for v in known if v.dimension != NUMBER]
+    speeds: set[sp.Basic] = set()
+    for by in (v for v in units if v.symbol in running):
+        for v in units:
             if v.dimension * by.dimension == NUMBER:
+                speeds.add(v.symbol)
                 yield v.symbol, by.symbol
-
-
-def _print_rate(latex: str, by: str, order: int) -> Iterator[str]:
-    r"""Yield how a derivative is printed: \dot x_1, x', dx/dt."""
-    match = _STEM.match(latex)
-    stem, script = (match[1], match[2]) if match else (latex, "")
-    power = f"^{{{order}}}" if order > 1 else ""
-    if by == TIME:
-        accent = (r"\dot", r"\ddot")[order - 1]
-        yield rf"{accent}{{{stem}}}{script}"
-        if script:
-            yield rf"{accent}{{{latex}}}"
-    else:
-        yield latex + "'" * order
-    for d in ("d", r"\mathrm{d}"):
-        yield rf"\frac{{{d}{power}{latex}}}{{{d}{by}{power}}}"
-
-
-def _refuse_twins(variables: Sequence[Variable]) -> None:
-    met: dict[str, Variable] = {}
-    for variable in variables:
-        other = met.setdefault(variable.symbol.name, variable)
-        if other is not variable:
-            one, two = other.latex[0], variable.latex[0]
-            same = "is declared twice" if one == two else f"and {two} are too much alike"
-            raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
-
-
-def _leave_names(
-    variables: Sequence[Variable], places: Mapping[sp.Basic, Place | None]
-) -> tuple[list[Variable], list[tuple[Place | None, str]]]:
-    """Return variables without names that cannot be read or are those of others, and these."""
-    met: dict[tuple[str, ...], sp.Basic] = {}
-    found, faults = [], []
-    for v in variables:
-        kept = []
-        for latex in v.latex:
-            try:
-                signs = to_signs(latex, isinstance(v.symbol, sp.IndexedBase))
-                other = met.setdefault(signs, v.symbol)
-                reason = "" if other == v.symbol else f"the name {latex} is that of {other}, too"
-            except ValueError as error:
-                reason = str(error)
-            kept += [] if reason else [latex]
-            faults += [(places[v.symbol], f"{reason}; it is left out")] if reason else []
-        found.append(replace(v, latex=tuple(kept)))
-    return found, faults
+    angles = {v.symbol for v in known if v.dimension.is_angle}
+    numbers = {v.symbol for v in known if v.dimension == NUMBER} - angles
+    counts = numbers | {v.symbol for v in variables if v.symbol.is_integer}
+    yield from product(counts, {*angles, *speeds, sp.pi})
+    yield from product([sp.pi], speeds)
 
 
 def _say(symbols: Symbols, block: Block) -> Symbols:
@@ -333,7 +294,8 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         for relation in read_relations(text[: unit.start()] if unit else text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"sizes: {text}: a size is written letter=number")
-            _check_size_unit(text, unit[1] if unit else None, relation.lhs, block)
+            names = next(v.latex for v in variables if v.symbol == relation.lhs)
+            _check_size_unit(text, unit[1] if unit else None, names, block)
             usual[relation.lhs] = relation.rhs
     notation = symbols.notation
     if block.start:
@@ -343,8 +305,8 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
     return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
 
 
-def _check_size_unit(text: str, unit: str | None, symbol: sp.Basic, block: Block) -> None:
+def _check_size_unit(text: str, unit: str | None, names: Sequence[str], block: Block) -> None:
     """Refuse a size in another unit than that of its letter: nothing is converted."""
-    declared = next((x.unit for x in block.letters if _name(x) == str(symbol)), None)
+    declared = next((x.unit for x in block.letters if {*x.names} & {*names}), None)
     if unit is not None and unit.strip() != (declared or ""):
         raise ValueError(f"sizes: {text}: the letter is declared in [{declared or ''}]")

@@ -216,8 +216,9 @@ class TaskMaker:
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
         group = next((one.group for one in self.printed if one.name == sign.first), None)
-        is_case = printed.is_case or group == printed.group
-        is_solution = sign.role is Role.REPEATED and is_case and not is_claimed
+        may_solve = printed.is_case or group == printed.group
+        is_solution = sign.role is Role.REPEATED and may_solve and not is_claimed
+        is_case = printed.is_case or is_listed(printed, block.constraints)
         return Task(
             row,
             place,
@@ -232,8 +233,8 @@ class TaskMaker:
             follows=() if sign.role is Role.DEFINITION else follows,
             is_loose=residual is not None and self._is_loose(residual),
             ties_running=residual is not None and self._ties_running(residual),
-            is_excused=printed.is_case
-            or is_listed(printed, block.constraints)
+            is_case=is_case,
+            is_excused=is_case
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
         )
 

@@ -26,9 +26,9 @@ class Task:
     that it is compared with. `follows` names what the block says that it follows from. `is_loose`
     tells that a letter that no other equation has makes it true, whatever the others are;
     `ties_running` that it has a letter on which others depend and none of those: if it holds for
-    all values, a letter depends on it of which that is not said. `is_excused` tells that words
-    before it may announce another case, that the block says it to be a constraint, or that it has
-    a letter that nothing else has, on one side: it may say what is said nowhere else.
+    all values, a letter depends on it of which that is not said. `is_case` tells that words before
+    it may announce another case, or that the block says it to be a constraint, `is_excused` also
+    that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
     """
 
     row: Row
@@ -45,6 +45,7 @@ class Task:
     follows: tuple[str, ...] = ()
     is_loose: bool = False
     ties_running: bool = False
+    is_case: bool = False
     is_excused: bool = False
 
     @property

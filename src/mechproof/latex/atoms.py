@@ -191,7 +191,7 @@ def _enclose(parser: Parser, inside: Node, start: int) -> Node:
     if isinstance(table, Table) or is_symbol:
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
     is_open = parser.collects and _shows_determinant(parser)
-    if is_open and isinstance(table, Letter) and str(table.symbol) not in parser.names.symbols:
+    if is_open and isinstance(table, Letter) and not parser.names.find_alike(table.symbol):
         raise parser.refuse(
             f"bars around {table.text} beside a determinant: of a matrix, or an absolute value?",
             parser.remedies.name.format(table.text),

@@ -9,9 +9,11 @@ import sympy as sp
 
 from mechproof.latex import atoms, calculus, conditions
 from mechproof.latex.characters import is_letter
+from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import (
+    Add,
     Bracket,
     Call,
     Constant,
@@ -23,6 +25,7 @@ from mechproof.latex.tree import (
     Product,
     Quotient,
     Table,
+    strip,
     walk,
 )
 from mechproof.record import Notation
@@ -132,8 +135,33 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
 
 
 def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
+    r"""Read what a bracket holds, with the angle behind a count in it: \cos(n-1)\theta."""
     bracket = atoms.read_atom(parser)
-    return bracket.parts if isinstance(bracket, Entries) else (bracket,)
+    if isinstance(bracket, Entries):
+        return bracket.parts
+    inside = strip(bracket)
+    if not isinstance(inside, Add):
+        return (bracket,)
+    is_phase = _goes_on(parser, bracket, parser.place)
+    if is_phase and not _is_behind_space(parser):
+        return (_read_phase(parser, [bracket]),)
+    if is_phase or _may_count(parser, inside):
+        raise parser.refuse(
+            "a letter behind a bracket: a factor, or part of the argument?",
+            "Print brackets around the argument, or a dot before a factor; units of the letters "
+            "tell, too.",
+        )
+    return (bracket,)
+
+
+def _may_count(parser: Parser, inside: Add) -> bool:
+    """Return whether a letter stands behind a number plus letters, if all may be anything."""
+    known = parser.notation.dimensions
+    parts = {part.symbol for part in walk(inside) if isinstance(part, Letter)}
+    match = parser.names.match(parser.tokens, parser.place)
+    has_number = any(isinstance(term, Number) for _, term in inside.terms)
+    is_open = match is not None and not known.keys() >= {*parts, match.name.symbol}
+    return has_number and bool(parts) and is_open
 
 
 def _read_grouped(parser: Parser) -> tuple[Node, ...]:
@@ -156,29 +184,45 @@ def _refuse_power_behind(parser: Parser) -> None:
 
 
 def _read_short(parser: Parser) -> Node:
-    """Read a number times one name, fraction or root."""
-    start = parser.start
-    number = parser.read_factor()
-    if _is_phase(parser, number):
-        return Product((number, parser.read_factor()), start=start, end=parser.end)
-    if not isinstance(number, Number) or parser.ends_product() or is_function(parser):
-        return number
-    if parser.text in ("/", *DOTS):
-        return number
-    factor = parser.read_factor()
-    if _is_phase(parser, factor):
-        return Product((number, factor, parser.read_factor()), start=start, end=parser.end)
-    if not isinstance(factor, Letter | Constant) and parser.text not in ("",):
+    """Read a number times one name, fraction, bracket or root; or a product that is an angle."""
+    factors = [parser.read_factor()]
+    nodes = [*walk(factors[0])]
+    is_number = all(isinstance(node, Number | Quotient) for node in nodes)
+    is_last = parser.ends_product() or parser.text in ("/", *DOTS) or is_function(parser)
+    if is_number and not is_last:
+        factors.append(parser.read_factor())
+    argument = _read_phase(parser, factors)
+    if len(factors) > 1 and not isinstance(factors[-1], Letter | Constant) and parser.text:
         _check_reach(parser)
-    return Product((number, factor), start=start, end=parser.end)
+    return argument
 
 
-def _is_phase(parser: Parser, node: Node) -> bool:
-    """Return whether a letter stands next whose product with the one before it is an angle."""
-    match = parser.names.match(parser.tokens, parser.place)
-    if match is None or not isinstance(node, Letter):
+def _read_phase(parser: Parser, factors: list[Node]) -> Node:
+    """Read the letters that make an angle of factors, which they join."""
+    while _goes_on(parser, factors[-1], parser.place):
+        factors.append(parser.read_factor())
+    if len(factors) == 1:
+        return factors[0]
+    return Product(tuple(factors), start=factors[0].start, end=parser.end)
+
+
+def _goes_on(parser: Parser, before: Node, place: int) -> bool:
+    r"""Return whether a letter stands at a place whose product with what is before is an angle.
+
+    What begins a phase has to be followed by the rest of it: in `n\omega t` that is t.
+    """
+    nodes = [*walk(before)]
+    letters = [node.symbol for node in nodes if isinstance(node, Letter)]
+    letters += [node.value for node in nodes if isinstance(node, Constant)]
+    match = parser.names.match(parser.tokens, place)
+    is_turn = match is None and parser.peek(place - parser.place) == r"\pi"
+    behind = match.name.symbol if match else sp.pi
+    phases = parser.notation.phases
+    is_open = not letters or any(isinstance(node, Call) for node in nodes)
+    if is_open or not (match or is_turn) or any((one, behind) not in phases for one in letters):
         return False
-    return (node.symbol, match.name.symbol) in parser.notation.phases
+    begins = match and any(behind == first for first, _ in phases)
+    return not (match and begins) or _goes_on(parser, Letter(behind, ""), match.end)
 
 
 def _is_matrix_next(parser: Parser) -> bool:
@@ -212,13 +256,19 @@ def _check_bracket(parser: Parser, place: int) -> None:
 
 def _is_apart(parser: Parser) -> bool:
     r"""Return whether a bracket, a fraction or a root stands behind a space: \cos a\,(…)."""
+    return parser.text in ("(", "[", r"\frac", r"\sqrt") and _is_behind_space(parser)
+
+
+def _is_behind_space(parser: Parser) -> bool:
     before = parser.tokens[parser.place - 1].end if parser.place else 0
-    is_spaced = bool(_SPACE.search(parser.source.latex[before : parser.start]))
-    return is_spaced and parser.text in ("(", "[", r"\frac", r"\sqrt")
+    return bool(_SPACE.search(parser.source.latex[before : parser.start]))
 
 
 def _check_reach(parser: Parser) -> None:
     """Refuse what stands close behind an argument without brackets."""
+    if parser.collects and begins_letter(parser.text):
+        # Whose it is does not matter to what letters there are.
+        return
     if parser.ends_product() or parser.text in DOTS or is_function(parser):
         return
     if calculus.is_differential(parser) or _is_matrix_next(parser) or _is_apart(parser):
@@ -226,5 +276,5 @@ def _check_reach(parser: Parser) -> None:
     raise parser.refuse(
         "does this belong to the argument of the function before it?",
         "Print brackets, or a dot before it; a product that is always meant as one can be "
-        "declared as a name of a variable.",
+        "declared as a name of a variable, or by units that make an angle of it.",
     )

@@ -42,6 +42,7 @@ _SIGNS: Mapping[str, str] = {
     **dict.fromkeys("≤⩽≦", r"\le"),
     **dict.fromkeys("≥⩾≧", r"\ge"),
     **{"≠": r"\ne", "≈": r"\approx", "≡": r"\equiv", "→": r"\to", "∈": r"\in", "∀": r"\forall"},
+    **{"⌊": r"\lfloor", "⌋": r"\rfloor", "⌈": r"\lceil", "⌉": r"\rceil"},
     **{"′": "'", "∣": "|", "…": r"\dots", "⋯": r"\dots", "\u2044": "/", "\u2215": "/"},
 }
 # What is copied in the place of other signs, and what to print.

@@ -29,7 +29,7 @@ from mechproof.latex.matrix_meaning import (
     give_table,
     give_transposed,
 )
-from mechproof.latex.products import invert, is_matrix
+from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
 from mechproof.latex.tree import (
     Add,
     Approach,
@@ -178,6 +178,9 @@ class Meaning:
 
     def _power(self, node: Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
+        if exponent == 2 and is_vector(base):
+            shown = show_entries(base)
+            return shown.dot(shown)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             raise self.source.refuse(node.start, _UNFIT)
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:

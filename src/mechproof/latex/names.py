@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -14,6 +15,7 @@ from mechproof.latex.tokens import tokenize
 from mechproof.record import Notation, Variable
 
 INDEX = "#"
+_BRACES = re.compile(r"[\\{}\s]")
 
 
 @dataclass(frozen=True)
@@ -34,12 +36,17 @@ class Match:
     indices: tuple[tuple[int, int], ...]
 
 
+def strip_braces(latex: str) -> str:
+    """Return a name without what TeX needs to set it: prints of one letter have one."""
+    return _BRACES.sub("", latex)
+
+
 class Names:
     """All names of a row, found by their first sign."""
 
     def __init__(self, names: Collection[Name]) -> None:
         self._by_first: dict[str, list[Name]] = {}
-        self.symbols = {str(name.symbol): name.latex for name in names}
+        self._plain = {strip_braces(str(name.symbol)): name.latex for name in names}
         self.signs = {sign for name in names for sign in name.signs}
         for name in names:
             self._by_first.setdefault(name.signs[0], []).append(name)
@@ -53,6 +60,10 @@ class Names:
     def find(self, *signs: str) -> Name | None:
         """Return the name that is exactly these signs."""
         return next((n for n in self._by_first.get(signs[0], ()) if n.signs == signs), None)
+
+    def find_alike(self, symbol: sp.Basic) -> str:
+        """Return the print of a name that is a symbol's but for braces, or nothing."""
+        return self._plain.get(strip_braces(str(symbol)), "")
 
     def find_argument(self, symbol: sp.Basic) -> Name | None:
         r"""Return the letter of which a symbol is declared as a function: \theta of R(\theta)."""

@@ -25,6 +25,10 @@ _NUMBER_BY_VECTOR = (
     "a cross between a number and a vector: a cross product, or a multiple?",
     "Print the number as a vector for a cross product, no cross for a multiple.",
 )
+_OUT_OF_PLANE = (
+    "a cross between vectors in space and in the plane: the one in space is not along z",
+    "Print the third component of the other, too.",
+)
 
 
 class UnclearProductError(ValueError):
@@ -62,7 +66,7 @@ def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
         return sp.Mul(*values)
     signs = signs or ("",) * (len(values) - 1)
     parts = [_cross(*part) for part in _split(values, signs, _DOT)]
-    vectors = [part for part in parts if _is_vector(part)]
+    vectors = [part for part in parts if is_vector(part)]
     if len(vectors) < 2:
         return _take_number(reduce(mul, parts), values)
     _refuse_third(parts, vectors)
@@ -85,7 +89,7 @@ def _split(
 def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
     runs = [run for run, _ in _split(values, signs, _CROSS)]
     parts = [reduce(mul, run) for run in runs]
-    vectors = [part for part in parts if _is_vector(part)]
+    vectors = [part for part in parts if is_vector(part)]
     if len(vectors) == 1 and any(part.free_symbols for part in _find_numbers(parts)):
         raise UnclearProductError(*_NUMBER_BY_VECTOR)
     if len(vectors) < 2:
@@ -93,8 +97,17 @@ def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
     _refuse_third(parts, vectors)
     if any(sum(map(is_matrix, run)) > 1 for run in runs):
         raise UnclearProductError(*_SIDE_BY_SIDE)
-    one, other = map(show_entries, vectors)
-    return sp.Mul(*_find_numbers(parts)) * one.cross(other)
+    return sp.Mul(*_find_numbers(parts)) * _cross_entries(*map(show_entries, vectors))
+
+
+def _cross_entries(one: Any, other: Any) -> Any:
+    """Return a cross product; that of a vector along z by one in the plane is in the plane."""
+    if {len(one), len(other)} != {2, 3}:
+        return one.cross(other)
+    x, y, z = sp.Matrix([*one, 0][:3]).cross(sp.Matrix([*other, 0][:3]))
+    if z != 0:
+        raise UnclearProductError(*_OUT_OF_PLANE)
+    return sp.ImmutableMatrix(*((1, 2) if one.rows == 1 else (2, 1)), [x, y])
 
 
 def _refuse_third(parts: Sequence[Any], vectors: Sequence[Any]) -> None:
@@ -106,12 +119,13 @@ def _find_numbers(parts: Sequence[Any]) -> list[Any]:
     return [part for part in parts if not is_matrix(part)]
 
 
-def _is_vector(value: Any) -> bool:
+def is_vector(value: Any) -> bool:
+    """Return whether a value has one row or one column, of several entries."""
     return is_matrix(value) and 1 in value.shape and value.shape != (1, 1)
 
 
 def _take_number(product: Any, values: Sequence[Any]) -> Any:
     """Return the entry of a row times a column."""
-    if is_matrix(product) and product.shape == (1, 1) and any(map(_is_vector, values)):
+    if is_matrix(product) and product.shape == (1, 1) and any(map(is_vector, values)):
         return show_entries(product)[0, 0]
     return product

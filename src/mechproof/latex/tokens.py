@@ -118,6 +118,7 @@ class _Normaliser:
     def _read_left(self) -> list[Token]:
         """Read the scripts at the left of a letter, the upper one first."""
         found: dict[str, list[Token]] = {}
+        start = self.raw[self.place].start
         while self._is_left([]):
             mark = self._take()
             while mark.text not in ("_", "^"):
@@ -129,7 +130,7 @@ class _Normaliser:
         behind = self._peek()
         if behind != "}" and not left_scripts.may_begin(behind):
             raise self.source.refuse(first, f"nothing stands before this {next(iter(found))}")
-        return [Token(LEFT, first, first), *found.get("^", []), *found.get("_", [])]
+        return [Token(LEFT, start, start), *found.get("^", []), *found.get("_", [])]
 
     def _read_item(self) -> list[Token]:
         first = self._take()

@@ -30,7 +30,6 @@ UNSURE = {
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
-_PLAIN = re.compile(r"\\(?:text|mathrm)\b|[\\{}\s]")
 _UNITS = (
     *("m", "mm", "cm", "dm", "km", "nm", "s", "ms", "min", "h", "g", "kg", "t", "N", "kN", "Nm"),
     *("rad", "mrad", "deg", "Hz", "kHz", "rpm", "Pa", "kPa", "MPa", "GPa", "W", "kW", "J", "kJ"),
@@ -127,7 +126,7 @@ def _is_unsure(parser: Parser) -> bool:
 def _read_running(parser: Parser) -> Letter:
     """Read an undeclared letter that the differential of an integral around it may bind."""
     letter = _read_plain(parser)
-    if other := parser.names.symbols.get(str(letter.symbol), ""):
+    if other := parser.names.find_alike(letter.symbol):
         raise parser.refuse(
             f"{letter.text} would be taken for {other}, which has its name",
             "Print another letter for what is bound.",
@@ -145,8 +144,7 @@ def _read_plain(parser: Parser) -> Letter:
     _refuse_expression(parser, texts)
     latex = "".join([word or texts[0], *texts[1:]])
     parser.place = end
-    name = _PLAIN.sub("", latex)
-    return Letter(sp.Symbol(name, real=True), latex, start=start, end=parser.end)
+    return Letter(sp.Symbol(latex, real=True), latex, start=start, end=parser.end)
 
 
 def _refuse_expression(parser: Parser, texts: list[str]) -> None:

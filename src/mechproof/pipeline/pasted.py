@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
-from mechproof.document.letters import is_vector, name_symbol
+from mechproof.document.letters import is_vector, name_symbol, show_letter
 from mechproof.document.relations import narrow, read_relations
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
@@ -190,7 +190,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     met: dict[str, str] = {}
     for variable in variables:
         (latex,) = variable.latex
-        if (other := met.setdefault(str(variable.symbol), latex)) != latex:
+        if (other := met.setdefault(name_symbol(str(variable.symbol)), latex)) != latex:
             raise ValueError(f"{other} and {latex} are too much alike: print another letter")
     return variables
 
@@ -208,7 +208,7 @@ def _refuse_vectors(letters: Collection[str]) -> None:
 def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
     if not any(sign.isalpha() for sign in latex):
         raise ValueError(f"the name {latex!r} has no letter")
-    name = name_symbol(latex).replace(f"_{INDEX}", "")
+    name = show_letter(latex.replace(f"_{INDEX}", ""))
     if INDEX in latex:
         return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
     variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))

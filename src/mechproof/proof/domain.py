@@ -39,6 +39,8 @@ _ROUND_ANGLES = tuple(
 _ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
 # Points for each choice of sizes and angles: of what is neither, a few values.
 _EACH = 3
+# What tells how a letter is set.
+_SETTING = str.maketrans("", "", "\\{} ")
 
 
 @dataclass(frozen=True)
@@ -130,7 +132,7 @@ class Domain:
         `fixed` values are taken over. Raises `RecordError` if no point is found.
         """
         names, relations = self._connect(set(symbols) | fixed.keys(), fixed)
-        ordered = sorted(names - fixed.keys(), key=str)
+        ordered = sorted(names - fixed.keys(), key=_plain)
         wanted = count if ordered else 1
         walk = self._walk(ordered, wanted)
         first = self._complete(islice(walk, _BARREN), relations, fixed)
@@ -312,6 +314,11 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
 def _write_sums(relation: sp.Basic, fixed: tuple[tuple[sp.Basic, sp.Expr], ...]) -> sp.Basic:
     """Write the sums of a relation out; those of a domain are met at every point of every row."""
     return relation.subs(fixed).doit()
+
+
+def _plain(symbol: sp.Basic) -> str:
+    """Return a name without what sets it: how a letter is set tells no values."""
+    return str(symbol).translate(_SETTING)
 
 
 def _say(relations: list[sp.Basic]) -> str:

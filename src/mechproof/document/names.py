@@ -1,0 +1,96 @@
+"""What the symbols of letters and of their derivatives are called, and how these are printed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.block import Declared
+from mechproof.document.letters import name_symbol, show_letter
+from mechproof.latex.left_scripts import ACCENTS
+from mechproof.latex.names import to_signs
+from mechproof.proof.verdict import Place
+from mechproof.record import Variable
+
+# Derivatives of a letter that have prints of their own.
+ORDERS = (1, 2)
+TIME = "t"
+# A letter with its accents, and what stands behind it.
+_ACCENT = "|".join(map(re.escape, ACCENTS))
+_STEM = re.compile(
+    rf"((?:(?:{_ACCENT})(?![A-Za-z])\s*)*(?:\\[A-Za-z]+(?:\s*\{{[^{{}}]*\}})?|\{{[^{{}}]*\}}|.))(.*)\Z",
+    re.DOTALL,
+)
+
+
+def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> str:
+    """Return the name of a letter's symbol: its print, so that answers show it.
+
+    One that is printed as the derivative of another has braces around it: it is another symbol.
+    Modules name symbols without braces.
+    """
+    printed = letter.symbol or letter.names[0]
+    if assume:
+        return name_symbol(printed)
+    is_rate = not letter.symbol and name_symbol(printed) in rates
+    return f"{{{show_letter(printed)}}}" if is_rate else show_letter(printed)
+
+
+def list_rates(letter: Declared) -> list[str]:
+    """Return all prints of the derivatives of a letter; it has none if it depends on nothing."""
+    first, by = letter.names[0], letter.running
+    return [rate for order in ORDERS for rate in print_rate(first, by, order)] if by else []
+
+
+def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
+    r"""Yield how a derivative is printed: \dot x_1, x', dx/dt."""
+    match = _STEM.match(latex)
+    stem, script = (match[1], match[2]) if match else (latex, "")
+    power = f"^{{{order}}}" if order > 1 else ""
+    if by == TIME:
+        accent = (r"\dot", r"\ddot")[order - 1]
+        yield rf"{accent}{{{stem}}}{script}"
+        if script:
+            yield rf"{accent}{{{latex}}}"
+    else:
+        yield latex + "'" * order
+    for d in ("d", r"\mathrm{d}"):
+        yield rf"\frac{{{d}{power}{latex}}}{{{d}{by}{power}}}"
+
+
+def refuse_twins(variables: Sequence[Variable], rates: Collection[sp.Basic]) -> None:
+    """Refuse letters that are told from each other by their braces only; not so derivatives."""
+    met: dict[str, Variable] = {}
+    for variable in variables:
+        name = variable.symbol.name
+        key = name if variable.symbol in rates else name_symbol(name)
+        other = met.setdefault(key, variable)
+        if other is not variable:
+            one, two = other.latex[0], variable.latex[0]
+            same = "is declared twice" if one == two else f"and {two} are too much alike"
+            raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+
+
+def leave_names(
+    variables: Sequence[Variable], places: Mapping[sp.Basic, Place | None]
+) -> tuple[list[Variable], list[tuple[Place | None, str]]]:
+    """Return variables without names that cannot be read or are those of others, and these."""
+    met: dict[tuple[str, ...], Variable] = {}
+    found, faults = [], []
+    for v in variables:
+        kept = []
+        for latex in v.latex:
+            try:
+                signs = to_signs(latex, isinstance(v.symbol, sp.IndexedBase))
+                other = met.setdefault(signs, v)
+                is_own = other.symbol == v.symbol
+                reason = "" if is_own else f"the name {latex} is that of {other.latex[0]}, too"
+            except ValueError as error:
+                reason = str(error)
+            kept += [] if reason else [latex]
+            faults += [(places[v.symbol], f"{reason}; it is left out")] if reason else []
+        found.append(replace(v, latex=tuple(kept)))
+    return found, faults
