@@ -16,6 +16,7 @@ import pytest
 from command import hear_hangups
 from weights import first_of
 
+from mechproof.tools import processes
 from mechproof.tools.processes import WorkerError, run_batches, run_tasks
 
 STARTS = [s for s in ("fork", "spawn") if s in multiprocessing.get_all_start_methods()]
@@ -118,6 +119,22 @@ def test_a_batch_is_done_while_the_next_is_made(tmp_path: Path) -> None:
 
     makers = [lambda: [file], wait]
     assert dict(run_batches(Path.touch, makers, limit=60.0, processes=1)) == {0: None, 1: None}
+
+
+def test_a_process_without_a_task_is_late_with_nothing() -> None:
+    """Another that was started has taken what was waiting."""
+    pool = processes._Pool(square, 0.2, STARTS[0])
+    pool.add([3])
+    try:
+        idle = pool._start()
+        idle.deadline = time.monotonic()
+        pool.workers.append(pool._start())
+        pool.fill(1, 1)
+        pool.workers.append(idle)
+        assert list(pool.take_ready(60.0)) == [(0, 9)]
+        assert not list(pool.take_ready(0.0))
+    finally:
+        pool.end()
 
 
 def test_tasks_given_ahead_to_a_process_that_dies_are_done_by_another() -> None:

@@ -200,13 +200,15 @@ class _Pool(Generic[Task, Result]):
 
     def _wait(self, seconds: float | None) -> list[_Worker[Task, Result]]:
         """Return the processes that have answered; if none does in time, those that are late."""
-        first = min((worker.deadline for worker in self.workers), default=0.0)
+        # One without a task, because another that was started has it, has nothing to answer.
+        busy = [worker for worker in self.workers if worker.has]
+        first = min((worker.deadline for worker in busy), default=0.0)
         until_late = max(0.0, first - time.monotonic())
-        pipes = [worker.pipe for worker in self.workers]
+        pipes = [worker.pipe for worker in busy]
         ready = wait(pipes, until_late if seconds is None else min(seconds, until_late))
         if ready:
-            return [worker for worker in self.workers if worker.pipe in ready]
-        late = [worker for worker in self.workers if worker.deadline <= time.monotonic()]
+            return [worker for worker in busy if worker.pipe in ready]
+        late = [worker for worker in busy if worker.deadline <= time.monotonic()]
         for worker in late:
             worker.is_lost = True
         return late
