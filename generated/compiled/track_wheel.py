@@ -858,7 +858,7 @@ def _value_of_tilt_of_planar_error(error, offset, rho, H):
     ):
         return _math.nan
     term = error - offset
-    return 2 * _elementary.arctan2(term, H + _np.sqrt(H**2 + term * (offset + 2 * rho - error)))
+    return 2 * _elementary.arctan2(term, H + _np.sqrt(H**2 + 2 * rho * term - term**2))
 
 
 @_loop

@@ -168,9 +168,9 @@ def _form_of_smallest_radius(R: Any, A: Any) -> Any:
 
 
 # Source: inverse of Kapitonov, Yakubovsky 2022, equation (15)
-# Expressions sha256: 2d8c54e9586455050d80ce19de199a69917c9e2e408732cb676dce03ad25addc
+# Expressions sha256: c28fe1f00495d6f751a3d88b5646e59d34417a6f999e42418c25c36c4487fa9b
 # Form: backward pass
-# Operations: 43
+# Operations: 42
 def tilt_of_planar_error(
     error: ArrayLike,
     offset: ArrayLike,
@@ -214,18 +214,19 @@ def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any
 
 
 def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:
-    term_5 = error - offset
-    term_4 = _square(H) + term_5 * (offset + 2.0 * rho - error)
+    term_6 = error - offset
+    term_5 = _square(term_6)
+    term_4 = _square(H) + 2.0 * rho * term_6 - term_5
     term_2 = H + _np.sqrt(term_4)
-    term = 1.0 / (_square(term_2) + _square(term_5))
+    term = 1.0 / (_square(term_2) + term_5)
     term_3 = 1.0 / _np.sqrt(term_4)
-    term_6 = offset - error
+    term_7 = offset - error
 
     return (
-        2.0 * term * term_2 + 2.0 * term * term_3 * term_6 * (offset + rho - error),
-        2.0 * term * term_3 * term_6 * (error - offset - rho) - 2.0 * term * term_2,
-        2.0 * term * term_3 * term_5 * term_6,
-        2.0 * term * term_6 * (1.0 + H * term_3),
+        2.0 * term * term_2 + 2.0 * term * term_3 * term_7 * (offset + rho - error),
+        2.0 * term * term_3 * term_7 * (error - offset - rho) - 2.0 * term * term_2,
+        2.0 * term * term_3 * term_6 * term_7,
+        2.0 * term * term_7 * (1.0 + H * term_3),
     )
 
 
