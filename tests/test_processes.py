@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
@@ -22,6 +22,14 @@ from mechproof.tools.processes import WorkerError, run_batches, run_tasks
 STARTS = [s for s in ("fork", "spawn") if s in multiprocessing.get_all_start_methods()]
 for_each_start = pytest.mark.parametrize("start", STARTS)
 run = partial(run_tasks, limit=60.0, processes=2)
+
+
+@pytest.fixture(autouse=True)
+def no_process_is_left() -> Iterator[None]:
+    """All that a test started have ended; other tests may have their own."""
+    before = multiprocessing.active_children()
+    yield
+    assert {*multiprocessing.active_children()} <= {*before}
 
 
 def square(number: int) -> int:
@@ -61,7 +69,6 @@ def test_a_task_that_fails_is_named_and_holds_nothing_up(
     assert isinstance(failure, WorkerError)
     assert reason in str(failure)
     assert results == dict.fromkeys((0, 2, 3, 4), "fine")
-    assert multiprocessing.active_children() == []
 
 
 def test_a_task_that_hangs_is_named_and_ended_and_holds_nothing_up() -> None:
@@ -71,7 +78,6 @@ def test_a_task_that_hangs_is_named_and_ended_and_holds_nothing_up() -> None:
     assert [str(results[n]) for n in (0, 2)] == ["no answer within the time limit"] * 2
     assert [results[n] for n in (1, 3, 4)] == ["fine"] * 3
     assert time.monotonic() - begun < 30
-    assert multiprocessing.active_children() == []
 
 
 def meet(files: tuple[Path, Path]) -> None:
@@ -142,7 +148,6 @@ def test_tasks_given_ahead_to_a_process_that_dies_are_done_by_another() -> None:
     results = dict(run_batches(misbehave, makers, limit=0.5, processes=2))
     assert {n for n, result in results.items() if isinstance(result, WorkerError)} == {1, 3}
     assert len(results) == 6
-    assert multiprocessing.active_children() == []
 
 
 LONG = {

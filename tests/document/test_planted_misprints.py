@@ -248,6 +248,8 @@ STEPS = (
     r"x=r\cos\gamma+\sqrt{l^2-r^2\sin^2\gamma}",
 )
 ROOT = STEPS[3].replace("l^2-r", "l^2+r")
+SQUARE = r"(x-r\cos\gamma)^2=x^2-2rx\cos\gamma+r^2\cos^2\gamma"
+MINUS = STEPS[3].replace(r"x=r", r"x=-r")
 WRONG_STEP = STEPS[2].replace(r"\sin^2", r"\cos^2")
 
 
@@ -257,7 +259,9 @@ WRONG_STEP = STEPS[2].replace(r"\sin^2", r"\cos^2")
         (STEPS, "", [], []),
         ((*STEPS[:3], ROOT), "", ["(4)"], []),
         ((*STEPS[:3], ROOT), "In the other case", [], ["(1)", "(4)"]),
-        ((*STEPS[:2], WRONG_STEP, STEPS[3]), "", ["(3)"], []),
+        ((*STEPS[:2], WRONG_STEP, STEPS[3]), "", [], ["(3)", "(4)"]),
+        # An identity is true of any letter: it supports no definition.
+        ((STEPS[0], SQUARE, MINUS), "", [], ["(1)", "(3)"]),
         ((STEPS[0], ROOT), "", [], ["(1)", "(2)"]),
         ((WRONG_STEP, STEPS[3]), "", [], ["(1)", "(2)"]),
     ],

@@ -162,6 +162,11 @@ PHASES = {
     r"\cos p\psi=1": ["not read"],
     r"\cos(n+1)r=1": ["not read"],
     r"\cos(\psi+1)N=N\cos(1+\psi)": ["PROVED"],
+    r"\sin(N-1)\psi/2=1": ["not read"],
+    r"\sin(2n+1)\frac\pi2=(-1)^n": ["not read"],
+    r"\cos(n+1)(\psi+\alpha)=1": ["not read"],
+    r"\cos(n+1)\,(p+q)=(q+p)\cos(1+n)": ["PROVED"],
+    r"\cos(\psi+1)(p+q)=(q+p)\cos(1+\psi)": ["PROVED"],
 }
 
 
@@ -171,8 +176,11 @@ def test_a_function_takes_the_letters_whose_product_is_an_angle(latex: str) -> N
     assert [row.outcome for row in rows] == PHASES[latex]
 
 
-def test_without_units_a_count_before_a_letter_is_not_read_as_the_whole_argument() -> None:
-    (row,) = check("paper.tex", r"$$y=\cos(n-1)\theta$$").rows
+@pytest.mark.parametrize("behind", [r"\theta", r"(\theta+a)", r"\frac\theta2"])
+def test_without_units_a_count_before_a_letter_is_not_read_as_the_whole_argument(
+    behind: str,
+) -> None:
+    (row,) = check("paper.tex", rf"$$y=\cos(n-1){behind}$$").rows
     assert row.outcome == "not read"
     assert "part of the argument" in row.reason
 

@@ -154,8 +154,7 @@ def _ask_definitions(
     """Return misprints with the later definitions that they contradict, and definitions to blame.
 
     A definition is to blame that would have to be changed if further rows follow from what it
-    contradicts; that is itself, by a change of its own, if other rows before the definition are
-    true by it.
+    contradicts.
     """
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
     later = [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
@@ -165,14 +164,7 @@ def _ask_definitions(
         for n, m in later
         if n in needed and WITHIN in accused[n].reason and not tasks[m].is_case
     }
-    alone = {
-        n
-        for n, m in later
-        if n not in needed
-        and WITHIN not in accused[n].reason
-        and _is_supported(m, {k for k, other in later if other == m}, tasks, rows)
-    }
-    return [(n, m) for n, m in later if m not in wrong and n not in alone], wrong
+    return [(n, m) for n, m in later if m not in wrong], wrong
 
 
 def find_contradictions(
@@ -278,24 +270,6 @@ def _find_needed(
     found = dict(run_tasks(judge_beside, asked, limit=limit))
     without = {place for place, one in found.items() if _is_proof(one)}
     return {other for place, (other, _) in enumerate(pairs) if place not in without}
-
-
-def _is_supported(
-    definition: int,
-    doubted: Collection[int],
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-) -> bool:
-    """Return whether a row before a definition is true by it; those behind it may rest on it."""
-    letter = tasks[definition].sign.letter
-    before = {n: rows[n].judgement for n in range(definition) if n not in doubted}
-    return any(
-        found is not None
-        and found.verdict is Verdict.PROVED
-        and found.rung not in _FOLLOWING
-        and letter in _list_printed(tasks[n])
-        for n, found in before.items()
-    )
 
 
 def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:

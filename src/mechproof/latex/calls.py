@@ -118,7 +118,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
     if parser.open_group():
         return _read_grouped(parser)
     if parser.text in _BRACKETS:
-        return _read_bracketed(parser)
+        return _read_bracketed(parser, place)
     if parser.ends_product() or parser.text in ("/", *DOTS):
         return ()
     if is_function(parser):
@@ -134,7 +134,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
     return (argument,)
 
 
-def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
+def _read_bracketed(parser: Parser, place: int) -> tuple[Node, ...]:
     r"""Read what a bracket holds, with the angle behind a count in it: \cos(n-1)\theta."""
     bracket = atoms.read_atom(parser)
     if isinstance(bracket, Entries):
@@ -144,10 +144,13 @@ def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
         return (bracket,)
     is_phase = _goes_on(parser, bracket, parser.place)
     if is_phase and not _is_behind_space(parser):
-        return (_read_phase(parser, [bracket]),)
+        phase = _read_phase(parser, [bracket])
+        _check_bracket(parser, place)
+        _check_reach(parser)
+        return (phase,)
     if is_phase or _may_count(parser, inside):
         raise parser.refuse(
-            "a letter behind a bracket: a factor, or part of the argument?",
+            "what stands behind a bracket: a factor, or part of the argument?",
             "Print brackets around the argument, or a dot before a factor; units of the letters "
             "tell, too.",
         )
@@ -155,13 +158,20 @@ def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
 
 
 def _may_count(parser: Parser, inside: Add) -> bool:
-    """Return whether a letter stands behind a number plus letters, if all may be anything."""
-    known = parser.notation.dimensions
+    r"""Return whether a number plus letters may count what stands behind: \cos(n-1)\theta.
+
+    That is a letter, if all may be anything, or a bracket or fraction behind what counts.
+    """
+    known = parser.notation.dimensions.keys()
     parts = {part.symbol for part in walk(inside) if isinstance(part, Letter)}
-    match = parser.names.match(parser.tokens, parser.place)
-    has_number = any(isinstance(term, Number) for _, term in inside.terms)
-    is_open = match is not None and not known.keys() >= {*parts, match.name.symbol}
-    return has_number and bool(parts) and is_open
+    if not parts or not any(isinstance(term, Number) for _, term in inside.terms):
+        return False
+    if match := parser.names.match(parser.tokens, parser.place):
+        return not known >= {*parts, match.name.symbol}
+    if parser.text not in (*_BRACKETS, r"\frac") or _is_behind_space(parser):
+        return False
+    counts = {count for count, _ in parser.notation.phases}
+    return not conditions.is_bracketed(parser) and (parts <= counts or not known >= parts)
 
 
 def _read_grouped(parser: Parser) -> tuple[Node, ...]:
