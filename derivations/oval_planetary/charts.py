@@ -70,12 +70,12 @@ PLAIN = (
 NEGATED = ((phi1,),)
 
 # Two pairs of ovals as they are mounted in print: by the larger eccentricity.
-LARGER = Symbol("larger", positive=True)
+LARGER, BEFORE_POLE = Symbol("larger", positive=True), Rational(3, 2)
 MOUNTED = tuple(
     Chart(
-        "mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2",
+        f"mount = 0, |phi1| <= {BEFORE_POLE} and e1, e2 <= {UP_TO_HALF.end}",
         {phi1: ANGLE_X, one: LARGER, other: LARGER * SHARE, mount: Integer(0)},
-        {ANGLE_X: Interval(0, Rational(3, 2)), LARGER: UP_TO_HALF, SHARE: Interval(0, 1)},
+        {ANGLE_X: Interval(0, BEFORE_POLE), LARGER: UP_TO_HALF, SHARE: Interval(0, 1)},
     )
     for one, other in ((e1, e2), (e2, e1))
 )

@@ -65,8 +65,8 @@ BY_SPACE = tuple(
 
 # Of a tilt only the error beyond the offset counts, which in the plane is of any size beside it.
 ONE, TWO, THREE, OFFSET_ALONE = sp.symbols("one two three offset_alone", positive=True)
-# A square root of 15/16, and a little.
-NEARLY_ALL = sp.Rational(31, 32)
+# Of the largest error, its root and a little, and the reciprocal of that and a little.
+MOST, ROOT, OVER_ROOT = sp.Rational(15, 16), sp.Rational(31, 32), sp.Rational(17, 16)
 ENDS = {SIZE: sp.oo, ONE: 1, TWO: 1, THREE: 1, OFFSET_ALONE: sp.oo}
 BY_RADIUS, BY_HEIGHT = (radius_vector, thickness), (thickness, radius_vector)
 
@@ -95,12 +95,12 @@ def beyond_offset(
     return Chart(text, arguments, within)
 
 
-in_plane = partial(beyond_offset, "error - offset <= 15/16*(rho + H)", planar_error)
+in_plane = partial(beyond_offset, f"error - offset <= {MOST}*(rho + H)", planar_error)
 in_space = partial(beyond_offset, "offset <= H and error - offset <= rho + H", spatial_error)
 FOR_PLANAR = (
-    in_plane(BY_RADIUS, ONE * TWO, OFFSET_ALONE, ONE**2, one=NEARLY_ALL, two=sp.Rational(17, 16)),
-    in_plane(BY_RADIUS, ONE, OFFSET_ALONE, ONE**2 * TWO**2, two=NEARLY_ALL),
-    in_plane(BY_HEIGHT, ONE, OFFSET_ALONE, TWO, two=sp.Rational(15, 16)),
+    in_plane(BY_RADIUS, ONE * TWO, OFFSET_ALONE, ONE**2, one=ROOT, two=OVER_ROOT),
+    in_plane(BY_RADIUS, ONE, OFFSET_ALONE, ONE**2 * TWO**2, two=ROOT),
+    in_plane(BY_HEIGHT, ONE, OFFSET_ALONE, TWO, two=MOST),
 )
 FOR_SPATIAL = (
     in_space(BY_RADIUS, ONE * TWO, SIZE * ONE * TWO * THREE, ONE),

@@ -137,9 +137,15 @@ def test_a_point_behind_is_not_taken_for_one_ahead(monkeypatch: pytest.MonkeyPat
     assert prove_changed("arctan2", change("arctan2", swap), monkeypatch) > 1e10
 
 
-def test_no_other_sign_is_decided(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("place", ["the limit", "what has the sign"])
+def test_no_other_sign_is_decided(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A zero with a sign is not below zero."""
+
     def move(step: Operation) -> Operation:
-        return replace(step, operands=(step.operands[0], 1.0)) if step.kind == "less" else step
+        if place == "the limit":
+            return replace(step, operands=(step.operands[0], 1.0)) if step.kind == "less" else step
+        is_one = step.kind == "copysign" and step.operands[0] == 1.0
+        return replace(step, operands=(0.0, step.operands[1])) if is_one else step
 
     with pytest.raises(ValueError, match="only the last argument is compared with zero"):
         prove_changed("arctan2", change("arctan2", move), monkeypatch)

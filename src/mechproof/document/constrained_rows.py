@@ -22,7 +22,7 @@ from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Definition, Equality
-from mechproof.tools.processes import run_tasks
+from mechproof.tools.processes import WorkerError, run_tasks
 
 # How rows follow from constraints.
 _FOLLOWING = (MULTIPLE, COMBINATION)
@@ -268,7 +268,8 @@ def _find_needed(
     pairs = [(other, n) for other in others for n in following if other < n]
     asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
     found = dict(run_tasks(judge_beside, asked, limit=limit))
-    without = {place for place, one in found.items() if _is_proof(one)}
+    # What took too long may follow without it.
+    without = {p for p, one in found.items() if isinstance(one, WorkerError) or _is_proof(one)}
     return {other for place, (other, _) in enumerate(pairs) if place not in without}
 
 

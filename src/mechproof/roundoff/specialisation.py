@@ -201,7 +201,8 @@ class _Resolver:
         if sign not in self._program.inputs:
             raise ValueError(f"{operation}: only signs of arguments are put on results")
         self._names[operation.result] = self._find(size)
-        self._signs[operation.result] = sign
+        if not isinstance(size, str) and size:
+            self._signs[operation.result] = sign
         return True
 
 
