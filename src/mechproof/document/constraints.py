@@ -9,10 +9,13 @@ for their coefficients. What is found is left to the prover.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
+from sympy.polys.orderings import lex
+from sympy.polys.rings import PolyElement, PolyRing
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
@@ -80,7 +83,9 @@ def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr,
     places: dict[sp.Expr, tuple[int, ...]] = {
         term: (n,) for n, term in enumerate(dict.fromkeys(t for one in terms for t in one))
     }
-    wanted, *columns = [{places[t]: value for t, value in one.items()} for one in terms]
+    wanted, *columns = [
+        {places[t]: sp.QQ.from_sympy(value) for t, value in one.items()} for one in terms
+    ]
     found = _solve(columns, wanted)
     return tuple(found) if found and any(found) else None
 
@@ -109,28 +114,33 @@ def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Doma
 def _combine(
     target: sp.Expr, parts: Sequence[sp.Expr], circles: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
-    """Return polynomials of which the sum of the products with parts is the target, by circles."""
-    symbols = set().union(*(p.free_symbols for p in (target, *parts, *circles)))
-    ring = sorted(symbols, key=str)
-    try:
-        terms = {sp.Mul(*map(sp.Pow, ring, m)) for p in parts for m in sp.Poly(p, *ring).monoms()}
-        factors = sorted({sp.S.One, *ring, *terms}, key=sp.default_sort_key)
-        degree = {p: sp.Poly(p, *ring).total_degree() for p in (target, *parts, *factors)}
-        # Squares of constraints may cancel only by circles.
-        most = max([degree[target], *(2 * degree[p] for p in parts if circles)])
-        products = [
-            (n, f)
-            for n, part in enumerate(parts)
-            for f in factors
-            if degree[f] + degree[part] <= most
-        ]
-        if len(products) > MOST_PRODUCTS:
-            return None
-        columns = [_reduce(parts[n] * f, circles, ring) for n, f in products]
-        wanted = _reduce(target, circles, ring)
-    except (sp.PolynomialError, sp.CoercionFailed):
+    """Return polynomials of which the sum of the products with parts is the target, by circles.
+
+    Coefficients are fractions: None where others are met.
+    """
+    letters = sorted(set().union(*(p.free_symbols for p in (target, *parts, *circles))), key=str)
+    if not letters:
         return None
-    solved = _solve(columns, wanted)
+    ring = PolyRing(letters, sp.QQ, lex)
+    try:
+        goal, *elements = map(ring.from_expr, (target, *parts, *circles))
+    except (ValueError, sp.CoercionFailed):
+        return None
+    sums, zeros = elements[: len(parts)], elements[len(parts) :]
+    met = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
+    factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in met}
+    # Squares of constraints may cancel only by circles.
+    most = max([_degree(goal), *(2 * _degree(one) for one in sums if zeros)])
+    products = [
+        (n, factor)
+        for n, one in enumerate(sums)
+        for factor in sorted(factors, key=sp.default_sort_key)
+        if sum(factors[factor]) + _degree(one) <= most
+    ]
+    if len(products) > MOST_PRODUCTS:
+        return None
+    columns = [sums[n].mul_monom(factors[factor]).rem(zeros) for n, factor in products]
+    solved = _solve(columns, goal.rem(zeros))
     if solved is None:
         return None
     return [
@@ -139,26 +149,19 @@ def _combine(
     ]
 
 
-def _reduce(
-    polynomial: sp.Expr, circles: Sequence[sp.Expr], ring: Sequence[sp.Symbol]
-) -> dict[tuple[int, ...], sp.Expr]:
-    """Return the coefficients of what remains of a polynomial after division by circles."""
-    rest = sp.reduced(polynomial, circles, *ring)[1] if circles else polynomial
-    found: dict[tuple[int, ...], sp.Expr] = sp.Poly(rest, *ring).as_dict()
-    if not all(value.is_Rational for value in found.values()):
-        raise sp.PolynomialError("a coefficient that is no fraction")
-    return found
+def _degree(polynomial: PolyElement) -> int:
+    return max((sum(monomial) for monomial in polynomial), default=0)
 
 
 def _solve(
-    columns: Sequence[dict[tuple[int, ...], sp.Expr]], wanted: dict[tuple[int, ...], sp.Expr]
+    columns: Sequence[Mapping[tuple[int, ...], Any]], wanted: Mapping[tuple[int, ...], Any]
 ) -> list[sp.Expr] | None:
     """Return coefficients with which the columns add up to what is wanted, None without any."""
     places = {m: n for n, m in enumerate(sorted({*wanted, *(m for c in columns for m in c)}))}
-    last, rows = len(columns), dict[int, dict[int, sp.Expr]]()
+    last, rows = len(columns), dict[int, dict[int, Any]]()
     for number, column in enumerate((*columns, wanted)):
         for monomial, value in column.items():
-            rows.setdefault(places[monomial], {})[number] = sp.QQ.from_sympy(value)
+            rows.setdefault(places[monomial], {})[number] = value
     shape = (len(places), last + 1)
     reduced, pivots = DomainMatrix(rows, shape, sp.QQ).to_sparse().rref()
     if last in pivots:
