@@ -45,6 +45,8 @@ _NONE = (
 )
 
 Vector = list[mpmath.mpf]
+# Values of the residuals at a place, and their slopes.
+System = Callable[..., tuple[Vector, list[Vector]]]
 Point = dict[sp.Basic, sp.Expr]
 
 
@@ -68,11 +70,10 @@ def find_points(
     """
     symbols = sorted(letters, key=str)
     slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals else []
-    values = sp.lambdify(symbols, list(residuals), "mpmath")
-    matrix = sp.lambdify(symbols, slopes, "mpmath")
+    systems = [sp.lambdify(symbols, [list(residuals), slopes], name) for name in ("math", "mpmath")]
     with mpmath.workdps(_DIGITS):
         for start in _list_starts(symbols, domain, count):
-            end = _descend(values, matrix, [start[s] for s in symbols]) if residuals else None
+            end = _find_zero(systems, [start[s] for s in symbols]) if residuals else None
             if residuals and not end:
                 continue
             point = dict(zip(symbols, map(_to_fraction, end), strict=True)) if end else start
@@ -157,20 +158,26 @@ def _enclose(expression: sp.Expr, values: Mapping[sp.Basic, balls.Ball]) -> ball
     return balls.evaluate(expression, values, _BITS)
 
 
-def _descend(
-    values: Callable[..., Vector], slopes: Callable[..., list[Vector]], start: Sequence[sp.Expr]
-) -> Vector | None:
-    """Return the zero that Newton's steps lead to, None if they lead to none."""
+def _find_zero(systems: Sequence[System], start: Sequence[sp.Expr]) -> Vector | None:
+    """Return the zero that Newton's steps lead to, None if they lead to none.
+
+    Where doubles come near to one, what is left is a matter of few steps with many digits.
+    """
+    doubles, digits = systems
     place = [mpmath.mpf(sp.N(value, _DIGITS)) for value in start]
+    near = _descend(doubles, [*map(float, place)], _NEAR)
+    return _descend(digits, [*map(mpmath.mpf, near)] if near else place, _SMALL)
+
+
+def _descend(system: System, place: Vector, small: float) -> Vector | None:
+    """Return where Newton's steps and the residuals become small, None if they do not."""
     try:
         for _ in range(_STEPS):
-            step = _solve(slopes(*place), values(*place))
+            values, slopes = system(*place)
+            step = _solve(slopes, values)
             place = [x - dx for x, dx in zip(place, step, strict=True)]
-            is_still = all(
-                abs(dx) < _SMALL * (1 + abs(x)) for x, dx in zip(place, step, strict=True)
-            )
-            if is_still:
-                return place if max(map(abs, values(*place))) < _SMALL else None
+            if all(abs(dx) < small * (1 + abs(x)) for x, dx in zip(place, step, strict=True)):
+                return place if max(map(abs, system(*place)[0])) < small else None
     except _NONE:
         pass
     return None
