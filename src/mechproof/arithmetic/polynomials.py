@@ -263,7 +263,7 @@ class _Ring:
         return sp.Add(*(self._term(powers, coefficient) for powers, coefficient in terms))
 
     def _term(self, powers: tuple[int, ...], coefficient: fmpq) -> sp.Expr:
-        factors = (s**power for s, power in zip(self.symbols, powers, strict=False) if power)
+        factors = (s ** int(n) for s, n in zip(self.symbols, powers, strict=False) if n)
         return sp.Mul(_to_rational(coefficient), *factors)
 
 
