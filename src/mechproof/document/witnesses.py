@@ -1,16 +1,17 @@
 """Points at which constraints hold together: of constraints without any, everything follows.
 
 Newton's method, with the least step where there are more letters than constraints, starts where
-letters that may be anything are positive and small, as lengths and angles are, and then at other
-points of the domain. A point is found where its steps become small and the domain allows it.
-That there is one nearby is proved by Krawczyk's test (1969): letters are fixed, as many others as
-there are constraints are enclosed.
+letters that may be anything are positive and small, as lengths and angles are, or angles negative,
+and then at other points of the domain. A point is found where its steps become small and the
+domain allows it. That there is one nearby is proved by Krawczyk's test (1969): letters are fixed,
+as many others as there are constraints are enclosed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 
 import mpmath
 import numpy as np
@@ -32,7 +33,9 @@ _BITS = 192
 # How near to a point a zero is looked for.
 _RADIUS = arb(2) ** -40
 _TINY = arb(2) ** -64
+_TURNING = (sp.sin, sp.cos, sp.tan)
 _POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
+_NEGATIVE = sp.Interval.open(-sp.Rational(3, 2), 0)
 # What is divided by zero, has no real value, or no name in mpmath, is no witness.
 _NONE = (
     np.linalg.LinAlgError,
@@ -72,7 +75,7 @@ def find_points(
     slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals else []
     systems = [sp.lambdify(symbols, [list(residuals), slopes], name) for name in ("math", "mpmath")]
     with mpmath.workdps(_DIGITS):
-        for start in _list_starts(symbols, domain, count):
+        for start in _list_starts(residuals, symbols, domain, count):
             end = _find_zero(systems, [start[s] for s in symbols]) if residuals else None
             if residuals and not end:
                 continue
@@ -81,13 +84,24 @@ def find_points(
                 yield point
 
 
-def _list_starts(symbols: list[sp.Basic], domain: Domain, count: int) -> Iterator[Point]:
+def _list_starts(
+    residuals: Sequence[sp.Expr], symbols: list[sp.Basic], domain: Domain, count: int
+) -> Iterator[Point]:
+    """Yield points with small letters, every other one with angles below zero, then any points."""
     within = {s: _POSITIVE if v == sp.S.Reals else v for s, v in domain.within.items()}
-    for one in (replace(domain, within=within), domain):
-        try:
-            yield from one.points(symbols, count)[:count]
-        except RecordError:
-            continue
+    turning = {s for one in residuals for f in one.atoms(*_TURNING) for s in f.free_symbols}
+    turned = {s: _NEGATIVE if s in turning and v == _POSITIVE else v for s, v in within.items()}
+    small = [_draw(replace(domain, within=one), symbols, count // 2) for one in (within, turned)]
+    for pair in zip_longest(*small):
+        yield from (start for start in pair if start)
+    yield from _draw(domain, symbols, count)
+
+
+def _draw(domain: Domain, symbols: list[sp.Basic], count: int) -> list[Point]:
+    try:
+        return domain.points(symbols, count)[:count]
+    except RecordError:
+        return []
 
 
 def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.Ball] | None:
