@@ -175,6 +175,16 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
         "",
         "%% where l>r\n%% where l_1>r\n",
     ),
+    "an angle counted otherwise, in words": (
+        (ROD, SLIDER, r"\dot x=-r\dot\alpha\sin\alpha+r\dot\alpha\cos\alpha\tan\beta"),
+        r"\section{Lower cylinder} Its angle $\beta$ is counted clockwise.",
+        "",
+    ),
+    "a crank that turns the other way, in words": (
+        (r"x=r\cos\alpha", r"y=r\sin\alpha", r"\dot x=r\dot\alpha\sin\alpha"),
+        r"From here on $\alpha$ is measured in the opposite sense.",
+        "",
+    ),
     # With one change of what was differentiated the acceleration would not matter.
     "constant speed, in words": (
         (r"y=r\sin\alpha\cos\alpha", r"m=\dot\alpha", r"\ddot y=-2rm^2\sin2\alpha"),

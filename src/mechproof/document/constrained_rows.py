@@ -151,10 +151,10 @@ def _ask_definitions(
     accused: Mapping[int, Judgement],
     limit: float,
 ) -> tuple[list[tuple[int, int]], dict[int, int]]:
-    """Return misprints with the later definitions that they contradict, and definitions to blame.
+    """Return misprints with the definitions that they contradict, and definitions to blame.
 
-    A definition is to blame that would have to be changed if further rows follow from what it
-    contradicts.
+    These stand later, or before words that turn a sense. A definition is to blame that would have
+    to be changed if further rows follow from what it contradicts.
     """
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
     later = [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
@@ -164,20 +164,30 @@ def _ask_definitions(
         for n, m in later
         if n in needed and WITHIN in accused[n].reason and not tasks[m].is_case
     }
-    return [(n, m) for n, m in later if m not in wrong], wrong
+    turned = [
+        (n, m)
+        for n in accused
+        for m, one in enumerate(tasks)
+        if _is_turned(one, tasks[n]) and _defines(one, _list_used(tasks[n], tasks))
+    ]
+    return [(n, m) for n, m in later if m not in wrong] + turned, wrong
 
 
 def find_contradictions(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Accuse neither what is never true beside a definition after it, nor that definition."""
+    """Accuse neither what is never true beside a definition after it, nor that definition.
+
+    The same is true of a definition before words that turn a sense.
+    """
     for n, task in enumerate(tasks):
         is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
         letters = _list_printed(task) if is_beside else set[sp.Basic]()
-        later = [m for m in range(n + 1, len(tasks)) if _defines(tasks[m], letters)]
-        if names := ", ".join(tasks[m].row.number for m in later):
+        others = [m for m, one in enumerate(tasks) if m > n or _is_turned(one, task)]
+        others = [m for m in others if _defines(tasks[m], letters)]
+        if names := ", ".join(tasks[m].row.number for m in others):
             yield n, make_row(task, _tell_contradiction(names))
-        for m in later:
+        for m in others:
             yield m, make_row(tasks[m], _tell_contradiction(task.row.number))
 
 
@@ -246,13 +256,20 @@ def _accuse(
 def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     """Return whether a constraint may be said of a special position that is no matter of a row.
 
-    It is announced as another case, or it comes later and is an equation such as a = b + pi.
+    It is announced as another case, words between them turn a sense, or it comes later and is an
+    equation such as a = b + pi.
     """
     rest = tasks[other].residual
     is_plain = other > number and all(
         term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
     )
-    return is_plain or tasks[other].is_case or tasks[other].sign.role is Role.SOLUTIONS
+    is_other = tasks[other].is_case or _is_turned(tasks[other], tasks[number])
+    return is_plain or is_other or tasks[other].sign.role is Role.SOLUTIONS
+
+
+def _is_turned(one: Task, other: Task) -> bool:
+    """Return whether words between two rows turn the sense in which something is counted."""
+    return one.turns != other.turns
 
 
 def _find_needed(

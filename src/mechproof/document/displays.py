@@ -56,6 +56,19 @@ _ALTERNATIVE = re.compile(
     re.IGNORECASE,
 )
 _NEAR = 200
+# What turns the sense in which something is counted, from there on. A sentence that begins with
+# "where" says what letters meant all along.
+_TURNING = re.compile(
+    r"clockwise|counter-?rotat|opposed|crossed|mirror|revers(?:e|al|ing)|redefin"
+    r"|\b(?:opposite|negative|other|contrary)(?:\s+\w+)?\s+(?:direction|sense|sign|way|side)"
+    r"|\b(?:counted|measured|reckoned)\b|\b(?:interchang|exchang|swapp)|\bfrom (?:now|here) on\b"
+    r"|\b(?:henceforth|hereafter|instead)\b"
+    r"|uhrzeigersinn|entgegengesetzt|umgekehrt|\bgegenl\xe4ufig|\b(?:von nun an|ab jetzt)\b"
+    r"|\bsens (?:horaire|inverse|contraire|oppos\xe9)|\bd\xe9sormais\b"
+    r"|часовой|отсчитыва|противополож|обратн|\b(?:теперь|впредь)\b",
+    re.IGNORECASE,
+)
+_WHERE = re.compile(r"[\s.,;]*(?:where|here|with|in which|wobei|o\xf9|где)\b[^.;]*|", re.IGNORECASE)
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED)))
 
 
@@ -64,7 +77,8 @@ class Printed:
     """One equation of a text: how it is named, its labels, what it cites, its LaTeX, or why none.
 
     Equations of one display have one `group`; `is_case` tells of words before it, such as "or",
-    that may announce another case. The first `taken` characters of its LaTeX are those that the
+    that may announce another case, `turns` counts words before it that turn the sense in which
+    something is counted. The first `taken` characters of its LaTeX are those that the
     display before it ends in.
     """
 
@@ -75,6 +89,7 @@ class Printed:
     cites: tuple[str, ...] = ()
     group: int = 0
     is_case: bool = False
+    turns: int = 0
     taken: int = 0
 
     def locate(self, files: Files, place: int = 0) -> Place:
@@ -162,7 +177,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     """
     counter, unnumbered = _Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
-    group, last = 0, 0
+    group, last, turns = 0, 0, 0
     before: Printed | None = None
     for match in _EVENT.finditer(text.string):
         if match["heading"]:
@@ -182,11 +197,13 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
             continue
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
-            words = text.string[max(last, match.start() - _NEAR) : match.start()]
-            is_case = bool(_ALTERNATIVE.search(words))
+            words = text.string[last : match.start()]
+            is_case = bool(_ALTERNATIVE.search(words[-_NEAR:]))
+            known = _WHERE.match(words) if group else None
+            turns += bool(_TURNING.search(words, known.end() if known else 0))
             group, end = group + 1, match.end()
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
-                printed = replace(found, group=group, is_case=is_case)
+                printed = replace(found, group=group, is_case=is_case, turns=turns)
                 if cut and before and not before.fault:
                     printed = _go_on(before, printed)
                 before = printed

@@ -215,9 +215,12 @@ class TaskMaker:
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
-        group = next((one.group for one in self.printed if one.name == sign.first), None)
-        may_solve = printed.is_case or group == printed.group
-        is_solution = sign.role is Role.REPEATED and may_solve and not is_claimed
+        first = next((one for one in self.printed if one.name == sign.first), None)
+        is_turned = first is not None and first.turns != printed.turns
+        is_beside = first is not None and first.group == printed.group
+        may_solve = printed.is_case or is_turned or is_beside
+        is_solution = may_solve if sign.role is Role.REPEATED else is_turned
+        is_solution &= sign.role in (Role.REPEATED, Role.DERIVATIVE) and not is_claimed
         is_case = printed.is_case or is_listed(printed, block.constraints)
         return Task(
             row,
@@ -236,6 +239,7 @@ class TaskMaker:
             is_case=is_case,
             is_excused=is_case
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
+            turns=printed.turns,
         )
 
     def _list_formulas(self, letter: sp.Basic | None) -> list[sp.Expr]:

@@ -29,6 +29,7 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
+    `turns` counts words before it that turn the sense in which something is counted.
     """
 
     row: Row
@@ -47,6 +48,7 @@ class Task:
     ties_running: bool = False
     is_case: bool = False
     is_excused: bool = False
+    turns: int = 0
 
     @property
     def is_rounded(self) -> bool:
