@@ -47,6 +47,21 @@ def test_a_print_means_another_letter_in_a_range_of_equations() -> None:
     assert outcomes(*equations)[1:4] == ["not read"] * 3
 
 
+def test_letters_of_one_line_may_have_shapes_of_their_own() -> None:
+    block = "%% B 2x3 ; v ; w 3x1 : matrices\n"
+    equations = (
+        r"v=(1, 0, 0)^T",
+        r"w=(0, 0, n)^T",
+        r"w^Tv=0",
+        r"B=\begin{pmatrix}1&2&3\\0&0&n\end{pmatrix}",
+    )
+    assert outcomes(*equations, r"(Bw)^T=(3n, n^2)", block=block)[2:] == [
+        "PROVED",
+        "DEFINITION",
+        "PROVED",
+    ]
+
+
 def test_labels_may_name_the_ends_of_a_range() -> None:
     equations = [AREA, rf"\label{{eq:turn}}{ROTATION}", r"\label{eq:last}\det A=1", r"A=2\pi r^2"]
     found = outcomes(*equations, block="%% in eq:turn - eq:last: A is A_r\n")

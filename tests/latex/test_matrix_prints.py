@@ -74,6 +74,8 @@ MATRICES = [
     (r"\mathbf B^{-1}\;[A]v", E["B"].inv("ADJ") * E["A"] * E["v"]),
     (r"[A](v\times w)", E["A"] * E["v"].cross(E["w"])),
     (r"(1, 0, 0)\times(0, 1, 0)", sp.Matrix([[0, 0, 1]])),
+    (r"(1,0,0)\times(0,1,0)", sp.Matrix([[0, 0, 1]])),
+    (r"(0,0,s)\times(x, y)", sp.Matrix([[-s * y, s * x]])),
     (r"(0, 0, s)\times(x, y)", sp.Matrix([[-s * y, s * x]])),
     (r"(x, y)\times(0, 0, s)", sp.Matrix([[s * y, -s * x]])),
     (r"[A]\times\mathbf B", E["A"] * E["B"]),

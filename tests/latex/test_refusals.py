@@ -36,6 +36,8 @@ REFUSED = [
     (r"\frac x22", "2", "a number follows", r"\cdot"),
     (r"2\frac12", r"\frac12", "mixed number", r"\cdot"),
     ("0,5a", ",5a", "decimal comma or a list", "0.5"),
+    ("(0,1)x", ",1)x", "decimal comma or a list", "0.5"),
+    ("(0,0,5)x", ",0,5)x", "decimal comma or a list", "0.5"),
     ("1 2", "2", "one number or two", "gap"),
     ("2.", "", "ends with a point", ""),
     (r"\cos xy", "y", "belong to the argument", "brackets"),

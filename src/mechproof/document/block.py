@@ -108,18 +108,19 @@ def _read_letters(line: str) -> list[Declared]:
             + ", ".join((*_WORDS, *_TOLD, _CLAIM))
         )
     (right,) = rest
-    shape = _SHAPE.search(left)
     condition = _CONDITION.search(right)
     right = right[: condition.start()] if condition else right
     found = _UNIT.search(right)
     unit = found[1].strip() if found else None
     meaning = " ".join(_UNIT.sub("", right).split())
-    size = (int(shape[1]), int(shape[2])) if shape else None
-    said = condition[1] if condition else ""
-    return [
-        _read_letter(text, meaning, unit, said, size)
-        for text in (left[: shape.start()] if shape else left).split(";")
-    ]
+    said, last = condition[1] if condition else "", _SHAPE.search(left)
+    found_letters = []
+    for text in left.split(";"):
+        # What is said of the last letter is said of all that have no shape of their own.
+        shape = _SHAPE.search(text) or last
+        size = (int(shape[1]), int(shape[2])) if shape else None
+        found_letters.append(_read_letter(_SHAPE.sub("", text), meaning, unit, said, size))
+    return found_letters
 
 
 def _read_letter(

@@ -202,6 +202,11 @@ def _read_short(parser: Parser) -> Node:
     if is_number and not is_last:
         factors.append(parser.read_factor())
     argument = _read_phase(parser, factors)
+    if parser.text in DOTS and _goes_on(parser, factors[-1], parser.place + 1):
+        raise parser.refuse(
+            "a dot behind the argument of a function: does the argument go on?",
+            r"Print \cos(n\cdot\varphi) if it does, \varphi\cos n if not.",
+        )
     if len(factors) > 1 and not isinstance(factors[-1], Letter | Constant) and parser.text:
         _check_reach(parser)
     return argument

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LONGEST_NUMBER = 300
+# Vectors in which a comma is none of a decimal: along an axis, or with zeros in front.
+_ALONG_AXIS = re.compile(r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]]))")
 _POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 
 
@@ -35,7 +37,7 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
     follows = parser.tokens[parser.place + 1 : parser.place + 2]
     if parser.text == "," and not in_list and follows and is_digit(follows[0].text):
         close = follows[0].start == parser.end + 1 and parser.start == parser.end
-        if close:
+        if close and not _is_along_axis(parser.source.latex, start):
             raise parser.refuse(
                 "a comma between digits: a decimal comma or a list?",
                 "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
@@ -46,3 +48,7 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
             rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
         )
     return Number(text, start=start, end=parser.end)
+
+
+def _is_along_axis(latex: str, place: int) -> bool:
+    return any(m.start() < place < m.end() for m in _ALONG_AXIS.finditer(latex))
