@@ -18,6 +18,7 @@ from mechproof.programs.kernel import input_names
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import (
     RoundingClaim,
+    cover_all,
     holds,
     list_digests,
     tell_place,
@@ -96,6 +97,29 @@ def test_an_endless_bound_is_refused() -> None:
 def test_another_number_of_boxes_is_refused() -> None:
     claim, subject = plain()
     assert not holds(subject, replace(claim, boxes=claim.boxes - 1))
+
+
+def test_a_bound_is_shown_once_for_ways_that_compute_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    known = certificate("track_wheel")
+    covered = []
+
+    def cover(subject: ComputedStage, *limits: Any) -> Any:
+        covered.append(subject.kernel.name)
+        return cover_all(subject, *limits)
+
+    monkeypatch.setattr("mechproof.roundoff.certificate.cover_all", cover)
+    pair = [claim for claim in known.claims if claim.quantity == "largest_radius"]
+    one, other = map(subject_of, pair)
+    assert one.way != other.way
+    rotation = next(claim for claim in known.claims if claim.quantity == "rotation")
+    assert one.basis == other.basis != subject_of(rotation).basis
+    assert holds(other, pair[1], [pair[0]])
+    assert not covered
+    wrong = replace(pair[1], boxes=pair[1].boxes - 1)
+    assert not holds(other, wrong, [pair[0]])
+    assert covered
 
 
 def test_a_left_out_assumption_is_refused() -> None:

@@ -78,9 +78,18 @@ class ComputedStage:
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps, of the coordinates and of the scale."""
-        scale = self.scale.straights if self.scale else (None,)
-        parts = (self.straight, self.form.charts, self.form.mirrors, *scale, *self._programs)
+        parts = (*self._bounded, *self._programs)
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
+
+    @property
+    def basis(self) -> tuple[object, ...]:
+        """Return all that a bound of the error is computed from: of ways alike it is the same."""
+        return (*self._bounded, self.map)
+
+    @property
+    def _bounded(self) -> tuple[object, ...]:
+        scale = self.scale.straights if self.scale else (None,)
+        return (self.straight, self.form.charts, self.form.mirrors, *scale)
 
     @property
     def _programs(self) -> Iterator[StraightLineProgram | Program]:
