@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Any
+
 import pytest
 import sympy as sp
+from command import answer_here
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
+from mechproof.document.judging import judge_beside
 from mechproof.document.misprints import find_failure, find_misprint
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.witnesses import enclose, find_points
 from mechproof.proof.domain import Domain
 from mechproof.record import PrintedNumber
+from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -239,6 +245,25 @@ def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) 
 def test_what_may_be_meant_is_not_accused(name: str) -> None:
     row = judge(*EXCUSED[name])
     assert row.outcome in ("DEFINITION", "not judged"), row.reason
+
+
+def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[Any] = []
+
+    def answer(task: Any, arguments: Any, **options: Any) -> Iterator[tuple[int, Any]]:
+        if task is judge_beside:
+            asked.append(arguments)
+        # First it is asked what follows from constraints, then without which of them it does not.
+        if task is judge_beside and len(asked) > 1:
+            return ((n, WorkerError("no answer")) for n, _ in enumerate(arguments))
+        return answer_here(task, arguments, **options)
+
+    before, _, (wrong, *_) = PAPERS["an acceleration"]
+    monkeypatch.setattr("mechproof.document.constrained_rows.run_tasks", answer)
+    row = judge((*before, wrong))
+    assert len(asked) > 1
+    assert row.outcome == "not judged"
+    assert "contradict each other" in row.reason
 
 
 def test_what_defines_a_letter_may_have_the_misprint() -> None:
