@@ -333,6 +333,11 @@ X, Y = sp.symbols("x y", real=True)
 PLANE = Domain({X: sp.S.Reals, Y: sp.S.Reals}, (), {})
 
 
+def test_no_points_are_looked_for_where_slopes_cannot_be_computed() -> None:
+    assert not [*find_points([Y - sp.floor(X)], {X, Y}, PLANE, 4)]
+    assert [*find_points([Y - X], {X, Y}, PLANE, 4)]
+
+
 def test_points_are_enclosed_where_a_constraint_has_a_zero() -> None:
     circle = X**2 + Y**2 - 2
     point = next(find_points([circle], {X, Y}, PLANE, 4))

@@ -11,13 +11,14 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
-from mechproof.document.misprints import RUNG, find_failure, find_misprint
+from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
+from mechproof.document.witnesses import find_points
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
@@ -180,9 +181,13 @@ def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
 
 
 def _is_nowhere_true(task: Task) -> bool:
+    """Return whether a row is proved to be true nowhere; not asked where a zero is met."""
     says = task.row.says
     domain = Domain.of(task.paper, task.row.on)
     if isinstance(says, Equality) and task.residual is not None:
+        rest = domain.resolve(says.printed) - domain.resolve(says.rebuilt)
+        if any(find_points([rest], rest.free_symbols, domain, FEW)):
+            return False
         apart = Holds(sp.Ne(says.printed, says.rebuilt, evaluate=False))
         return decide(apart, domain).verdict is Verdict.PROVED
     if isinstance(says, Holds):

@@ -69,11 +69,16 @@ def find_points(
 ) -> Iterator[Point]:
     """Yield points of letters at which all residuals are zero, to many digits.
 
-    As many starts as `count` says are tried of either kind.
+    As many starts as `count` says are tried of either kind. There are none where slopes cannot be
+    computed, those of a floor or of a limit.
     """
     symbols = sorted(letters, key=str)
-    slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals else []
-    systems = [sp.lambdify(symbols, [list(residuals), slopes], name) for name in ("math", "mpmath")]
+    slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals and symbols else []
+    both = [list(residuals), slopes]
+    try:
+        systems = [sp.lambdify(symbols, both, name) for name in ("math", "mpmath")]
+    except NotImplementedError:
+        return
     with mpmath.workdps(_DIGITS):
         for start in _list_starts(residuals, symbols, domain, count):
             end = _find_zero(systems, [start[s] for s in symbols]) if residuals else None
