@@ -12,6 +12,7 @@ import sympy as sp
 from mechproof.codegen.escapes import fold
 from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
 from mechproof.programs.domain import domain_relations
+from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
@@ -232,13 +233,8 @@ def find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.S
     """List the given symbols that a formula needs, directly or through others."""
     inputs = input_names(quantity)
     given = {s: g for s, g in paper.given.items() if s not in inputs}
-    used: set[sp.Symbol] = set()
-    waiting = [formula]
-    while waiting:
-        found = (waiting.pop().atoms(sp.Symbol) & given.keys()) - used
-        used |= found
-        waiting += [given[s] for s in found]
-    return [s for s in given if s in used]
+    needed = find_needed(formula, given)
+    return [s for s in given if s in needed]
 
 
 def _parameter(argument: Argument, quantity: Quantity) -> list[str]:

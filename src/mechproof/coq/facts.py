@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from functools import reduce
 from itertools import chain, combinations
-from math import gcd
 
 import sympy as sp
 from sympy.core.relational import Relational
@@ -239,7 +237,10 @@ def _find_bases(angles: set[sp.Basic]) -> dict[sp.Basic, list[tuple[int, sp.Basi
     for number, base in (term for terms in split.values() for term in terms):
         counts.setdefault(base, []).append(number)
     right = {sp.pi: [sp.S.Half]}
-    units = {base: _find_unit([*numbers, *right.get(base, [])]) for base, numbers in counts.items()}
+    # The largest number of which all are whole multiples.
+    units = {
+        base: abs(sp.gcd_list([*numbers, *right.get(base, [])])) for base, numbers in counts.items()
+    }
     return {
         angle: [(int(number / units[base]), units[base] * base) for number, base in terms]
         for angle, terms in split.items()
@@ -253,13 +254,6 @@ def _list_terms(angle: sp.Basic) -> list[tuple[sp.Rational, sp.Basic]]:
     return [
         (n, base) if n.is_Rational and base != 1 else (sp.Integer(1), n * base) for n, base in terms
     ]
-
-
-def _find_unit(numbers: Sequence[sp.Rational]) -> sp.Rational:
-    """Return the largest number of which all are whole multiples."""
-    below = reduce(lambda a, b: a * b // gcd(a, b), (int(n.q) for n in numbers))
-    above = reduce(gcd, (abs(int(n * below)) for n in numbers))
-    return sp.Rational(above, below)
 
 
 def _repeat(count: int, text: str) -> str:

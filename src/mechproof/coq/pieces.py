@@ -14,16 +14,12 @@ from mechproof.record.parts import find_parts, replace_parts
 Case = tuple[sp.Basic, tuple[sp.Basic, ...]]
 
 
-def list_cases(relation: sp.Basic) -> Iterator[Case]:
+def list_cases(relation: sp.Basic, known: tuple[sp.Basic, ...] = ()) -> Iterator[Case]:
     """Yield the cases of a relation; one whose conditions contradict each other is none.
 
     A piece holds where its condition does and those of the pieces before it do not; where none
     does, the law has no value. Raises `UnwritableError` for a condition that is no comparison.
     """
-    yield from _split(relation, ())
-
-
-def _split(relation: sp.Basic, known: tuple[sp.Basic, ...]) -> Iterator[Case]:
     laws = find_parts(relation, sp.Piecewise)
     inner = [law for law in laws if not find_parts(sp.Tuple(*law.args), sp.Piecewise)]
     if not inner:
@@ -35,7 +31,7 @@ def _split(relation: sp.Basic, known: tuple[sp.Basic, ...]) -> Iterator[Case]:
         new = [*before] if condition is sp.true else [*before, _turn(condition)]
         conditions = tuple(dict.fromkeys((*known, *new)))
         if not any(_negate(c) in conditions for c in conditions):
-            yield from _split(_put(relation, law, value), conditions)
+            yield from list_cases(_put(relation, law, value), conditions)
         if condition is sp.true:
             return
         before.append(_negate(_turn(condition)))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from mechproof.document.sources import DocumentError
 from mechproof.document.text import LocatedText, join
+from mechproof.latex.sentences import find_brace
 
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000
@@ -124,13 +125,3 @@ def _read_argument(string: str, place: int) -> tuple[str, int] | None:
         return string[start:end], end
     close = find_brace(string, start)
     return None if close is None else (string[start + 1 : close], close + 1)
-
-
-def find_brace(string: str, start: int) -> int | None:
-    """Return the place of the brace that closes the one at `start`, None where there is none."""
-    depth = 0
-    for match in re.finditer(r"\\.|[{}]", string[start:], re.DOTALL):
-        depth += {"{": 1, "}": -1}.get(match[0], 0)
-        if depth == 0:
-            return start + match.start()
-    return None

@@ -11,9 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mechproof.document.lines import split_lines, walk_signs
-from mechproof.document.macros import expand, find_brace, find_macros
+from mechproof.document.macros import expand, find_macros
 from mechproof.document.sources import DocumentError
 from mechproof.document.text import LocatedText
+from mechproof.latex.sentences import find_brace
 
 _BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")

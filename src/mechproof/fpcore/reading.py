@@ -23,8 +23,6 @@ OPERATIONS: Mapping[tuple[str, int], str] = MappingProxyType(
     }
 )
 CONSTANTS: Mapping[str, str] = MappingProxyType({"PI": "#pi", "E": "#e"})
-# What is said of a core beside what it computes and where: it changes no bound.
-_PLAIN = (":name", ":description", ":cite", ":spec", ":alt", ":example")
 _FORMATS: Mapping[str, str] = MappingProxyType({":precision": "binary64", ":round": "nearestEven"})
 _LETS = ("let", "let*")
 

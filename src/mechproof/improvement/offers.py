@@ -24,7 +24,7 @@ from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
-from mechproof.tools.processes import START, WorkerError, run_tasks
+from mechproof.tools.processes import WorkerError, run_tasks
 
 # So many of the best candidates are tried to be proved.
 TRIED = 4
@@ -136,7 +136,7 @@ def find_offers(
         s.name: why for s in subjects if (why := _refuse(s))
     }
     tasks = [(s.name, directory) for s in subjects if s.name not in found]
-    for number, result in run_tasks(_find, tasks, limit=limit, start=START):
+    for number, result in run_tasks(_find, tasks, limit=limit):
         found[tasks[number][0]] = result
         report(f"{len(found)} of {len(subjects)} quantities")
     yield from ((subject, found[subject.name]) for subject in subjects)

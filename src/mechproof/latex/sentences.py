@@ -29,8 +29,8 @@ def list_parts(latex: str) -> Iterator[tuple[bool, str]]:
 def _find_texts(latex: str) -> Iterator[tuple[int, int]]:
     for place in walk_outside(latex):
         if latex.startswith(r"\text{", place):
-            end = _find_end(latex, place + len(r"\text{"))
-            if end < len(latex):
+            end = find_brace(latex, place + len(r"\text"))
+            if end is not None:
                 yield place, end
 
 
@@ -45,10 +45,11 @@ def walk_outside(latex: str) -> Iterator[int]:
         depth = max(depth + opens - closes, 0)
 
 
-def _find_end(latex: str, start: int) -> int:
-    depth = 1
+def find_brace(latex: str, start: int) -> int | None:
+    """Return the place of the brace that closes the one at `start`, None where there is none."""
+    depth = 0
     for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
         depth += {"{": 1, "}": -1}.get(token[0], 0)
         if depth == 0:
             return start + token.start()
-    return len(latex)
+    return None

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.laws.pointwise import choose, compute_where, exp, normal_tail
 
 Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 # A difference of tails that keeps less than this part of the smaller tail is integrated instead.
 NARROW = 0.25

@@ -9,7 +9,7 @@ from mechproof.derivation import load_paper
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate
 from mechproof.roundoff.certificate_files import certify_paper
-from mechproof.tools.processes import START, WorkerError, run_tasks
+from mechproof.tools.processes import WorkerError, run_tasks
 
 # Seconds for a paper: a search for bounds that nobody knows yet may take an hour.
 LIMIT = 6 * 3600.0
@@ -29,7 +29,7 @@ def certify_derivations(
     _papers.update(papers)
     try:
         tasks = [(place, directory, use_cache) for place in places]
-        for number, result in run_tasks(_certify, tasks, limit=LIMIT, start=START):
+        for number, result in run_tasks(_certify, tasks, limit=LIMIT):
             if isinstance(result, WorkerError):
                 raise ValueError(f"{places[number]}: {result}") from result
             found[number] = result

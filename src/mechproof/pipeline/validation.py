@@ -13,7 +13,7 @@ from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.validation import validate
 from mechproof.record import Paper
 from mechproof.tools.cache import Store, make_key
-from mechproof.tools.processes import START, WorkerError, run_tasks
+from mechproof.tools.processes import WorkerError, run_tasks
 
 # What a validation rests on besides the emitted source and the derivation.
 LAYERS = (
@@ -58,7 +58,7 @@ def validate_derivations(
         tasks = [(place, Path(folder), name) for place, name in names]
         _papers.update(wanted)
         try:
-            results = run_tasks(_validate, tasks, limit=limit, start=START)
+            results = run_tasks(_validate, tasks, limit=limit)
             for done, (number, result) in enumerate(results, start=1):
                 if isinstance(result, WorkerError):
                     place, name = names[number]

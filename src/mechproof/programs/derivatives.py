@@ -14,7 +14,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import factor
-from mechproof.programs.evaluation import KeepsShape
+from mechproof.programs.evaluation import KeepsShape, trace_inputs
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.slopes import differentiate as differentiate_part
@@ -127,7 +127,7 @@ def _go_back(
     tidy = _factor if plain == expression else lambda slope: slope
     entries = chain(plain, symbols, given, tidy)
     # An argument that no derivative depends on gives its shape and its NaN.
-    needed = {s for entry in entries for s in _find_inputs(entry, given)}
+    needed = {s for entry in entries for s in trace_inputs(entry, given)}
     for idle in (s for s in symbols if s not in needed):
         entries = [KeepsShape(entry, idle) for entry in entries]
     return sp.ImmutableDenseMatrix(entries)
@@ -145,11 +145,6 @@ def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
 
     visit(expression)
     return list(ordered)
-
-
-def _find_inputs(expression: sp.Expr, given: Given) -> frozenset[sp.Basic]:
-    steps = _order_steps(expression, given)
-    return find_free(expression).union(*(find_free(given[s]) for s in steps)) - given.keys()
 
 
 def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp.Expr:

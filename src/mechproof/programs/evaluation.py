@@ -205,14 +205,19 @@ def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
 
 
 def trace_inputs(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
-    """Find the symbols that an expression needs, directly or through those that have values."""
+    """Find the symbols without a value that an expression needs, directly or through others."""
+    return find_needed(expression, values) - values.keys()
+
+
+def find_needed(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
+    """Find all symbols that an expression needs, directly or through those that have values."""
     found: set[sp.Basic] = set()
     waiting = [expression]
     while waiting:
         met = input_symbols(waiting.pop()) - found
         found |= met
         waiting += [values[symbol] for symbol in met & values.keys()]
-    return found - values.keys()
+    return found
 
 
 def find_carried(expression: sp.Expr, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:

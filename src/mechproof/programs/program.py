@@ -6,7 +6,7 @@ counts and every backend read programs; a printer only spells them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -78,6 +78,20 @@ NOTHING = Program((), (), ())
 def is_unnamed(operand: Operand) -> bool:
     """Say whether an operand is the result of an operation that is used here alone."""
     return isinstance(operand, str) and operand.startswith(TEMPORARY)
+
+
+def rename_all(
+    operations: Iterable[Operation], names: Mapping[Operand, Operand]
+) -> tuple[Operation, ...]:
+    """Return operations with other names for what they take and what they make."""
+    return tuple(
+        Operation(
+            str(names.get(step.result, step.result)),
+            step.kind,
+            tuple(names.get(operand, operand) for operand in step.operands),
+        )
+        for step in operations
+    )
 
 
 def unfuse(program: Program) -> Program:

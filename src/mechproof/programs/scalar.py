@@ -15,9 +15,9 @@ from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.program import (
     Operand,
-    Operation,
     Program,
     is_unnamed,
+    rename_all,
 )
 from mechproof.record import Paper
 
@@ -60,11 +60,7 @@ def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
         return kernel
 
     def change(program: Program) -> Program:
-        steps = tuple(
-            replace(step, result=names.get(step.result, step.result))
-            for step in rename(program, names).operations
-        )
-        return replace(rename(program, names), operations=steps)
+        return replace(rename(program, names), operations=rename_all(program.operations, names))
 
     stages = tuple(stage.change(change) for stage in kernel.code.stages)
     return replace(kernel, code=replace(kernel.code, stages=stages))
@@ -157,18 +153,6 @@ def join_stage(stage: Stage) -> Program:
         given[name] = names.get(value, value)
     for step in after.operations:
         given[step.result] = unused_name(step.result, taken)
-    steps = [*_rename_all(before, names), *_rename_all(after, given)]
+    steps = (*rename_all(before.operations, names), *rename_all(after.operations, given))
     outputs = tuple(given.get(output, output) for output in after.outputs)
-    return Program(inputs, tuple(steps), outputs).normal_form()
-
-
-def _rename_all(program: Program, names: Mapping[Operand, Operand]) -> list[Operation]:
-    """List operations with other names for what they take and what they make."""
-    return [
-        Operation(
-            str(names.get(step.result, step.result)),
-            step.kind,
-            tuple(names.get(operand, operand) for operand in step.operands),
-        )
-        for step in program.operations
-    ]
+    return Program(inputs, steps, outputs).normal_form()

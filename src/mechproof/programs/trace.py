@@ -15,7 +15,14 @@ from types import EllipsisType, FunctionType, MappingProxyType
 from typing import Any
 
 from mechproof.programs.operations import KINDS, Arithmetic
-from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, is_unnamed
+from mechproof.programs.program import (
+    TEMPORARY,
+    Operand,
+    Operation,
+    Program,
+    is_unnamed,
+    rename_all,
+)
 
 # What asks more often is no formula.
 MOST_WAYS = 64
@@ -244,13 +251,5 @@ def _name_repeated(program: Program) -> Program:
     uses = Counter(o for step in program.operations for o in step.operands)
     repeated = [s.result for s in program.operations if uses[s.result] > 1]
     names: dict[Operand, str] = {name: f"v{i}" for i, name in enumerate(repeated, start=1)}
-    operations = tuple(
-        Operation(
-            names.get(step.result, step.result),
-            step.kind,
-            tuple(names.get(o, o) for o in step.operands),
-        )
-        for step in program.operations
-    )
     outputs = tuple(names.get(o, o) for o in program.outputs)
-    return Program(program.inputs, operations, outputs)
+    return Program(program.inputs, rename_all(program.operations, names), outputs)

@@ -52,7 +52,6 @@ LEFT: Mapping[State, VerdictStyle] = {
         (State.SKIPPED, "the block of letters says that it is not to be judged"),
     )
 }
-ORDER = tuple(LOOKS)
 
 # The sign of a number or a term, which no letter, digit or bracket stands before; no option.
 SIGNED = re.compile(r"(?<![\w)\]\-.^])-(?=[\w.(|])")

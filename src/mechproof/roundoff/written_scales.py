@@ -9,6 +9,7 @@ import sympy as sp
 from sympy.simplify.fu import TR9
 
 from mechproof.programs.code import Stage
+from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import build_kernel, input_names
 from mechproof.programs.program import Operand
 from mechproof.record import Form, Paper, Quantity
@@ -108,22 +109,12 @@ def _write_exact(
     if not expression.free_symbols:
         return StraightLineProgram((), (), (float(expression),))
     written = Form("scale", expression, rewrites)
-    needed = tuple(a for a in quantity.arguments if _find_symbols(expression, paper) & {*a.symbols})
+    met = find_needed(expression, paper.given)
+    needed = tuple(a for a in quantity.arguments if met & {*a.symbols})
     alone = replace(quantity, forms=(written,), arguments=needed)
     (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
     straight = flatten_stage(stage, IN_NUMPY)
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
-
-
-def _find_symbols(expression: sp.Expr, paper: Paper) -> set[sp.Basic]:
-    """Return the symbols of an expression and of what the paper defines them by."""
-    found: set[sp.Basic] = set()
-    waiting = {*expression.free_symbols}
-    while waiting:
-        found |= waiting
-        defined = (paper.given[symbol] for symbol in waiting if symbol in paper.given)
-        waiting = {symbol for value in defined for symbol in value.free_symbols} - found
-    return found
 
 
 def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:

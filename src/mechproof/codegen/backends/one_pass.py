@@ -14,7 +14,15 @@ from itertools import product
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.program import NOTHING, TEMPORARY, Operand, Operation, Program, is_unnamed
+from mechproof.programs.program import (
+    NOTHING,
+    TEMPORARY,
+    Operand,
+    Operation,
+    Program,
+    is_unnamed,
+    rename_all,
+)
 from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
 
 # The name of a value that programs have in common and that had none.
@@ -143,13 +151,6 @@ class _Values:
             for step in self._made.values()
             if is_unnamed(step.result) and used[step.result] > 1
         }
-        operations = (
-            Operation(
-                names.get(s.result, s.result),
-                s.kind,
-                tuple(names.get(o, o) for o in s.operands),
-            )
-            for s in self._made.values()
-        )
-        found = Program(inputs, tuple(operations), tuple(names.get(o, o) for o in outputs))
+        operations = rename_all(self._made.values(), names)
+        found = Program(inputs, operations, tuple(names.get(o, o) for o in outputs))
         return found.normal_form()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
@@ -15,7 +14,7 @@ from flint import arb
 from mechproof.arithmetic.ball_evaluation import compile_expression
 from mechproof.arithmetic.ball_functions import take_real_part
 from mechproof.arithmetic.balls import to_ball, working_precision
-from mechproof.kernel_support.order import LARGEST, LOWEST
+from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.ways import Array
 
 # Symbol -> its values, one to a point.
@@ -139,7 +138,7 @@ def _polish(
     gap: sp.Expr, symbol: sp.Symbol, given: Mapping[sp.Symbol, float], guess: float
 ) -> float:
     """Return the double nearest to a change of sign; the guess itself if there is none about."""
-    enclose, start = compile_expression(gap), _to_order(guess)
+    enclose = compile_expression(gap)
     with working_precision(BITS):
         balls = {s: to_ball(value) for s, value in given.items()}
 
@@ -149,7 +148,7 @@ def _polish(
 
         @cache
         def sign(steps: int) -> int:
-            return sign_of(arb(_from_order(start + steps)))
+            return sign_of(arb(float(step_ulps(guess, steps))))
 
         if sign(0) == 0:
             return guess
@@ -159,7 +158,7 @@ def _polish(
             if reach > FARTHEST:
                 return guess
         least, most = _narrow(sign, reach)
-        low, high = _from_order(start + least), _from_order(start + most)
+        low, high = (float(step_ulps(guess, steps)) for steps in (least, most))
         return high if sign(least) * sign_of((arb(low) + arb(high)) / 2) > 0 else low
 
 
@@ -173,15 +172,3 @@ def _narrow(sign: Callable[[int], int], reach: int) -> tuple[int, int]:
         else:
             most = middle
     return least, most
-
-
-def _to_order(value: float) -> int:
-    """Return the place of a double in their order, as `kernel_support.order` for many."""
-    bits: int = struct.unpack("<q", struct.pack("<d", value))[0]
-    return bits if bits >= 0 else -(bits & LARGEST)
-
-
-def _from_order(place: int) -> float:
-    bits = place if place >= 0 else LOWEST | -place
-    value: float = struct.unpack("<d", struct.pack("<q", bits))[0]
-    return value
