@@ -37,7 +37,8 @@ def follow_from_constraints(
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        common = [g for g in given if g < n and _have_common(tasks[g], task)]
+        before = [g for g in given if g < n and not _is_turned(tasks[g], task)]
+        common = [g for g in before if _have_common(tasks[g], task)]
         if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
             numbers.append((key, n, tuple(common)))
     for place, found in run_tasks(judge_beside, numbers, limit=limit):
@@ -178,12 +179,14 @@ def find_contradictions(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Accuse neither what is never true beside a definition after it, nor that definition.
 
-    The same is true of a definition before words that turn a sense.
+    The same is true of any definition, if words before the row announce no consequence, or turn a
+    sense.
     """
     for n, task in enumerate(tasks):
         is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
         letters = _list_printed(task) if is_beside else set[sp.Basic]()
-        others = [m for m, one in enumerate(tasks) if m > n or _is_turned(one, task)]
+        is_new = task.said.is_new
+        others = [m for m, one in enumerate(tasks) if m > n or is_new or _is_turned(one, task)]
         others = [m for m in others if _defines(tasks[m], letters)]
         if names := ", ".join(tasks[m].row.number for m in others):
             yield n, make_row(task, _tell_contradiction(names))
@@ -194,7 +197,7 @@ def find_contradictions(
 def doubt_by_letters(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Refute no row by a letter whose definition another print contradicts.
+    """Refute no row by a letter whose definition another print contradicts, or is said of a case.
 
     `contested` are the misprints, and the rows that contradict each other.
     """
@@ -204,11 +207,15 @@ def doubt_by_letters(
         if tasks[n].sign.role is Role.DEFINITION
         and (row.state is State.NOT_JUDGED or _is_refuted(row))
     ]
+    special = [one for one in tasks if one.said.is_special]
     for n, task in enumerate(tasks):
-        letters = _list_used(task, tasks) if doubted and _is_refuted(rows[n]) else ()
-        others = [one for one in doubted if one is not task and _defines(one, letters)]
-        if names := ", ".join(one.row.number for one in others):
-            yield n, make_row(task, f"it differs, but rests on {names}, which may be wrong itself")
+        letters = _list_used(task, tasks) if _is_refuted(rows[n]) else ()
+        of_cases = [] if task.said.is_special else special
+        for others, why in ((doubted, "may be wrong itself"), (of_cases, "is said of a case")):
+            defining = (one for one in others if one is not task and _defines(one, letters))
+            if names := ", ".join(one.row.number for one in defining):
+                yield n, make_row(task, f"it differs, but rests on {names}, which {why}")
+                break
 
 
 def _is_refuted(row: CheckedRow) -> bool:
@@ -269,7 +276,7 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
 
 def _is_turned(one: Task, other: Task) -> bool:
     """Return whether words between two rows turn the sense in which something is counted."""
-    return one.turns != other.turns
+    return one.said.turns != other.said.turns
 
 
 def _find_needed(

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, count, pairwise
 
+from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.lines import (
     begins_with_sign,
     cut_gaps,
@@ -49,26 +50,6 @@ _SHOWN = re.compile(
 )
 _ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
-# Words before a display that may tell of another case, and how far before it they are looked for.
-_ALTERNATIVE = re.compile(
-    r"\b(?:or|oder|ou|или|other|otherwise|second|another|alternative(?:ly)?|respectively|elbow|"
-    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when|for|else)\b",
-    re.IGNORECASE,
-)
-_NEAR = 200
-# What turns the sense in which something is counted, from there on. A sentence that begins with
-# "where" says what letters meant all along.
-_TURNING = re.compile(
-    r"clockwise|counter-?rotat|opposed|crossed|mirror|revers(?:e|al|ing)|redefin"
-    r"|\b(?:opposite|negative|other|contrary)(?:\s+\w+)?\s+(?:direction|sense|sign|way|side)"
-    r"|\b(?:counted|measured|reckoned)\b|\b(?:interchang|exchang|swapp)|\bfrom (?:now|here) on\b"
-    r"|\b(?:henceforth|hereafter|instead)\b"
-    r"|uhrzeigersinn|entgegengesetzt|umgekehrt|\bgegenl\xe4ufig|\b(?:von nun an|ab jetzt)\b"
-    r"|\bsens (?:horaire|inverse|contraire|oppos\xe9)|\bd\xe9sormais\b"
-    r"|часовой|отсчитыва|противополож|обратн|\b(?:теперь|впредь)\b",
-    re.IGNORECASE,
-)
-_WHERE = re.compile(r"[\s.,;]*(?:where|here|with|in which|wobei|o\xf9|где)\b[^.;]*|", re.IGNORECASE)
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED)))
 
 
@@ -76,9 +57,8 @@ _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBER
 class Printed:
     """One equation of a text: how it is named, its labels, what it cites, its LaTeX, or why none.
 
-    Equations of one display have one `group`; `is_case` tells of words before it, such as "or",
-    that may announce another case, `turns` counts words before it that turn the sense in which
-    something is counted. The first `taken` characters of its LaTeX are those that the
+    Equations of one display have one `group`; `announced` is what words before it say of it. The
+    first `taken` characters of its LaTeX are those that the
     display before it ends in.
     """
 
@@ -88,8 +68,7 @@ class Printed:
     fault: str = ""
     cites: tuple[str, ...] = ()
     group: int = 0
-    is_case: bool = False
-    turns: int = 0
+    announced: Announced = NOTHING
     taken: int = 0
 
     def locate(self, files: Files, place: int = 0) -> Place:
@@ -177,7 +156,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     """
     counter, unnumbered = _Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
-    group, last, turns = 0, 0, 0
+    group, last, announced = 0, 0, NOTHING
     before: Printed | None = None
     for match in _EVENT.finditer(text.string):
         if match["heading"]:
@@ -197,13 +176,10 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
             continue
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
-            words = text.string[last : match.start()]
-            is_case = bool(_ALTERNATIVE.search(words[-_NEAR:]))
-            known = _WHERE.match(words) if group else None
-            turns += bool(_TURNING.search(words, known.end() if known else 0))
+            announced = announced.go_on(text.string[last : match.start()])
             group, end = group + 1, match.end()
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
-                printed = replace(found, group=group, is_case=is_case, turns=turns)
+                printed = replace(found, group=group, announced=announced)
                 if cut and before and not before.fault:
                     printed = _go_on(before, printed)
                 before = printed

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
-from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint
+from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
@@ -277,9 +277,10 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
         if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
             return None
         printed = {t.row.says.symbol for t in tasks if isinstance(t.row.says, Definition)}
+        second = {s for t in (task, *(tasks[o] for o in others)) for s in _list_accelerations(t)}
         for entry in compared:
             found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
-            if found:
+            if found and not holds_at_rest(entry.sides, given, domain, second):
                 met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
                 beside = f"; compared with {names}" if names else ""
@@ -288,6 +289,12 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def _list_accelerations(task: Task) -> set[sp.Basic]:
+    """Return the second derivatives that those of a row have and nothing before them."""
+    first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
+    return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
 
 
 def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:

@@ -97,6 +97,12 @@ class Known:
             self.printed[rate] = name
             above = rate
 
+    def is_derived(self, rate: sp.Basic) -> bool:
+        """Return whether a derivative is known by that of which it is one, not by a print."""
+        _, steps = self.symbols.find_steps(rate)
+        before = steps[max(steps.index(rate) - 1, 0)]
+        return before != rate and self.printed.get(before) == self.printed.get(rate)
+
     def _show_moving(self, value: Any, by: sp.Basic) -> Any:
         """Put in the letters that are not said to depend on another, though their values do."""
         moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}

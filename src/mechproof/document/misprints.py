@@ -9,7 +9,7 @@ become one that stands elsewhere, or the same on both sides.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -79,6 +79,22 @@ def find_misprint(
 def find_failure(sides: Sides, given: Sequence[sp.Expr], domain: Domain) -> Evidence | None:
     """Return where an equation fails, if it fails wherever all constraints are met to hold."""
     return _show(sides, given, domain, _find_failures(sides, given, domain))
+
+
+def holds_at_rest(
+    sides: Sides, given: Sequence[sp.Expr], domain: Domain, second: Iterable[sp.Basic]
+) -> bool:
+    """Return whether an equation may hold with one of the accelerations zero.
+
+    Words that are not understood may say that something moves at constant speed.
+    """
+    met = {s for one in (*sides, *given) for s in one.free_symbols}
+    for letter in met.intersection(second):
+        rest = {letter: sp.S.Zero}
+        one, other = (side.xreplace(rest) for side in sides)
+        if not find_failure((one, other), [part.xreplace(rest) for part in given], domain):
+            return True
+    return False
 
 
 def _find_failures(

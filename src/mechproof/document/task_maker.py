@@ -215,13 +215,7 @@ class TaskMaker:
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
-        first = next((one for one in self.printed if one.name == sign.first), None)
-        is_turned = first is not None and first.turns != printed.turns
-        is_beside = first is not None and first.group == printed.group
-        may_solve = printed.is_case or is_turned or is_beside
-        is_solution = may_solve if sign.role is Role.REPEATED else is_turned
-        is_solution &= sign.role in (Role.REPEATED, Role.DERIVATIVE) and not is_claimed
-        is_case = printed.is_case or is_listed(printed, block.constraints)
+        is_case = printed.announced.is_case or is_listed(printed, block.constraints)
         return Task(
             row,
             place,
@@ -232,15 +226,29 @@ class TaskMaker:
             residual,
             rates,
             is_either,
-            is_solution,
+            self._may_be_other(printed, sign) and not is_claimed,
             follows=() if sign.role is Role.DEFINITION else follows,
             is_loose=residual is not None and self._is_loose(residual),
             ties_running=residual is not None and self._ties_running(residual),
             is_case=is_case,
             is_excused=is_case
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
-            turns=printed.turns,
+            said=printed.announced,
         )
+
+    def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
+        """Return whether a letter that is printed again may be meant for another case."""
+        if sign.role not in (Role.REPEATED, Role.DERIVATIVE):
+            return False
+        first = next((one for one in self.printed if one.name == sign.first), None)
+        said = printed.announced
+        if first is not None and first.announced.turns != said.turns:
+            return True
+        if sign.letter is None or self.known.is_derived(sign.letter):
+            return said.is_special
+        is_beside = first is not None and first.group == printed.group
+        is_behind = first is None or first.announced.passage != said.passage
+        return is_beside or (is_behind and (said.is_case or said.is_new))
 
     def _list_formulas(self, letter: sp.Basic | None) -> list[sp.Expr]:
         """Return what other prints say of a letter whose size is printed."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.roles import Role, Sign
 from mechproof.proof.verdict import Place
 from mechproof.record import Paper, PrintedNumber, Row
@@ -29,7 +30,7 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `turns` counts words before it that turn the sense in which something is counted.
+    `said` is what words before it announce.
     """
 
     row: Row
@@ -48,7 +49,7 @@ class Task:
     ties_running: bool = False
     is_case: bool = False
     is_excused: bool = False
-    turns: int = 0
+    said: Announced = NOTHING
 
     @property
     def is_rounded(self) -> bool:

@@ -1,0 +1,171 @@
+"""What words before a print announce: of another case nobody is accused, of a consequence he is."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.announcements import NOTHING, Announced
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% r ; l ; d ; s : lengths [mm] {r>0, l>0, d>0, s>0}
+%% x(t) ; y(t) : position [mm]
+%% h(t) : height [mm]
+%% \varphi(t) ; \psi(t) ; \beta(t) : angles [rad]
+%% k ; k_1 ; k_2 : rates [N/mm] {k_1>0, k_2>0}
+%% z_1 ; z_3 : numbers of teeth [1] {z_1>0, z_3>0}
+%% \omega_1 ; \omega_3 ; \omega_4 : speeds [rad/s]
+%% where d>r
+%% factor l, r
+%% end
+"""
+PIN = r"y=r\sin\varphi"
+BELOW = r"y=-r\sin\varphi"
+# Words before a print, and whether one that differs from what stands before them is accused.
+WORDS = {
+    "": True,
+    "and": True,
+    "Hence": True,
+    "Substituting this, we obtain": True,
+    "where $r$ is the crank radius.": False,
+    r"With $\varphi$ measured clockwise, the pin is at": False,
+    r"Here $\varphi$ is now counted clockwise:": False,
+    "In a left-handed frame this reads": False,
+    "In the lower position": False,
+    "Seen from behind,": False,
+    "On the far side": False,
+    r"\section{The lower crank}": False,
+    "In the other case, hence,": False,
+}
+
+
+def judge(*parts: str) -> list[str]:
+    """Return the outcomes of equations; what begins with # are words before the next one."""
+    shown = (
+        f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
+        for part in parts
+    )
+    return [row.outcome for row in check("paper.tex", BLOCK + "".join(shown)).rows]
+
+
+@pytest.mark.parametrize("words", WORDS)
+def test_only_a_consequence_is_accused(words: str) -> None:
+    accused = "REFUTED" if WORDS[words] else "not judged"
+    assert judge("#The pin is at", PIN, f"#{words}", BELOW) == ["DEFINITION", accused]
+
+
+# Papers that are true, as they may be meant, and rows in which one thing is wrong: as they stand
+# without words, or behind words that tell of nothing else.
+CASES: dict[str, tuple[list[str], list[str]]] = {
+    "a case goes on in the displays behind it": (
+        [
+            "#A point on the rim has",
+            r"x=r\cos\varphi",
+            PIN,
+            "#If the wheel rolls, then",
+            r"x=r(\varphi-\sin\varphi)",
+            r"y=r(1-\cos\varphi)",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "not judged"],
+    ),
+    "a case that is one by its own words only": (
+        [
+            "#Springs in parallel have",
+            "k=k_1+k_2",
+            "#Springs in series have",
+            r"k=\frac{k_1}{k_2}k_1",
+        ],
+        ["DEFINITION", "not judged"],
+    ),
+    "a relation of another case": (
+        [
+            "#Springs in parallel have",
+            "k=k_1+k_2",
+            "#Springs in series have",
+            r"\frac1k=\frac1{k_1}+\frac1{k_2}",
+        ],
+        ["not judged", "not judged"],
+    ),
+    "the same relation, without words": (
+        ["k=k_1+k_2", r"\frac1k=\frac1{k_1}+\frac1{k_2}"],
+        ["DEFINITION", "REFUTED"],
+    ),
+    "a derivative that holds nearly": (
+        [
+            "#The height is",
+            r"h=l(1-\cos\varphi)",
+            "#For small angles, if terms of the third order are neglected,",
+            r"\dot h=l\dot\varphi\varphi",
+        ],
+        ["DEFINITION", "not judged"],
+    ),
+    "the same derivative, said to hold": (
+        [
+            "#The height is",
+            r"h=l(1-\cos\varphi)",
+            "#Its velocity is",
+            r"\dot h=l\dot\varphi\varphi",
+        ],
+        ["DEFINITION", "REFUTED"],
+    ),
+    "a rate at a place": (
+        [
+            "#The velocity during the rise is",
+            r"\dot h=l\left(1-\cos2\varphi\right)\dot\varphi",
+            "#In the middle of the rise it is largest,",
+            r"\dot h=2l\dot\varphi",
+        ],
+        ["DEFINITION", "not judged"],
+    ),
+    "speeds of two cases, and what holds in general": (
+        [
+            "#With the ring fixed,",
+            r"\omega_1=\left(1+\frac{z_3}{z_1}\right)\omega_4",
+            "#When the sun is held,",
+            r"\omega_3=\left(1+\frac{z_1}{z_3}\right)\omega_4",
+            "#In general",
+            r"\omega_4=\frac{z_1\omega_1+z_3\omega_3}{z_1+z_3}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "constant speed in words, beside a loop": (
+        [
+            r"x=r\cos\varphi+l\cos\psi",
+            r"r\sin\varphi=l\sin\psi",
+            "#The crank turns uniformly, therefore",
+            r"\ddot x=-r\dot\varphi^2\cos\varphi-l\ddot\psi\sin\psi-l\dot\psi^2\cos\psi",
+            r"l\ddot\psi\cos\psi-l\dot\psi^2\sin\psi=-r\dot\varphi^2\sin\varphi",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged", "DEFINITION"],
+    ),
+    "loops of two senses of an angle prove nothing together": (
+        [
+            "#The swinging block obeys",
+            r"s\cos\beta=d+r\cos\varphi",
+            r"s\sin\beta=r\sin\varphi",
+            r"#The angle $\varphi$ is now measured from the inner dead centre, so that",
+            r"s\cos\beta=d-r\cos\varphi",
+            "#Therefore",
+            r"\tan\beta=\frac{r\sin\varphi}{d}",
+        ],
+        ["DEFINITION"] * 4,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_words_tell_of_other_cases(case: str) -> None:
+    parts, expected = CASES[case]
+    assert judge(*parts) == expected
+
+
+def test_what_is_announced_goes_on_until_other_words() -> None:
+    first = NOTHING.go_on("The crank turns clockwise.")
+    assert first == Announced(is_new=True, passage=1, turns=1)
+    assert first.go_on(" and ") == first
+    assert first.go_on("Thus") == Announced(passage=2, turns=1)
+    case = first.go_on("In the other case, with small angles,")
+    assert case == Announced(is_case=True, is_special=True, is_new=True, passage=2, turns=1)
+    assert case.go_on(r" where $r$ is counted clockwise.").turns == 1
