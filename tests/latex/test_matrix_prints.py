@@ -76,6 +76,7 @@ MATRICES = [
     (r"(1, 0, 0)\times(0, 1, 0)", sp.Matrix([[0, 0, 1]])),
     (r"(1,0,0)\times(0,1,0)", sp.Matrix([[0, 0, 1]])),
     (r"(0,0,s)\times(x, y)", sp.Matrix([[-s * y, s * x]])),
+    (r"(0,0,s)\times(x,0,0)", sp.Matrix([[0, s * x, 0]])),
     (r"(0, 0, s)\times(x, y)", sp.Matrix([[-s * y, s * x]])),
     (r"(x, y)\times(0, 0, s)", sp.Matrix([[s * y, -s * x]])),
     (r"[A]\times\mathbf B", E["A"] * E["B"]),

@@ -12,8 +12,10 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LONGEST_NUMBER = 300
-# Vectors in which a comma is none of a decimal: along an axis, or with zeros in front.
-_ALONG_AXIS = re.compile(r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]]))")
+# Vectors in which a comma is none of a decimal: along an axis, or with two zeros.
+_ALONG_AXIS = re.compile(
+    r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]])|[^()\[\],]*[^()\[\],\d],0,0(?=[)\]]))"
+)
 _POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 
 
