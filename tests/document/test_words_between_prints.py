@@ -166,6 +166,13 @@ def test_what_is_announced_goes_on_until_other_words() -> None:
     assert first == Announced(is_new=True, passage=1, turns=1)
     assert first.go_on(" and ") == first
     assert first.go_on("Thus") == Announced(passage=2, turns=1)
+    for words in (
+        "It is measured from the axis.",
+        "It is counted counter-clockwise.",
+        "Anticlockwise",
+    ):
+        assert first.go_on(words).turns == 1
     case = first.go_on("In the other case, with small angles,")
     assert case == Announced(is_case=True, is_special=True, is_new=True, passage=2, turns=1)
     assert case.go_on(r" where $r$ is counted clockwise.").turns == 1
+    assert case.go_on(r" Here $r$ is counted clockwise.").turns == 2

@@ -23,16 +23,17 @@ _SPECIAL = re.compile(
     r"|пренебрег|\b(?:мал|постоянн|равномерн)",
     re.IGNORECASE,
 )
-# What turns the sense in which something is counted, from there on. A sentence that goes on with
-# "where" behind a display says what letters meant all along.
+# What turns the sense in which something is counted, from there on: mostly counter-clockwise. A
+# sentence that goes on with "where" behind a display says what letters meant all along.
 _TURNING = re.compile(
-    r"clockwise|counter-?rotat|opposed|crossed|mirror|revers(?:e|al|ing)|redefin|backwards|downwards"
+    r"(?<!counter)(?<!anti)(?<!counter-)(?<!anti-)clockwise|counter-?rotat|opposed|crossed|mirror"
+    r"|revers(?:e|al|ing)|redefin|backwards|downwards|\b(?:left|right)-hand|\bsign convention"
     r"|\b(?:opposite|negative|other|contrary)(?:\s+\w+)?\s+(?:direction|sense|sign|way|side)"
-    r"|\b(?:counted|measured|reckoned)\b|\b(?:interchang|exchang|swapp)|\bfrom (?:now|here) on\b"
-    r"|\b(?:henceforth|hereafter|instead)\b|\b(?:left|right)-hand|\bsign convention"
-    r"|uhrzeigersinn|entgegengesetzt|umgekehrt|\bgegenl\xe4ufig|\b(?:von nun an|ab jetzt)\b"
+    r"|\bnow\s+(?:\w+\s+)?(?:counted|measured|reckoned|taken)\b"
+    r"|\b(?:interchang|exchang|swapp)|\bfrom (?:now|here) on\b|\b(?:henceforth|hereafter)\b"
+    r"|(?<!gegen den )uhrzeigersinn|entgegengesetzt|umgekehrt|\b(?:von nun an|ab jetzt)\b"
     r"|\bsens (?:horaire|inverse|contraire|oppos\xe9)|\bd\xe9sormais\b"
-    r"|часовой|отсчитыва|противополож|обратн|\b(?:теперь|впредь)\b",
+    r"|(?<!против )часовой|противополож|обратн|\b(?:теперь|впредь)\b",
     re.IGNORECASE,
 )
 _WHERE = re.compile(r"[\s.,;]*(?:where|in which|wobei|o\xf9|где)\b[^.;]*", re.IGNORECASE)

@@ -58,8 +58,7 @@ class Printed:
     """One equation of a text: how it is named, its labels, what it cites, its LaTeX, or why none.
 
     Equations of one display have one `group`; `announced` is what words before it say of it. The
-    first `taken` characters of its LaTeX are those that the
-    display before it ends in.
+    first `taken` characters of its LaTeX are those that the display before it ends in.
     """
 
     name: str
