@@ -30,6 +30,7 @@ from mechproof.latex.tree import (
     Chain,
     Derivation,
     Extremum,
+    Integration,
     Letter,
     Measure,
     Node,
@@ -268,9 +269,17 @@ def _is_bare(node: Node) -> bool:
 
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
-    """Return a member, with the values of letters where it cannot be said without them."""
+    """Return a member, with the values of letters where it cannot be said without them.
+
+    That is what is integrated by a letter on which it depends.
+    """
+    integrals = [part for part in walk(node) if isinstance(part, Integration)]
+    running = {p.symbol for i in integrals for p in walk(i.differential) if isinstance(p, Letter)}
+    moving = {
+        s: v for s, v in known.values.items() if running and known.settle(v).free_symbols & running
+    }
     matrices = {**known.list_matrices(), **known.entries}
     try:
-        return read.meaning(matrices).of(node)
+        return read.meaning({**matrices, **moving}).of(node)
     except ReadingError:
         return read.meaning({**known.tied, **known.values, **known.entries}).of(node)

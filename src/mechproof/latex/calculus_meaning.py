@@ -158,6 +158,18 @@ def _check_seams(
             )
 
 
+def _refuse_unknown(meaning: Meaning, place: int, integrand: sp.Expr, variable: sp.Symbol) -> None:
+    """Refuse what is said to depend on a variable of integration, and has no value."""
+    known = integrand.free_symbols & meaning.moving.keys() - meaning.values.keys()
+    unknown = sorted(str(s) for s in known if meaning.moving[s][0] == variable)
+    if unknown:
+        raise meaning.source.refuse(
+            place,
+            f"{', '.join(unknown)} in the integrand depends on {variable}, and is not printed",
+            "Say in the block of letters what it is, let name=value, or that it is constant.",
+        )
+
+
 def _bind(
     meaning: Meaning, node: Integration, integrand: sp.Expr, variable: sp.Expr
 ) -> tuple[sp.Dummy, sp.Expr]:
@@ -167,6 +179,7 @@ def _bind(
         running = make_running(variable.name, integrand)
         inside = settle(integrand, meaning.values, {variable: running})
         moving = meaning.values.get(variable, sp.S.Zero).free_symbols
+        _refuse_unknown(meaning, place, inside, variable)
     else:
         running = make_running("u", integrand)
         inside = integrand.xreplace({variable: running})
