@@ -74,10 +74,10 @@ def settle_by_letters(expression: Any, domain: Domain) -> Any:
     """Put the values of integrals in their places that are too large with all that is given.
 
     What gives their letters is not put in: the values are those for any numbers in their places,
-    positive ones where that is shown of what gives them.
+    positive ones where what gives them is.
     """
     free = _list_free(expression) if domain.given else []
-    large = [node for node in free if domain.resolve(node.function).count_ops() > _LONG]
+    large = (node for node in free if domain.resolve(node.function).count_ops() > _LONG)
     values = ((node, _find_value_by_letters(node, domain)) for node in large)
     return expression.xreplace({node: value for node, value in values if value is not None})
 

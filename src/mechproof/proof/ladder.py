@@ -90,9 +90,9 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
-    stated = [settle_by_letters(side, domain) for side in (printed, rebuilt)]
-    if stated != [printed, rebuilt]:
-        answer = _decide_sides(*stated, domain)
+    one, other = (settle_by_letters(side, domain) for side in (printed, rebuilt))
+    if (one, other) != (printed, rebuilt):
+        answer = _decide_sides(one, other, domain)
         return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")
     sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
     for rung, settle in ((ANTIDERIVATIVE, settle_improper), (PARTIAL_SUMS, settle_endless)):
