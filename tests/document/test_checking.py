@@ -335,16 +335,13 @@ def test_a_wrong_line_of_many_ends_nothing() -> None:
 
 
 PRESSURE = r"""%% mechproof
-%% F ; E : force, modulus {F>0, E>0}
-%% R_1 ; R_2 : radii {R_1>0, R_2>0}
-%% R ; a ; q : sizes {a>0}
+%% F : force
+%% a ; q : sizes {a>0}
 %% p(r) ; s(r) : pressures
 %% r : radius
 %% end
-\begin{equation}R=\frac{R_1R_2}{R_1+R_2}\end{equation}
-\begin{equation}a=\sqrt[3]{\frac{3FR}{4E}}\end{equation}
-\begin{equation}q=\frac{3F}{2\pi a^2}\end{equation}
 \begin{equation}p=q\sqrt{1-\frac{r^2}{a^2}}\end{equation}
+\begin{equation}F=\frac23\pi a^2q\end{equation}
 """
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -31,8 +30,6 @@ from mechproof.record.parts import find_bound, find_parts
 RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.
 _LARGEST = 60
-# Of more operations, letters are kept that are given by others.
-_LONG = 30
 _MOST_ZEROS = 12
 # Points at which sides are compared first, and the bits of their balls.
 _TRIED = 2
@@ -68,29 +65,6 @@ def settle_improper(expression: Any, domain: Domain) -> Any:
     improper = filter(_is_improper, _list_free(expression))
     values = ((node, _find_value(node, domain)) for node in improper)
     return expression.xreplace({node: value for node, value in values if value is not None})
-
-
-def settle_by_letters(expression: Any, domain: Domain) -> Any:
-    """Put the values of integrals in their places that are too large with all that is given.
-
-    What gives their letters is not put in: the values are those for any numbers in their places,
-    positive ones where what gives them is.
-    """
-    free = _list_free(expression) if domain.given else []
-    large = (node for node in free if domain.resolve(node.function).count_ops() > _LONG)
-    values = ((node, _find_value_by_letters(node, domain)) for node in large)
-    return expression.xreplace({node: value for node, value in values if value is not None})
-
-
-def _find_value_by_letters(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    running = {limit[0] for limit in integral.limits}
-    given = {s: v for s, v in domain.given.items() if domain.resolve(v).free_symbols & running}
-    general = replace(domain, given=given)
-    stated = general.resolve(integral)
-    kept = stated.free_symbols & domain.given.keys()
-    positive = {s for s in kept if is_positive(domain.resolve(s), domain)}
-    sets = {s: sp.Interval.open(0, sp.oo) if s in positive else sp.S.Reals for s in kept}
-    return _find_value(stated, replace(general, within={**domain.within, **sets}))
 
 
 def _list_free(*sides: Any) -> list[sp.Integral]:

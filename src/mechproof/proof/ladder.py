@@ -17,11 +17,7 @@ from mechproof.proof.definedness import list_needed, list_unshown, narrow_to, ne
 from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
-from mechproof.proof.integrals import (
-    RUNG as ANTIDERIVATIVE,
-    settle_by_letters,
-    settle_improper,
-)
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.preparation import take_values
 from mechproof.proof.printed_number import decide_number
@@ -90,10 +86,6 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
-    one, other = (settle_by_letters(side, domain) for side in (printed, rebuilt))
-    if (one, other) != (printed, rebuilt):
-        answer = _decide_sides(one, other, domain)
-        return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")
     sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
     for rung, settle in ((ANTIDERIVATIVE, settle_improper), (PARTIAL_SUMS, settle_endless)):
         printed, rebuilt = (settle(side, domain) for side in sides)
