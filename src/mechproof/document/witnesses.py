@@ -205,7 +205,11 @@ def _descend(system: System, place: Vector, small: float) -> Vector | None:
 def _solve(slopes: Sequence[Vector], values: Vector) -> list[float]:
     """Return the least solution of linear equations, of dependent ones the best, to 16 digits."""
     left, right = (np.array(side, dtype=float) for side in (slopes, values))
-    return list(np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0])
+    if not (np.isfinite(left).all() and np.isfinite(right).all()):
+        raise ArithmeticError("no finite slopes")
+    # Numbers of Python: what they are divided by is an error if it is zero.
+    found: list[float] = np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0].tolist()
+    return found
 
 
 def _to_fraction(value: mpmath.mpf) -> sp.Expr:
