@@ -6,17 +6,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-import sympy as sp
 from command import answer_here
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
 from mechproof.document.judging import judge_beside
-from mechproof.document.misprints import find_failure, find_misprint
-from mechproof.document.slips import Entry, find_slip
-from mechproof.document.witnesses import enclose, find_points
-from mechproof.proof.domain import Domain
-from mechproof.record import PrintedNumber
 from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
@@ -325,52 +319,3 @@ def test_what_cancels_in_what_gives_a_letter_is_no_definition() -> None:
     speeds = (r"w_3=\frac{w_1+w_2}2", r"u=\frac{w_1-w_2}k")
     assert judge((*speeds, r"w_2=w_3-\frac{uk}2")).outcome == "PROVED"
     assert judge((*speeds, r"w_2=w_3+\frac{uk}2")).outcome == "REFUTED"
-
-
-# Points -----------------------------------------------------------------------------------------
-
-X, Y = sp.symbols("x y", real=True)
-PLANE = Domain({X: sp.S.Reals, Y: sp.S.Reals}, (), {})
-
-
-def test_no_points_are_looked_for_where_slopes_cannot_be_computed() -> None:
-    assert not [*find_points([Y - sp.floor(X)], {X, Y}, PLANE, 4)]
-    assert [*find_points([Y - X], {X, Y}, PLANE, 4)]
-
-
-def test_points_are_enclosed_where_a_constraint_has_a_zero() -> None:
-    circle = X**2 + Y**2 - 2
-    point = next(find_points([circle], {X, Y}, PLANE, 4))
-    found = enclose([circle, 2 * circle], point)
-    assert found is not None
-    assert found[X].rad() < 1e-15
-    assert enclose([circle], {**point, X: point[X] + sp.Rational(1, 10**6)}) is None
-    # Near a double zero nothing shows that there is any.
-    assert enclose([X**2 + sp.Rational(1, 10**30)], {X: sp.Rational(1, 10**9)}) is None
-
-
-def test_what_holds_at_a_point_of_the_constraints_does_not_fail() -> None:
-    circle = X**2 + Y**2 - 1
-    assert find_failure((Y, sp.sqrt(1 - X**2)), [circle], PLANE) is None
-    assert find_failure((Y, 1 + sp.sqrt(1 - X**2)), [circle], PLANE)
-    assert find_failure((Y, X + 1), [X**2 + Y**2 + 1], PLANE) is None
-
-
-def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
-    sides = (sp.sin(2 * X), sp.sin(X) * sp.cos(X))
-    assert find_misprint(Entry(sides), [], PLANE)
-    assert find_misprint(Entry(sides, (False, False)), [], PLANE) is None
-    assert find_misprint(Entry((sp.sin(3 * X), sp.cos(X) + Y)), [], PLANE) is None
-
-
-@pytest.mark.parametrize(
-    ("printed", "meant"),
-    [
-        *(("80.91", "80.19"), ("80.18", "80.19"), ("81.19", "80.19"), ("91.08", ""), ("8.2", "")),
-        *(("89.10", "80.19"), ("18.90", ""), ("81.09", "80.19"), ("81.90", "80.19"), ("83.49", "")),
-        *(("83.492", "80.192"), ("83.494", "")),
-    ],
-)
-def test_a_number_may_have_wrong_digits(printed: str, meant: str) -> None:
-    value = sp.Rational("80.1921") / (10 if len(printed) == 3 else 1)
-    assert find_slip(PrintedNumber(printed, value), value) == meant

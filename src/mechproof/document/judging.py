@@ -14,7 +14,7 @@ from mechproof.document.following import judge_following
 from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
-from mechproof.document.slips import Entry, find_slip
+from mechproof.document.slips import TURNING, Entry, find_slip
 from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -167,7 +167,7 @@ def _list_turning(task: Task) -> Iterator[sp.Basic]:
     for part in says.parts if isinstance(says, Conjunction) else (says,):
         if isinstance(part, Equality):
             for side in (part.printed, part.rebuilt):
-                yield from Domain.of(task.paper).resolve(side).atoms(sp.sin, sp.cos, sp.tan)
+                yield from Domain.of(task.paper).resolve(side).atoms(*TURNING)
 
 
 def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:

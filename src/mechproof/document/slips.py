@@ -12,7 +12,8 @@ from mechproof.document.scales import agrees
 from mechproof.proof.domain import Domain
 from mechproof.record import PrintedNumber
 
-_TURNING = (sp.sin, sp.cos, sp.tan)
+# Functions of angles.
+TURNING = (sp.sin, sp.cos, sp.tan)
 _EXPONENTS = {
     **{sp.Integer(2): (1, 3), sp.Integer(3): (2,), sp.Integer(4): (2, 3)},
     **{sp.Integer(-1): (1, -2), sp.Integer(-2): (-1,), sp.Rational(1, 2): (1,)},
@@ -122,11 +123,11 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
         yield part**2
         yield from (letter for letter in letters if not _is_at_a_place(part, letter))
         yield from (part + letter for letter in letters)
-    elif isinstance(part, _TURNING):
+    elif isinstance(part, TURNING):
         yield part**2
         # SymPy does not keep which way round a difference is printed.
         signs = (1, -1) if _is_difference(part.args[0]) else (1,)
-        yield from (sign * other(*part.args) for other in _TURNING for sign in signs)
+        yield from (sign * other(*part.args) for other in TURNING for sign in signs)
     elif isinstance(part, sp.Pow):
         yield from (part.base**exponent for exponent in _EXPONENTS.get(part.exp, ()))
         yield from (part / part.base * letter for letter in letters)

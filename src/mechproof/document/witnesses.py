@@ -19,6 +19,7 @@ import sympy as sp
 from flint import arb, arb_mat
 
 from mechproof.arithmetic import balls
+from mechproof.document.slips import TURNING
 from mechproof.proof.domain import Domain
 from mechproof.record import RecordError
 
@@ -33,7 +34,6 @@ _BITS = 192
 # How near to a point a zero is looked for.
 _RADIUS = arb(2) ** -40
 _TINY = arb(2) ** -64
-_TURNING = (sp.sin, sp.cos, sp.tan)
 _POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
 _NEGATIVE = sp.Interval.open(-sp.Rational(3, 2), 0)
 # What is divided by zero, has no real value, or no name in mpmath, is no witness.
@@ -94,7 +94,7 @@ def _list_starts(
 ) -> Iterator[Point]:
     """Yield points with small letters, every other one with angles below zero, then any points."""
     within = {s: _POSITIVE if v == sp.S.Reals else v for s, v in domain.within.items()}
-    turning = {s for one in residuals for f in one.atoms(*_TURNING) for s in f.free_symbols}
+    turning = {s for one in residuals for f in one.atoms(*TURNING) for s in f.free_symbols}
     turned = {s: _NEGATIVE if s in turning and v == _POSITIVE else v for s, v in within.items()}
     small = [_draw(replace(domain, within=one), symbols, count // 2) for one in (within, turned)]
     for pair in zip_longest(*small):

@@ -1,0 +1,66 @@
+"""Points at which constraints hold, what fails there, and slips of numbers."""
+
+from __future__ import annotations
+
+import warnings
+
+import pytest
+import sympy as sp
+
+from mechproof.document.misprints import find_failure, find_misprint
+from mechproof.document.slips import Entry, find_slip
+from mechproof.document.witnesses import enclose, find_points
+from mechproof.proof.domain import Domain
+from mechproof.record import PrintedNumber
+
+X, Y = sp.symbols("x y", real=True)
+PLANE = Domain({X: sp.S.Reals, Y: sp.S.Reals}, (), {})
+
+
+def test_no_points_are_looked_for_where_slopes_cannot_be_computed() -> None:
+    assert not [*find_points([Y - sp.floor(X)], {X, Y}, PLANE, 4)]
+    assert [*find_points([Y - X], {X, Y}, PLANE, 4)]
+
+
+def test_a_walk_onto_a_pole_finds_nothing_and_warns_nobody() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert not [*find_points([X - 1, Y / (X - 1) - 2], {X, Y}, PLANE, 4)]
+
+
+def test_points_are_enclosed_where_a_constraint_has_a_zero() -> None:
+    circle = X**2 + Y**2 - 2
+    point = next(find_points([circle], {X, Y}, PLANE, 4))
+    found = enclose([circle, 2 * circle], point)
+    assert found is not None
+    assert found[X].rad() < 1e-15
+    assert enclose([circle], {**point, X: point[X] + sp.Rational(1, 10**6)}) is None
+    # Near a double zero nothing shows that there is any.
+    assert enclose([X**2 + sp.Rational(1, 10**30)], {X: sp.Rational(1, 10**9)}) is None
+
+
+def test_what_holds_at_a_point_of_the_constraints_does_not_fail() -> None:
+    circle = X**2 + Y**2 - 1
+    assert find_failure((Y, sp.sqrt(1 - X**2)), [circle], PLANE) is None
+    assert find_failure((Y, 1 + sp.sqrt(1 - X**2)), [circle], PLANE)
+    assert find_failure((Y, X + 1), [X**2 + Y**2 + 1], PLANE) is None
+
+
+def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
+    sides = (sp.sin(2 * X), sp.sin(X) * sp.cos(X))
+    assert find_misprint(Entry(sides), [], PLANE)
+    assert find_misprint(Entry(sides, (False, False)), [], PLANE) is None
+    assert find_misprint(Entry((sp.sin(3 * X), sp.cos(X) + Y)), [], PLANE) is None
+
+
+@pytest.mark.parametrize(
+    ("printed", "meant"),
+    [
+        *(("80.91", "80.19"), ("80.18", "80.19"), ("81.19", "80.19"), ("91.08", ""), ("8.2", "")),
+        *(("89.10", "80.19"), ("18.90", ""), ("81.09", "80.19"), ("81.90", "80.19"), ("83.49", "")),
+        *(("83.492", "80.192"), ("83.494", "")),
+    ],
+)
+def test_a_number_may_have_wrong_digits(printed: str, meant: str) -> None:
+    value = sp.Rational("80.1921") / (10 if len(printed) == 3 else 1)
+    assert find_slip(PrintedNumber(printed, value), value) == meant
