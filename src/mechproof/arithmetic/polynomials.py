@@ -8,11 +8,11 @@ SymPy's expressions go to flint's sparse polynomials over the rationals, and bac
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Mapping
 from functools import reduce
 from math import gcd, lcm
 from operator import add, mul
+from types import MappingProxyType
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -27,8 +27,8 @@ def reduce_polynomial(polynomial: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) 
 
     Raises `sympy.PolynomialError` for what is no polynomial in symbols over the rationals.
     """
-    ring = _Ring(polynomial, *relations, *relations.values())
-    return ring.write(ring.lower_all(ring.read(polynomial), relations))
+    ring = _Ring(polynomial, relations=relations)
+    return ring.write(ring.lower_all(ring.read(polynomial)))
 
 
 def expand(polynomial: sp.Expr) -> sp.Expr:
@@ -45,8 +45,8 @@ def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
 
     Raises `sympy.PolynomialError` for what is none.
     """
-    ring = _Ring(quotient, *relations, *relations.values())
-    above, below = (ring.lower_all(part, relations) for part in ring.read_quotient(quotient))
+    ring = _Ring(quotient, relations=relations)
+    above, below = (ring.lower_all(part) for part in ring.read_quotient(quotient))
     return bool(above.is_zero() and not below.is_zero())
 
 
@@ -178,15 +178,25 @@ def _split_by_sympy(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 class _Ring:
     """The polynomials in the symbols of expressions, and in pi, of which none with it is zero."""
 
-    def __init__(self, *expressions: sp.Expr, functions: bool = False) -> None:
+    def __init__(
+        self,
+        *expressions: sp.Expr,
+        relations: Mapping[sp.Pow, sp.Expr] = MappingProxyType({}),
+        functions: bool = False,
+    ) -> None:
+        self.relations = relations
+        expressions += (*relations, *relations.values())
         kinds = (type(sp.pi), sp.Function) if functions else (type(sp.pi),)
         symbols = {s for e in expressions for s in (*find_free(e), *find_parts(e, *kinds))}
         if functions:
             powers = {p for e in expressions for p in find_parts(e, sp.Pow)}
             symbols |= {_split_power(p)[0] for p in powers if p.base.is_Add and _is_root(p)}
-        self.symbols = sorted(symbols, key=sp.default_sort_key)
+        # In the lexical order, what is related leads over all by which it is lowered.
+        related = [power.base for power in reversed(relations)]
+        others = sorted(symbols - {*related}, key=sp.default_sort_key)
+        self.symbols = [*related, *others]
         # A ring of flint's has a generator, needed or not.
-        names = [f"x{n}" for n in range(max(1, len(symbols)))]
+        names = [f"x{n}" for n in range(max(1, len(self.symbols)))]
         self.context = fmpq_mpoly_ctx.get(names, "lex")
         self.generators: dict[sp.Symbol, fmpq_mpoly] = dict(
             zip(self.symbols, self.context.gens(), strict=False)
@@ -238,24 +248,11 @@ class _Ring:
         terms = value.to_dict()
         return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
 
-    def lower_all(self, value: fmpq_mpoly, relations: Mapping[sp.Pow, sp.Expr]) -> fmpq_mpoly:
-        """Lower a polynomial by all relations, those that hold others' generators first."""
-        for power in reversed(list(relations)):
-            value = self._lower(value, power, relations[power])
+    def lower_all(self, value: fmpq_mpoly) -> fmpq_mpoly:
+        """Return the rest of a division by all relations, those with others' generators first."""
+        for power in reversed(self.relations):
+            _, value = divmod(value, self.read(power) - self.read(self.relations[power]))
         return value
-
-    def _lower(self, value: fmpq_mpoly, power: sp.Pow, meant: sp.Expr) -> fmpq_mpoly:
-        """Put what is meant in place of the generator's power, as often as it is there."""
-        place = self.symbols.index(power.base)
-        parts: dict[int, dict[tuple[int, ...], fmpq]] = defaultdict(dict)
-        for powers, coefficient in value.to_dict().items():
-            times, rest = divmod(powers[place], int(power.exp))
-            parts[times][(*powers[:place], rest, *powers[place + 1 :])] = coefficient
-        if not any(parts):
-            return value
-        base = self.read(meant)
-        rests = (self.context.from_dict(part) * base**times for times, part in parts.items())
-        return reduce(add, rests)
 
     def write(self, value: fmpq_mpoly) -> sp.Expr:
         """Return the expression of a polynomial, expanded."""
