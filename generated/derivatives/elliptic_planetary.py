@@ -629,10 +629,10 @@ def _prepare_of_largest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
     term_15 = 8.0 * e + root_acceleration + square
     term_7 = _np.sqrt(peak_acceleration * term_15)
     term_11 = root_acceleration + square + 2.0 * e * peak_acceleration
-    term_9 = 1.0 / _square(term_11)
-    term_8 = 1.0 / (term_11 * _square(term_11))
-    term_12 = 1.0 / term_15
-    term_13 = 1.0 / _square(term_17)
+    term_8 = 1.0 / _square(term_11)
+    term_9 = 1.0 / (term_11 * _square(term_11))
+    term_13 = 1.0 / term_15
+    term_12 = 1.0 / _square(term_17)
     term_6 = 1.0 / _np.sqrt(term_10)
 
     return (
@@ -649,10 +649,10 @@ def _prepare_of_largest_acceleration(R2: Any, e: Any) -> tuple[Any, ...]:
         term_14,
         peak_acceleration,
         term_7,
-        term_9,
         term_8,
-        term_12,
+        term_9,
         term_13,
+        term_12,
         term_6,
     )
 
@@ -672,10 +672,10 @@ def _form_of_largest_acceleration(
     term_14: Any,
     peak_acceleration: Any,
     term_7: Any,
-    term_9: Any,
     term_8: Any,
-    term_12: Any,
+    term_9: Any,
     term_13: Any,
+    term_12: Any,
     term_6: Any,
 ) -> Any:
     k = R1 / R2
@@ -684,38 +684,38 @@ def _form_of_largest_acceleration(
         2.0
         * e
         * one_plus_e
-        * term_12
+        * term_13
         * term_16
         * term_18
         * term_7
-        * term_9
+        * term_8
         * (4.0 * e + root_acceleration / 2.0 + square / 2.0)
         / peak_acceleration
         * k_squared
-        - 8.0 * e_squared * one_plus_e * term_16 * term_18 * term_7 * term_8 * k_squared
+        - 8.0 * e_squared * one_plus_e * term_16 * term_18 * term_7 * term_9 * k_squared
     )
-    term_3 = e * one_plus_e * term_12 * term_16 * term_18 * term_7 * term_9 * k_squared
-    term_4 = -4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_8 * k_squared
-    term_5 = 2.0 * e * one_plus_e * term_16 * term_7 * term_9 * k_squared
-    term = term_3 + term_4 + term_5 - one_plus_e_squared * term_13 * term_2
+    term_3 = e * one_plus_e * term_13 * term_16 * term_18 * term_7 * term_8 * k_squared
+    term_4 = -4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_9 * k_squared
+    term_5 = 2.0 * e * one_plus_e * term_16 * term_7 * term_8 * k_squared
+    term = term_3 + term_4 + term_5 - one_plus_e_squared * term_12 * term_2
 
     return (
-        4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_9 / R2 * k,
-        -4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_9 / _square(R2) * k * R1,
+        4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_8 / R2 * k,
+        -4.0 * e * one_plus_e * term_16 * term_18 * term_7 * term_8 / _square(R2) * k * R1,
         2.0 * e * (term_3 + term_4 + term_5 + square * term_6 * term)
-        + (term_14 * (2.0 + 2.0 * e) - 6.0 * one_plus_e_squared * term_13) * term_2
+        + (term_14 * (2.0 + 2.0 * e) - 6.0 * one_plus_e_squared * term_12) * term_2
         + 32.0 * e * term_6 * term
-        + 2.0 * e * term_16 * term_18 * term_7 * term_9 * k_squared
-        + 2.0 * one_plus_e * term_16 * term_18 * term_7 * term_9 * k_squared
+        + 2.0 * e * term_16 * term_18 * term_7 * term_8 * k_squared
+        + 2.0 * one_plus_e * term_16 * term_18 * term_7 * term_8 * k_squared
         + 4.0
         * e
         * one_plus_e
         * term_18
         * term_7
-        * term_9
+        * term_8
         / (one_minus_e * _square(one_minus_e))
         * k_squared
-        + 8.0 * e * one_plus_e * term_12 * term_16 * term_18 * term_7 * term_9 * k_squared
+        + 8.0 * e * one_plus_e * term_13 * term_16 * term_18 * term_7 * term_8 * k_squared
         - 8.0
         * e
         * one_plus_e
@@ -723,7 +723,7 @@ def _form_of_largest_acceleration(
         * term_16
         * term_18
         * term_7
-        * term_8
+        * term_9
         * k_squared,
     )
 

@@ -1041,27 +1041,27 @@ def _form_of_jerk(
     )
     term_10 = 1.0 / (term_12 * _square(term_12))
     cos_phi1_cubed = cos_phi1 * _square(cos_phi1)
-    term_43 = _square(_square(cos_phi1))
-    term_42 = _square(_square(sin_phi1))
+    term_42 = _square(_square(cos_phi1))
+    term_43 = _square(_square(sin_phi1))
     sin_phi1_cubed = sin_phi1 * _square(sin_phi1)
     term_11 = 1.0 / _square(_square(term_12))
     term_8 = (
-        both_squared * shift_squared * term_42
-        + less_cubed * swing * term_43
-        + both * less_squared * swing * term_43
-        + both * shift_squared * swing * term_43
+        both_squared * shift_squared * term_43
+        + less_cubed * swing * term_42
+        + both * less_squared * swing * term_42
+        + both * shift_squared * swing * term_42
         + both_cubed * swing * cos_phi1_squared * sin_phi1_squared
         + both_squared * rise_squared * cos_phi1_squared * sin_phi1_squared
-        + 2.0 * both_squared * less * shift * term_42
+        + 2.0 * both_squared * less * shift * term_43
         + 2.0 * less * rise_cubed * cos_phi1 * sin_phi1_cubed
         + 2.0 * rise_cubed * shift * cos_phi1 * sin_phi1_cubed
         + 2.0 * rise * shift_cubed * cos_phi1_cubed * sin_phi1
         + 2.0 * less_cubed * shift * cos_phi1_squared * sin_phi1_squared
         + 6.0 * rise_squared * shift_squared * cos_phi1_squared * sin_phi1_squared
-        + less * shift_squared * swing * term_43
-        + 2.0 * less_squared * shift * swing * term_43
+        + less * shift_squared * swing * term_42
+        + 2.0 * less_squared * shift * swing * term_42
         + 7.0 * both * shift_squared * swing * cos_phi1_squared * sin_phi1_squared
-        + 2.0 * both * less * shift * swing * term_43
+        + 2.0 * both * less * shift * swing * term_42
         + both_squared * less * swing * cos_phi1_squared * sin_phi1_squared
         + 6.0 * less_squared * rise * swing * cos_phi1 * sin_phi1_cubed
         + 6.0 * less * rise * shift_squared * cos_phi1_cubed * sin_phi1
@@ -1072,23 +1072,23 @@ def _form_of_jerk(
         + 6.0 * both * rise * shift * swing * cos_phi1 * sin_phi1_cubed
         + 14.0 * both * less * shift * swing * cos_phi1_squared * sin_phi1_squared
         + 6.0 * less * rise * shift * swing * cos_phi1 * sin_phi1_cubed
-        - term_44 * term_42
-        - term_45 * term_43
-        - both_cubed * swing * term_42
-        - both_squared * rise_squared * term_42
+        - term_45 * term_42
+        - term_44 * term_43
+        - both_cubed * swing * term_43
+        - both_squared * rise_squared * term_43
         - 3.0 * term_44 * cos_phi1_squared * sin_phi1_squared
         - 3.0 * term_45 * cos_phi1_squared * sin_phi1_squared
-        - 4.0 * less * shift_cubed * term_43
-        - 2.0 * less_cubed * shift * term_43
-        - 4.0 * less_squared * rise_squared * term_42
-        - 3.0 * less_squared * rise_squared * term_43
-        - 5.0 * less_squared * shift_squared * term_43
+        - 4.0 * less * shift_cubed * term_42
+        - 2.0 * less_cubed * shift * term_42
+        - 3.0 * less_squared * rise_squared * term_42
+        - 4.0 * less_squared * rise_squared * term_43
+        - 5.0 * less_squared * shift_squared * term_42
         - 3.0 * rise_squared * shift_squared * term_42
         - 3.0 * rise_squared * shift_squared * term_43
-        - both * rise_squared * swing * term_42
+        - both * rise_squared * swing * term_43
         - both_squared * shift_squared * cos_phi1_squared * sin_phi1_squared
         - 4.0 * both_squared * swing_squared * cos_phi1_squared * sin_phi1_squared
-        - both_squared * less * swing * term_42
+        - both_squared * less * swing * term_43
         - 6.0 * rise * shift_cubed * cos_phi1 * sin_phi1_cubed
         - 6.0 * less * rise_cubed * cos_phi1_cubed * sin_phi1
         - 4.0 * less_cubed * rise * cos_phi1_cubed * sin_phi1
@@ -1100,7 +1100,7 @@ def _form_of_jerk(
         - 4.0 * less_squared * swing_squared * cos_phi1_squared * sin_phi1_squared
         - 6.0 * less * rise_squared * shift * term_42
         - 6.0 * less * rise_squared * shift * term_43
-        - less * rise_squared * swing * term_42
+        - less * rise_squared * swing * term_43
         - 8.0 * both * less * swing_squared * cos_phi1_squared * sin_phi1_squared
         - both * less_squared * swing * cos_phi1_squared * sin_phi1_squared
         - 7.0 * both * rise_squared * swing * cos_phi1_squared * sin_phi1_squared
@@ -1121,14 +1121,14 @@ def _form_of_jerk(
         * less_plus_shift
         * term_10
         * (
-            less_cubed * term_43
-            + both * less_squared * term_43
-            + both * shift_squared * term_43
+            less_cubed * term_42
+            + both * less_squared * term_42
+            + both * shift_squared * term_42
             + both_cubed * cos_phi1_squared * sin_phi1_squared
-            + less * shift_squared * term_43
-            + 2.0 * less_squared * shift * term_43
+            + less * shift_squared * term_42
+            + 2.0 * less_squared * shift * term_42
             + 7.0 * both * shift_squared * cos_phi1_squared * sin_phi1_squared
-            + 2.0 * both * less * shift * term_43
+            + 2.0 * both * less * shift * term_42
             + both_squared * less * cos_phi1_squared * sin_phi1_squared
             + 6.0 * less_squared * rise * cos_phi1 * sin_phi1_cubed
             + 7.0 * less * shift_squared * cos_phi1_squared * sin_phi1_squared
@@ -1137,11 +1137,11 @@ def _form_of_jerk(
             + 6.0 * both * rise * shift * cos_phi1 * sin_phi1_cubed
             + 14.0 * both * less * shift * cos_phi1_squared * sin_phi1_squared
             + 6.0 * less * rise * shift * cos_phi1 * sin_phi1_cubed
-            - both_cubed * term_42
-            - both * rise_squared * term_42
-            - both_squared * less * term_42
+            - both_cubed * term_43
+            - both * rise_squared * term_43
+            - both_squared * less * term_43
             - less_cubed * cos_phi1_squared * sin_phi1_squared
-            - less * rise_squared * term_42
+            - less * rise_squared * term_43
             - both * less_squared * cos_phi1_squared * sin_phi1_squared
             - 7.0 * both * rise_squared * cos_phi1_squared * sin_phi1_squared
             - 8.0 * both_squared * swing * cos_phi1_squared * sin_phi1_squared
@@ -1163,8 +1163,8 @@ def _form_of_jerk(
     term_20 = 14.0 * less * shift * swing * cos_phi1_squared * sin_phi1_squared
     term_27 = 6.0 * less * rise * swing * cos_phi1 * sin_phi1_cubed
     term_28 = 6.0 * rise * shift * swing * cos_phi1 * sin_phi1_cubed
-    term_36 = 2.0 * less * shift * swing * term_43
-    term_41 = shift_squared * swing * term_43
+    term_36 = 2.0 * less * shift * swing * term_42
+    term_41 = shift_squared * swing * term_42
     term_4 = (
         2.0 * less_plus_shift * term_10 * term_8
         + 2.0
@@ -1183,17 +1183,17 @@ def _form_of_jerk(
             + term_28
             + term_36
             + term_41
-            + 2.0 * both * shift_squared * term_42
-            + less_squared * swing * term_43
+            + 2.0 * both * shift_squared * term_43
+            + less_squared * swing * term_42
             + 2.0 * both * rise_squared * cos_phi1_squared * sin_phi1_squared
-            + 4.0 * both * less * shift * term_42
+            + 4.0 * both * less * shift * term_43
             + 3.0 * both_squared * swing * cos_phi1_squared * sin_phi1_squared
             + 2.0 * both * less * swing * cos_phi1_squared * sin_phi1_squared
-            - 2.0 * both * rise_squared * term_42
-            - 3.0 * both_squared * swing * term_42
-            - rise_squared * swing * term_42
+            - 2.0 * both * rise_squared * term_43
+            - 3.0 * both_squared * swing * term_43
+            - rise_squared * swing * term_43
             - 2.0 * both * shift_squared * cos_phi1_squared * sin_phi1_squared
-            - 2.0 * both * less * swing * term_42
+            - 2.0 * both * less * swing * term_43
             - less_squared * swing * cos_phi1_squared * sin_phi1_squared
             - 8.0 * both * less * rise * cos_phi1 * sin_phi1_cubed
             - 8.0 * both * rise * shift * cos_phi1 * sin_phi1_cubed
@@ -1224,14 +1224,14 @@ def _form_of_jerk(
     term_29 = -6.0 * rise_cubed * cos_phi1_cubed * sin_phi1
     term_30 = 6.0 * rise * shift_squared * cos_phi1_cubed * sin_phi1
     term_31 = 6.0 * both * rise * swing * cos_phi1 * sin_phi1_cubed
-    term_32 = -6.0 * less * rise_squared * term_43
-    term_33 = -6.0 * rise_squared * shift * term_43
-    term_34 = -6.0 * rise_squared * shift * term_42
+    term_32 = -6.0 * less * rise_squared * term_42
+    term_33 = -6.0 * rise_squared * shift * term_42
+    term_34 = -6.0 * rise_squared * shift * term_43
     term_35 = 2.0 * rise_cubed * cos_phi1 * sin_phi1_cubed
-    term_37 = -4.0 * shift_cubed * term_43
-    term_38 = 2.0 * both_squared * shift * term_42
-    term_39 = 2.0 * both * less * swing * term_43
-    term_40 = 2.0 * both * shift * swing * term_43
+    term_37 = -4.0 * shift_cubed * term_42
+    term_38 = 2.0 * both_squared * shift * term_43
+    term_39 = 2.0 * both * less * swing * term_42
+    term_40 = 2.0 * both * shift * swing * term_42
     term_2 = (
         term_6
         + term_7
@@ -1265,17 +1265,17 @@ def _form_of_jerk(
             + term_39
             + term_40
             + term_41
-            + 3.0 * less_squared * swing * term_43
+            + 3.0 * less_squared * swing * term_42
             + both_squared * swing * cos_phi1_squared * sin_phi1_squared
             + 6.0 * less_squared * shift * cos_phi1_squared * sin_phi1_squared
-            + 4.0 * less * shift * swing * term_43
+            + 4.0 * less * shift * swing * term_42
             + 12.0 * less * rise * swing * cos_phi1 * sin_phi1_cubed
             + 28.0 * less * shift * swing * cos_phi1_squared * sin_phi1_squared
-            - both_squared * swing * term_42
-            - 8.0 * less * rise_squared * term_42
-            - 10.0 * less * shift_squared * term_43
-            - 6.0 * less_squared * shift * term_43
-            - rise_squared * swing * term_42
+            - both_squared * swing * term_43
+            - 8.0 * less * rise_squared * term_43
+            - 10.0 * less * shift_squared * term_42
+            - 6.0 * less_squared * shift * term_42
+            - rise_squared * swing * term_43
             - 12.0 * less_squared * rise * cos_phi1_cubed * sin_phi1
             - 2.0 * less * rise_squared * cos_phi1_squared * sin_phi1_squared
             - 22.0 * less * shift_squared * cos_phi1_squared * sin_phi1_squared
@@ -1297,16 +1297,16 @@ def _form_of_jerk(
         + 6.0 * both * shift * swing * cos_phi1 * sin_phi1_cubed
         + 6.0 * less * shift * swing * cos_phi1 * sin_phi1_cubed
         + 24.0 * less * rise * shift * cos_phi1_squared * sin_phi1_squared
-        - 4.0 * rise_cubed * term_42
-        - 2.0 * both_squared * rise * term_42
+        - 4.0 * rise_cubed * term_43
+        - 2.0 * both_squared * rise * term_43
         - 6.0 * shift_cubed * cos_phi1 * sin_phi1_cubed
         - 4.0 * less_cubed * cos_phi1_cubed * sin_phi1
         - 12.0 * rise_cubed * cos_phi1_squared * sin_phi1_squared
-        - 8.0 * less_squared * rise * term_42
-        - 6.0 * less_squared * rise * term_43
+        - 6.0 * less_squared * rise * term_42
+        - 8.0 * less_squared * rise * term_43
         - 6.0 * rise * shift_squared * term_42
         - 6.0 * rise * shift_squared * term_43
-        - 2.0 * both * rise * swing * term_42
+        - 2.0 * both * rise * swing * term_43
         - 4.0 * both_squared * less * cos_phi1 * sin_phi1_cubed
         - 4.0 * both_squared * shift * cos_phi1 * sin_phi1_cubed
         - 18.0 * less * shift_squared * cos_phi1 * sin_phi1_cubed
@@ -1317,7 +1317,7 @@ def _form_of_jerk(
         - 2.0 * less_squared * rise * cos_phi1_squared * sin_phi1_squared
         - 12.0 * less * rise * shift * term_42
         - 12.0 * less * rise * shift * term_43
-        - 2.0 * less * rise * swing * term_42
+        - 2.0 * less * rise * swing * term_43
         - 6.0 * both * less * swing * cos_phi1_cubed * sin_phi1
         - 6.0 * both * shift * swing * cos_phi1_cubed * sin_phi1
         - 14.0 * both * rise * swing * cos_phi1_squared * sin_phi1_squared
@@ -1358,17 +1358,17 @@ def _form_of_jerk(
             + term_38
             + term_39
             + term_40
-            + 2.0 * both_squared * less * term_42
+            + 2.0 * both_squared * less * term_43
             + 2.0 * less_cubed * cos_phi1_squared * sin_phi1_squared
-            + 2.0 * less_squared * swing * term_43
+            + 2.0 * less_squared * swing * term_42
             + 12.0 * less * rise_squared * cos_phi1_squared * sin_phi1_squared
             + 14.0 * less_squared * swing * cos_phi1_squared * sin_phi1_squared
             + 14.0 * both * less * swing * cos_phi1_squared * sin_phi1_squared
             + 12.0 * less * rise * shift * cos_phi1_cubed * sin_phi1
-            - 2.0 * less_cubed * term_43
-            - 6.0 * less * rise_squared * term_42
-            - 12.0 * less * shift_squared * term_43
-            - 10.0 * less_squared * shift * term_43
+            - 2.0 * less_cubed * term_42
+            - 6.0 * less * rise_squared * term_43
+            - 12.0 * less * shift_squared * term_42
+            - 10.0 * less_squared * shift * term_42
             - 2.0 * both_squared * less * cos_phi1_squared * sin_phi1_squared
             - 12.0 * less_squared * rise * cos_phi1 * sin_phi1_cubed
             - 36.0 * less * shift_squared * cos_phi1_squared * sin_phi1_squared
@@ -1386,14 +1386,14 @@ def _form_of_jerk(
         * (
             2.0 * term_44 * cos_phi1 * sin_phi1_cubed
             + 6.0 * term_45 * cos_phi1 * sin_phi1_cubed
-            + 6.0 * rise * shift_cubed * term_42
-            + 2.0 * rise * shift_cubed * term_43
+            + 2.0 * rise * shift_cubed * term_42
+            + 6.0 * rise * shift_cubed * term_43
             + 2.0 * both_cubed * swing * cos_phi1_cubed * sin_phi1
             + 6.0 * both_squared * shift_squared * cos_phi1 * sin_phi1_cubed
             + 8.0 * both_squared * swing_squared * cos_phi1 * sin_phi1_cubed
             + 2.0 * both_squared * rise_squared * cos_phi1_cubed * sin_phi1
-            + 4.0 * both_squared * less * rise * term_42
-            + 4.0 * both_squared * rise * shift * term_42
+            + 4.0 * both_squared * less * rise * term_43
+            + 4.0 * both_squared * rise * shift * term_43
             + 24.0 * less * shift_cubed * cos_phi1 * sin_phi1_cubed
             + 2.0 * less_cubed * swing * cos_phi1 * sin_phi1_cubed
             + 22.0 * less_squared * shift_squared * cos_phi1 * sin_phi1_cubed
@@ -1404,9 +1404,9 @@ def _form_of_jerk(
             + 24.0 * less * rise_cubed * cos_phi1_squared * sin_phi1_squared
             + 12.0 * less_cubed * rise * cos_phi1_squared * sin_phi1_squared
             + 24.0 * rise_cubed * shift * cos_phi1_squared * sin_phi1_squared
-            + 18.0 * less * rise * shift_squared * term_42
-            + 6.0 * less * rise * shift_squared * term_43
-            + 12.0 * less_squared * rise * shift * term_42
+            + 6.0 * less * rise * shift_squared * term_42
+            + 18.0 * less * rise * shift_squared * term_43
+            + 12.0 * less_squared * rise * shift * term_43
             + 16.0 * both * less * swing_squared * cos_phi1 * sin_phi1_cubed
             + 2.0 * both * less_squared * swing * cos_phi1 * sin_phi1_cubed
             + 10.0 * both * rise_squared * swing * cos_phi1 * sin_phi1_cubed
@@ -1424,11 +1424,11 @@ def _form_of_jerk(
             + 36.0 * less * rise * shift * swing * cos_phi1_squared * sin_phi1_squared
             - 6.0 * term_44 * cos_phi1_cubed * sin_phi1
             - 2.0 * term_45 * cos_phi1_cubed * sin_phi1
-            - 2.0 * less * rise_cubed * term_42
-            - 6.0 * less * rise_cubed * term_43
-            - 4.0 * less_cubed * rise * term_43
-            - 2.0 * rise_cubed * shift * term_42
-            - 6.0 * rise_cubed * shift * term_43
+            - 6.0 * less * rise_cubed * term_42
+            - 2.0 * less * rise_cubed * term_43
+            - 4.0 * less_cubed * rise * term_42
+            - 6.0 * rise_cubed * shift * term_42
+            - 2.0 * rise_cubed * shift * term_43
             - 6.0 * both_cubed * swing * cos_phi1 * sin_phi1_cubed
             - 6.0 * both_squared * rise_squared * cos_phi1 * sin_phi1_cubed
             - 2.0 * both_squared * shift_squared * cos_phi1_cubed * sin_phi1

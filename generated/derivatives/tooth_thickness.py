@@ -361,40 +361,40 @@ def _form_of_linearisation_bound(
     y_c: Any,
 ) -> Any:
     abs_Delta_h = _abs(dh)
-    term_7 = 2.0 * y_c - abs_Delta_h
-    term_5 = t_c_squared * _square(r_b) - abs_Delta_h * term_7
+    term_8 = 2.0 * y_c - abs_Delta_h
+    term_5 = t_c_squared * _square(r_b) - abs_Delta_h * term_8
     term_3 = 1.0 / _np.sqrt(term_5)
     y_c_plus_abs_Delta_h = abs_Delta_h + y_c
-    term_9 = y_c_plus_abs_Delta_h * _square(y_c_plus_abs_Delta_h)
+    term_7 = y_c_plus_abs_Delta_h * _square(y_c_plus_abs_Delta_h)
     Delta_h_squared = _square(dh)
     root_term_5 = _np.sqrt(term_5)
     term_4 = 1.0 / (root_term_5 * _square(root_term_5))
     term_11 = _choose_where(dh < 0.0, -1.0, 1.0)
-    term_8 = _square(y_c_plus_abs_Delta_h)
+    term_9 = _square(y_c_plus_abs_Delta_h)
     term_2 = (
-        3.0 * term_10 * Delta_h_squared * term_3 * term_8
-        + term_10 * Delta_h_squared * abs_Delta_h * term_4 * term_9
+        3.0 * term_10 * Delta_h_squared * term_3 * term_9
+        + term_10 * Delta_h_squared * abs_Delta_h * term_4 * term_7
     )
     term = (
-        -3.0 / _square(_square(r_b)) * Delta_h_squared * term_3 * term_9
-        - t_c_squared / _square(r_b) * Delta_h_squared * term_4 * term_9
+        -3.0 / _square(_square(r_b)) * Delta_h_squared * term_3 * term_7
+        - t_c_squared / _square(r_b) * Delta_h_squared * term_4 * term_7
     )
 
     return (
-        2.0 * term_10 * dh * term_3 * term_9
-        + 3.0 * term_10 * Delta_h_squared * term_11 * term_3 * term_8
+        2.0 * term_10 * dh * term_3 * term_7
+        + 3.0 * term_10 * Delta_h_squared * term_11 * term_3 * term_9
         + term_10
         * Delta_h_squared
         * term_4
-        * term_9
-        * (term_11 * term_7 / 2.0 - abs_Delta_h * term_11 / 2.0),
+        * term_7
+        * (term_11 * term_8 / 2.0 - abs_Delta_h * term_11 / 2.0),
         term_6 * term_2 + cos_alpha * z / 2.0 * term,
         m / 2.0 * term_2
         + cos_alpha * m / 2.0 * term
-        + _np.pi * t_c / (2.0 * r_b * _square(z)) * Delta_h_squared * term_4 * term_9,
+        + _np.pi * t_c / (2.0 * r_b * _square(z)) * Delta_h_squared * term_4 * term_7,
         _np.pi * m * _np.cos(2.0 * alpha) / 4.0 * term_2
         - m * z * _np.sin(alpha) / 2.0 * term
-        - t_c * (1.0 + _square(tan_alpha)) / r_b * Delta_h_squared * term_4 * term_9,
+        - t_c * (1.0 + _square(tan_alpha)) / r_b * Delta_h_squared * term_4 * term_7,
     )
 
 

@@ -582,7 +582,7 @@ def _form_of_position(
     x1_squared = _square(x1)
     lever_square = _square(guide_sum) + x1_squared
     run = 2.0 * l_DE / lever_square * term_9 * x1
-    term_18 = _choose_where(l_GH - run > 0.0, 0.0, 1.0)
+    term_17 = _choose_where(l_GH - run > 0.0, 0.0, 1.0)
     push = _maximum(0.0, run - l_GH)
     push_plus_to_right = push + to_right
     to_left_minus_push = to_left - push
@@ -605,9 +605,9 @@ def _form_of_position(
         - 2.0 * sin_LM * l_LM / roller_square * push
         - 4.0 * l_LM * push_squared * term_11 * term_14
     )
-    term_17 = 1.0 / _square(lever_square)
+    term_18 = 1.0 / _square(lever_square)
     term_3 = -4.0 * l_DE * guide_sum * term_17 * term_18 * term_5 * term_9 * x1
-    term_4 = 2.0 * sin_DE * l_DE / lever_square * term_18 * term_5 * x1
+    term_4 = 2.0 * sin_DE * l_DE / lever_square * term_17 * term_5 * x1
     term_2 = term_3 + term_4
     term_7 = 1.0 / _np.sqrt(term_8)
     term = term_2 * term_7 * x1
@@ -615,7 +615,7 @@ def _form_of_position(
     term_13 = to_left / 2.0 - push / 2.0
 
     return (
-        term_18
+        term_17
         * term_5
         * (2.0 * l_DE / lever_square * term_9 - 2.0 * cos_DE * l_DE / lever_square * x1)
         + term_2 * term_7 * (arm + x1)
@@ -623,14 +623,14 @@ def _form_of_position(
         term,
         term_3 + term_4 + l_BC * term_2 * term_7,
         term,
-        2.0 / lever_square * term_18 * term_5 * term_9 * x1,
-        -term_18 * term_5,
+        2.0 / lever_square * term_17 * term_5 * term_9 * x1,
+        -term_17 * term_5,
         sin_alpha_KL * term_6
         + 2.0 * cos__alpha_KL_squared * rise * term_12 * term_15 * term_16 * term_6
         + 2.0 * sin__alpha_KL_squared * rise * term_13 * term_15 * term_16 * term_6,
         2.0 / roller_square * push * term_11,
-        2.0 * sin_DE * l_DE / lever_square * term_18 * term_5 * x1_squared
-        + 2.0 * cos_DE * l_DE / lever_square * guide_sum * term_18 * term_5 * x1,
+        2.0 * sin_DE * l_DE / lever_square * term_17 * term_5 * x1_squared
+        + 2.0 * cos_DE * l_DE / lever_square * guide_sum * term_17 * term_5 * x1,
         l_KL * _np.cos(alpha_KL) * term_6
         + 2.0 * cos__alpha_KL * sin__alpha_KL * l_KL * rise * term_13 * term_15 * term_16 * term_6
         - 2.0 * cos__alpha_KL * sin__alpha_KL * l_KL * rise * term_12 * term_15 * term_16 * term_6,

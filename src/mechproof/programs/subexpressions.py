@@ -8,7 +8,7 @@ from functools import lru_cache, partial
 
 import sympy as sp
 
-from mechproof.programs.evaluation import Evaluation, entries, map_entries
+from mechproof.programs.evaluation import Evaluation, Step, entries, map_entries
 from mechproof.programs.names import suggest_name
 from mechproof.record.parts import find_free, replace_parts
 
@@ -19,25 +19,25 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
     Purely structural: sums and products are never regrouped, because a rewrite may have
     chosen their order for accuracy.
     """
-    while (repeated := _find_repeated(evaluation)) is not None:
-        symbol = evaluation.new_symbol(suggest_name(repeated))
-        named = {repeated: symbol}
-        evaluation = evaluation.rearrange(
-            [(symbol, repeated), *((s, replace_parts(v, named)) for s, v in evaluation.steps)],
-            map_entries(partial(replace_parts, values=named), evaluation.output),
-        )
-    return _merge_steps(evaluation)
+    shared: list[Step] = []
+    for repeated in _list_repeated(evaluation):
+        evaluation.add_step(suggest_name(repeated), repeated, shared)
+    names = {value: symbol for symbol, value in shared}
+    steps = [(symbol, _rebuild(value, names)) for symbol, value in shared]
+    steps += [(symbol, replace_parts(value, names)) for symbol, value in evaluation.steps]
+    output = map_entries(partial(replace_parts, values=names), evaluation.output)
+    return _merge_steps(evaluation.rearrange(steps, output))
 
 
-def _find_repeated(evaluation: Evaluation) -> sp.Expr | None:
+def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
+    """List what is repeated, the largest first: none is a part of one behind it."""
     values = [value for _, value in evaluation.steps] + list(entries(evaluation.output))
     named = {value for _, value in evaluation.steps}
     seen: Counter[sp.Expr] = Counter()
     for value in values:
         _count(value, seen, named)
     repeated = [node for node, count in seen.items() if count > 1 and node not in named]
-    # max keeps the first of equals, and the counter keeps the order of appearance.
-    return max(repeated, key=_count_operations, default=None)
+    return sorted(repeated, key=_count_operations, reverse=True)
 
 
 def _count(expression: sp.Expr, seen: Counter[sp.Expr], named: Container[sp.Expr]) -> None:
