@@ -152,6 +152,81 @@ CASES: dict[str, tuple[list[str], list[str]]] = {
         ],
         ["DEFINITION"] * 4,
     ),
+    "loops of two arrangements prove nothing together": (
+        [
+            "#In the arrangement of Fig. 1 the loop closes with",
+            r"r\sin\varphi=l\sin\psi",
+            "#In the arrangement of Fig. 2 the guide is offset:",
+            r"r\sin\varphi=l\sin\psi+h",
+            "#The offset is seen as",
+            r"h\cos\varphi=0",
+        ],
+        ["not judged", "not judged", "DEFINITION"],
+    ),
+    "loops of one arrangement": (
+        [
+            "#In the arrangement of Fig. 1 the loop closes with",
+            r"r\sin\varphi=l\sin\psi",
+            r"r\sin\varphi=l\sin\psi+h",
+            "#The offset is seen as",
+            r"h\cos\varphi=0",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
+    "a special position is left": (
+        [
+            "#For a circle the half axes are equal,",
+            "l=r",
+            "#The parameter of an ellipse is",
+            r"s=\frac{l^2}{r}",
+            "#The curvature has the radius",
+            "s=l",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "a special position, and what follows there": (
+        [
+            "#The parameter of an ellipse is",
+            r"s=\frac{l^2}{r}",
+            "#For a circle the half axes are equal,",
+            "l=r",
+            "#Hence",
+            "s=l",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
+    "speeds of two cases prove nothing together": (
+        [
+            "#With the ring fixed,",
+            r"\omega_1=\left(1+\frac{z_3}{z_1}\right)\omega_4",
+            "#When the sun is held,",
+            r"\omega_3=\left(1+\frac{z_1}{z_3}\right)\omega_4",
+            "#The speeds of sun and ring have the ratio",
+            r"\frac{\omega_1}{\omega_3}=\frac{z_3}{z_1}",
+        ],
+        ["DEFINITION", "DEFINITION", "not judged"],
+    ),
+    "what is true of all speeds": (
+        [
+            "#With the ring fixed,",
+            r"\omega_1=\left(1+\frac{z_3}{z_1}\right)\omega_4",
+            "#When the sun is held,",
+            r"\omega_3=\left(1+\frac{z_1}{z_3}\right)\omega_4",
+            "#Their sum and difference obey",
+            r"(\omega_1+\omega_3)(\omega_1-\omega_3)=\omega_1^2-\omega_3^2",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
+    "speeds of one case": (
+        [
+            "#With the ring fixed,",
+            r"\omega_1=\left(1+\frac{z_3}{z_1}\right)\omega_4",
+            r"\omega_3=\left(1+\frac{z_1}{z_3}\right)\omega_4",
+            "#The speeds have the ratio",
+            r"\frac{\omega_1}{\omega_3}=\frac{z_3}{z_1}",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED"],
+    ),
 }
 
 
@@ -163,9 +238,9 @@ def test_words_tell_of_other_cases(case: str) -> None:
 
 def test_what_is_announced_goes_on_until_other_words() -> None:
     first = NOTHING.go_on("The crank turns clockwise.")
-    assert first == Announced(is_new=True, passage=1, turns=1)
+    assert first == Announced(is_new=True, passage=1, scope=1, turns=1)
     assert first.go_on(" and ") == first
-    assert first.go_on("Thus") == Announced(passage=2, turns=1)
+    assert first.go_on("Thus") == Announced(passage=2, scope=1, turns=1)
     for words in (
         "It is measured from the axis.",
         "It is counted counter-clockwise.",
@@ -173,6 +248,8 @@ def test_what_is_announced_goes_on_until_other_words() -> None:
     ):
         assert first.go_on(words).turns == 1
     case = first.go_on("In the other case, with small angles,")
-    assert case == Announced(is_case=True, is_special=True, is_new=True, passage=2, turns=1)
+    flags = case.is_case, case.is_special, case.is_new, case.is_equating, case.is_position
+    assert flags == (True, True, True, True, False)
+    assert (case.passage, case.scope, case.turns) == (2, 2, 1)
     assert case.go_on(r" where $r$ is counted clockwise.").turns == 1
     assert case.go_on(r" Here $r$ is counted clockwise.").turns == 2

@@ -23,6 +23,23 @@ _SPECIAL = re.compile(
     r"|пренебрег|\b(?:мал|постоянн|равномерн)",
     re.IGNORECASE,
 )
+# What holds at a special position, or as long as something is held.
+_POSITION = re.compile(
+    r"\bdead[- ]cent(?:re|er)|\b(?:extreme|limit|limiting|end|special|initial) positions?\b"
+    r"|\b(?:at|in) (?:this|that) (?:position|instant|moment)\b"
+    r"|\bwith the (?:\w+ ){1,2}(?:fixed|held|locked|braked|at rest)\b"
+    r"|\b(?:is|are) (?:held|locked|braked|stationary|at rest|fixed)\b(?! (?:to|on|in|at|by)\b)"
+    r"|\b(?:totlage|totpunkt|festgehalten|festgebremst|steht still)|\bpoints? morts?\b"
+    r"|м[её]ртв\w+ (?:точк|положен)|остановлен|заторможен",
+    re.IGNORECASE,
+)
+# What may make letters equal that are none.
+_EQUATING = re.compile(
+    r"\bfor an? \w+|\b(?:coincide|vanish|aligned|collinear|in line)\b|\bare equal\b(?! to\b)"
+    r"|\bf\xfcr (?:ein|eine|einen)\b|\b(?:zusammenfallen|fallen zusammen|sind gleich|fluchten)\b"
+    r"|\bpour une?\b|\bco\xefncident|совпадают",
+    re.IGNORECASE,
+)
 # What turns the sense in which something is counted, from there on: mostly counter-clockwise. A
 # sentence that goes on with "where" behind a display says what letters meant all along.
 _TURNING = re.compile(
@@ -30,6 +47,10 @@ _TURNING = re.compile(
     r"|revers(?:e|al|ing)|redefin|backwards|downwards|\b(?:left|right)-hand|\bsign convention"
     r"|\b(?:opposite|negative|other|contrary)(?:\s+\w+)?\s+(?:direction|sense|sign|way|side)"
     r"|\bnow\s+(?:\w+\s+)?(?:counted|measured|reckoned|taken)\b"
+    r"|\bin (?:the|an?|another)(?: (?!same|present|above|given)\w+)?"
+    r" (?:arrangement|configuration|variant|version|layout)\b"
+    r"|\bin der (?:\w+ )?(?:anordnung|ausf\xfchrung|variante)\b|\bdans la (?:\w+ )?disposition\b"
+    r"|\bв (?:\w+ )?(?:исполнении|варианте)\b"
     r"|\b(?:interchang|exchang|swapp)|\bfrom (?:now|here) on\b|\b(?:henceforth|hereafter)\b"
     r"|(?<!gegen den )uhrzeigersinn|entgegengesetzt|umgekehrt|\b(?:von nun an|ab jetzt)\b"
     r"|\bsens (?:horaire|inverse|contraire|oppos\xe9)|\bd\xe9sormais\b"
@@ -57,14 +78,20 @@ _JOINING = frozenset(("and", "und", "et", "as", "well"))
 class Announced:
     """What is announced of a display: another case or a special one, or that it says something new.
 
-    `passage` counts the passages of prose so far, `turns` those with words that turn the sense in
-    which something is counted.
+    `is_position` tells that it may hold at a special position only, or while something is held,
+    `is_equating` that letters may be equal there that are others elsewhere.
+    `passage` counts the passages of prose so far, `scope` is the last one that says something new,
+    `turns` counts those with words that turn the sense in which something is counted, or go on to
+    another arrangement.
     """
 
     is_case: bool = False
     is_special: bool = False
     is_new: bool = False
+    is_position: bool = False
+    is_equating: bool = False
     passage: int = 0
+    scope: int = 0
     turns: int = 0
 
     def go_on(self, words: str) -> Announced:
@@ -74,11 +101,16 @@ class Announced:
         if not _has_prose(words):
             return replace(self, turns=turns)
         near = words[-_NEAR:]
+        is_new = not _CONSEQUENCE.search(words)
+        is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
         return Announced(
             is_case=bool(_ALTERNATIVE.search(near)),
-            is_special=bool(_SPECIAL.search(near)),
-            is_new=not _CONSEQUENCE.search(words),
+            is_special=is_special,
+            is_new=is_new,
+            is_position=is_position,
+            is_equating=is_special or is_position or bool(_EQUATING.search(near)),
             passage=self.passage + 1,
+            scope=self.passage + 1 if is_new else self.scope,
             turns=turns,
         )
 

@@ -11,6 +11,7 @@ from mechproof.document.checked_rows import CheckedRow, list_standing, make_row,
 from mechproof.document.consequences import GIVEN
 from mechproof.document.constrained_rows import (
     doubt_by_letters,
+    doubt_by_positions,
     excuse_by_constraints,
     find_contradictions,
     find_misprints,
@@ -146,6 +147,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(doubt_by_letters(tasks, rows, contested))
+        rows |= dict(doubt_by_positions(tasks, rows))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

@@ -12,6 +12,7 @@ from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_l
 from mechproof.document.judging import (
     WITH_DEFINITIONS,
     Key,
+    holds_alone,
     judge_beside,
     judge_excused,
     judge_misprint,
@@ -37,7 +38,7 @@ def follow_from_constraints(
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        before = [g for g in given if g < n and not _is_turned(tasks[g], task)]
+        before = [g for g in given if g < n and _may_hold_for(tasks[g], task)]
         common = [g for g in before if _have_common(tasks[g], task)]
         if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
             numbers.append((key, n, tuple(common)))
@@ -218,6 +219,21 @@ def doubt_by_letters(
                 break
 
 
+def doubt_by_positions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Prove no row by definitions that are said of several positions, unless it needs none."""
+    placed = [one for one in tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
+    for n, task in enumerate(tasks):
+        is_proved = rows[n].outcome == Verdict.PROVED.value
+        letters = _list_used(task, tasks) if is_proved and len(placed) > 1 else ()
+        used = [one for one in placed if one is not task and _defines(one, letters)]
+        if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
+            names = ", ".join(one.row.number for one in used)
+            reason = f"it holds if {names} hold together: are they said of one case?"
+            yield n, make_row(task, reason)
+
+
 def _is_refuted(row: CheckedRow) -> bool:
     return row.outcome == Verdict.REFUTED.value
 
@@ -266,12 +282,24 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     It is announced as another case, words between them turn a sense, or it comes later and is an
     equation such as a = b + pi.
     """
-    rest = tasks[other].residual
-    is_plain = other > number and all(
-        term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in sp.Add.make_args(rest)
-    )
+    is_plain = (other > number or tasks[other].said.is_equating) and _is_plain(tasks[other])
     is_other = tasks[other].is_case or _is_turned(tasks[other], tasks[number])
     return is_plain or is_other or tasks[other].sign.role is Role.SOLUTIONS
+
+
+def _may_hold_for(given: Task, task: Task) -> bool:
+    """Return whether a constraint is said of what a row is about, as far as words tell.
+
+    A special position is left with the next passage that says something new.
+    """
+    is_left = given.said.is_equating and _is_plain(given) and given.said.scope != task.said.scope
+    return not (is_left or _is_turned(given, task))
+
+
+def _is_plain(task: Task) -> bool:
+    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi."""
+    terms = sp.Add.make_args(task.residual)
+    return all(term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in terms)
 
 
 def _is_turned(one: Task, other: Task) -> bool:

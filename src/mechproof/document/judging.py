@@ -204,6 +204,15 @@ def _is_false_alone(task: Task) -> bool:
     return decide(Holds(sp.Ne(one, other, evaluate=False)), domain).verdict is Verdict.PROVED
 
 
+def holds_alone(task: Task) -> bool:
+    """Return whether a row is true whatever defines its letters."""
+    one, other = task.sign.sides
+    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
+        return False
+    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    return decide(Equality(one, other), domain).verdict is Verdict.PROVED
+
+
 def _take_as_given(task: Task, found: Judgement) -> Judgement:
     what = "a condition" if isinstance(task.row.says, Holds) else "a constraint"
     reason = f"{what}, taken as given: it does not hold for all values of its letters"

@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.later_matrices import Later
 from mechproof.document.laws import Piece, join_pieces, order_pieces
 from mechproof.document.symbols import Symbols
@@ -30,7 +31,8 @@ class Known:
     `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are matrices of
     which others are made before they are printed, with their values and what prints these.
     `circular` are matrices that were made of what is made of them. `constrained` are letters
-    between which constraints are printed, `tied` what is printed of their derivatives.
+    between which constraints are printed, `tied` what is printed of their derivatives. `said` is
+    what words before the equation announce that is being read.
     """
 
     symbols: Symbols
@@ -49,6 +51,7 @@ class Known:
     circular: set[sp.Basic] = field(default_factory=set)
     constrained: set[sp.Basic] = field(default_factory=set)
     tied: Values = field(default_factory=dict)
+    said: Announced = NOTHING
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""

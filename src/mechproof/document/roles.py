@@ -237,13 +237,14 @@ def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
 def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> bool:
     """Return whether a letter is said to be another one, or both a number, at a special position.
 
-    It may be its opposite, or turned. A letter that is introduced so has not been met before.
+    It may be its opposite, or turned. A letter that is introduced so has not been met before, and
+    no words tell of a special position.
     """
     terms = [term for term in sp.Add.make_args(value) if not term.is_number]
     alone = terms[0] if len(terms) == 1 else value
     is_letter = alone.is_Symbol or (-alone).is_Symbol or isinstance(value, sp.MatrixSymbol)
     has_number = any(isinstance(member, Number | Measure) for member in chain.members)
-    return is_letter and (symbol in known.met or has_number)
+    return is_letter and (symbol in known.met or has_number or known.said.is_equating)
 
 
 def _counts_otherwise(symbol: sp.Basic, value: Any) -> bool:

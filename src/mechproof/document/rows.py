@@ -178,6 +178,7 @@ class Document:
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
+        self.known.said = printed.announced
         read = reader.parse(latex, printed.name, int(branch is None))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
