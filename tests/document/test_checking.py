@@ -182,8 +182,8 @@ CASES = {
         ["DEFINITION", "PROVED", "DEFINITION", "REFUTED", "DEFINITION", "REFUTED"],
     ),
     "rounded coefficients accuse nobody": (
-        [r"k=\frac{\pi n}{30}=0.105n", r"\sqrt2m=1.414m"],
-        ["DEFINITION", "not judged", "not judged"],
+        [r"k=\frac{\pi n}{30}=0.105n", r"\sqrt2m=1.414m", r"\sqrt2m=1.42m"],
+        ["DEFINITION", "PROVED", "PROVED", "not judged"],
     ),
     "nowhere true": ([r"m^2+1=0"], ["REFUTED"]),
     "somewhere true": ([r"m^2-1=0"], ["DEFINITION"]),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -13,11 +13,13 @@ from mechproof.document.consequences import GIVEN, find_consequence, list_letter
 from mechproof.document.following import judge_following
 from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
+from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
-from mechproof.document.slips import TURNING, Entry, find_slip
+from mechproof.document.slips import Entry, find_slip
 from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
+from mechproof.document.unsaid_relations import find_relations
 from mechproof.document.witnesses import find_points
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
@@ -28,7 +30,6 @@ from mechproof.record import (
     Definition,
     Equality,
     Holds,
-    Part,
     PrintedNumber,
     RecordError,
 )
@@ -37,9 +38,6 @@ from mechproof.record import (
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 # What is compared, even if letters that only one side has could make both sides equal.
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
-# What lengths and angles mostly are.
-_POSITIVE = sp.Interval.open(0, sp.oo)
-_ACUTE = sp.Interval.open(0, sp.pi / 2)
 # Seconds for one equation.
 LIMIT = 60.0
 # How far a row is never true: those that define its letters may be wrong instead.
@@ -109,7 +107,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
         return "one of its signs is printed elsewhere; of the other nothing is known"
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
-        return "the two sides differ, but a decimal may have been rounded"
+        return judge_factor(task)
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
         return "the pieces differ where they meet: a jump, or a misprint?"
     if found.verdict is Verdict.REFUTED and task.is_solution:
@@ -118,7 +116,7 @@ def _judge_alone(task: Task) -> Judgement | str:
             f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
         )
     is_compared = task.asserts or task.sign.role in COMPARED
-    if found.verdict is Verdict.REFUTED and is_compared and (said := _find_relations(task)):
+    if found.verdict is Verdict.REFUTED and is_compared and (said := find_relations(task)):
         return (
             "it holds for some values of its letters; if they are meant, say so in the block of "
             f"letters: where {said}"
@@ -137,47 +135,6 @@ def _judge_alone(task: Task) -> Judgement | str:
         beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
         return replace(found, reason=f"it is never true{beside}: {found.reason}")
     return _take_as_given(task, found)
-
-
-def _find_relations(task: Task) -> str:
-    """Return relations of letters of which nothing is said, if an equation holds where they do.
-
-    That is that lengths are positive, or angles acute, too.
-    """
-    free = Domain.of(task.paper, task.row.on)
-    met = sorted(list_letters(task), key=str)
-    letters = [s for s in met if free.within.get(s) == sp.S.Reals]
-    turning = {s for f in _list_turning(task) for s in f.args[0].free_symbols}
-    for angles in ([], [s for s in letters if s in turning]):
-        within = {s: _ACUTE if s in angles else _POSITIVE for s in letters}
-        if within and _holds_within(task, within):
-            break
-    else:
-        return ""
-    for letter in letters:
-        others = {s: inside for s, inside in within.items() if s != letter}
-        within = others if others and _holds_within(task, others) else within
-    said = {_ACUTE: r"0<{}<\pi/2", _POSITIVE: "{}>0"}
-    names = {v.symbol: v.latex[0] for v in task.paper.variables if v.latex}
-    return ", ".join(said[inside].format(names.get(s, s)) for s, inside in within.items())
-
-
-def _list_turning(task: Task) -> Iterator[sp.Basic]:
-    says = task.row.says
-    for part in says.parts if isinstance(says, Conjunction) else (says,):
-        if isinstance(part, Equality):
-            for side in (part.printed, part.rebuilt):
-                yield from Domain.of(task.paper).resolve(side).atoms(*TURNING)
-
-
-def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
-    """Return whether an equation holds where some of its letters lie in sets."""
-    inside = Part("what is not said of some letters holds", within)
-    try:
-        answer = decide(task.row.statement, Domain.of(task.paper, task.row.on, inside))
-    except (RecordError, ContradictionError):
-        return False
-    return answer.verdict is Verdict.PROVED
 
 
 def _is_nowhere_true(task: Task) -> bool:

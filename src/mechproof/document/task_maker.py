@@ -211,7 +211,7 @@ class TaskMaker:
         block = self.block
         is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         is_claimed &= sign.role is not Role.DEFINITION
-        asserts = is_claimed or self._asserts(printed, sign, sides)
+        asserts = is_claimed or self._asserts(printed, row.says, sign, sides)
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
@@ -273,13 +273,17 @@ class TaskMaker:
         names = {label: one.name for one in self.printed for label in one.labels}
         return tuple(names.get(key, key) for key in keys)
 
-    def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
+    def _asserts(
+        self, printed: Printed, says: Statement | None, sign: Sign, sides: Sequence[Any]
+    ) -> bool:
         """Return whether the sides are claimed to be equal wherever their letters lie.
 
         Sides of different letters say something of the letters.
         """
         if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
             return True
+        if isinstance(says, PrintedNumber) and not self.known.settle(says.value).free_symbols:
+            return not (printed.announced.is_case or printed.announced.is_new)
         if is_listed(printed, self.block.constraints) or sign.role in CONSTRAINING:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:

@@ -12,7 +12,8 @@ from mechproof.document.roles import Role, Sign
 from mechproof.proof.verdict import Place
 from mechproof.record import Paper, PrintedNumber, Row
 
-_DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
+# A number with a decimal point, or a comma as LaTeX has it.
+DECIMAL = re.compile(r"\d+(?:\.|\{,\})\d+")
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Task:
     def is_rounded(self) -> bool:
         """Return whether a decimal stands beside letters: it is a rounded number."""
         is_number = isinstance(self.row.says, PrintedNumber)
-        return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
+        return not is_number and bool(DECIMAL.search(self.row.printed_latex))
 
     @property
     def is_alone(self) -> bool:
