@@ -537,6 +537,10 @@ def radius(
     Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
     1e150 and z*|phi| <= 2**26.
 
+    Proved, where |A| <= 63/64*R and z*|phi| <= 21, as long as no result overflows or falls
+    below the normal range: at most 4.5 eps with np.cos within 1 ulp and np.hypot within 1 ulp,
+    found 2.79; at most 4.06 eps compiled, found 2.79.
+
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """

@@ -51,6 +51,23 @@ def by_larger(one: sp.Symbol, other: sp.Symbol) -> tuple[Chart, ...]:
 
 
 BY_RADII = by_larger(radius, amplitude)
+# The angle by which the circle is met again, and the part of it that a period is. The circle may be
+# shifted either way, but not to the pole, where the track has corners.
+PHASE, PERIOD = sp.Symbol("theta", positive=True), sp.Symbol("1/z", positive=True)
+SHIFTED, TURNED = sp.Rational(63, 64), 21
+OFF_POLE = tuple(
+    Chart(
+        f"|A| <= {SHIFTED}*R and z*|phi| <= {TURNED}",
+        {radius: SIZE, amplitude: sign * SIZE * SHARE, periods: PERIOD**-1, phi: PERIOD * PHASE},
+        {
+            **dict.fromkeys((SIZE, PERIOD), sp.Interval.Lopen(0, sp.oo)),
+            SHARE: sp.Interval(0, SHIFTED),
+            PHASE: sp.Interval(0, TURNED),
+        },
+        PHASE,
+    )
+    for sign in (1, -1)
+)
 BY_PLANE = by_larger(error_x, error_y)
 # What is the hypotenuse in the plane is a side in space.
 BY_SPACE = tuple(

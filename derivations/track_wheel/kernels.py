@@ -16,7 +16,7 @@ from mechproof.record import (
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
-from .charts import BY_RADII
+from .charts import BY_RADII, OFF_POLE
 from .kernels_of_poses import POSES, SOURCE, turns
 from .mechanics import CORRECTED_5, CROSS, SQUARES
 from .symbols import *
@@ -169,7 +169,7 @@ QUANTITIES = (
         CIRCLE,
         RADIUS,
         (
-            Form("conjugate root", RADIUS, ("conjugate_root",)),
+            Form("conjugate root", RADIUS, ("conjugate_root",), charts=OFF_POLE),
             Form("printed (16)", RADIUS, key="printed", source=TRACK_SOURCE),
         ),
         TRACK_SOURCE,

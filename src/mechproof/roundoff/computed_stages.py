@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -25,6 +25,7 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
+from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
@@ -111,27 +112,61 @@ class ComputedStage:
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
         return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
 
+    @cached_property
+    def branches(self) -> tuple[Branch, ...]:
+        """Return the steps without choices, for each of these."""
+        return _list_branches(self.straight)
+
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
+        if len(self.branches) == 1:
+            return bound_in_groups(partial(self._bound, self.branches[0], region), boxes)
+        highest = np.zeros(len(boxes))
+        for branch in self.branches:
+            taken = bound_in_groups(partial(self._find_taken, branch, region), boxes) > 0
+            found = bound_in_groups(partial(self._bound, branch, region), boxes[taken])
+            highest[taken] = np.maximum(highest[taken], found)
+        return highest
 
-        def compute(part: Boxes, forced: tuple[int, ...]) -> Array:
-            evaluation, bar = self.evaluate(region, part, forced)
-            if self.map:
-                return np.broadcast_to(self.map.bound(evaluation, bar), len(part))
-            highest = np.zeros(len(part))
-            for output in self.straight.outputs:
-                highest = np.maximum(highest, evaluation.sum_errors(output, bar))
-            return highest
+    def _bound(
+        self, branch: Branch, region: ChartRegion, part: Boxes, forced: tuple[int, ...]
+    ) -> Array:
+        evaluation, bar = self.evaluate(branch, region, part, forced)
+        if self.map:
+            return np.broadcast_to(self.map.bound(evaluation, bar), len(part))
+        highest = np.zeros(len(part))
+        for output in branch.straight.outputs:
+            highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+        return highest
 
-        return bound_in_groups(compute, boxes)
+    def _find_taken(
+        self, branch: Branch, region: ChartRegion, part: Boxes, forced: tuple[int, ...]
+    ) -> Array:
+        """Return a positive number where a branch may be taken, zero elsewhere."""
+        (found,) = self._run([branch.test], region, part, forced)
+        is_taken = branch.find_taken(found.value(branch.tested))
+        return np.broadcast_to(np.where(is_taken, 1.0, 0.0), len(part))
 
     def evaluate(
-        self, region: ChartRegion, boxes: Boxes, forced: tuple[int, ...] = ()
+        self, branch: Branch, region: ChartRegion, boxes: Boxes, forced: tuple[int, ...] = ()
     ) -> tuple[ErrorAnalysis, ErrorScale]:
         """Return all values over boxes, and what errors are relative to."""
-        steps = self.map.entries if self.map else self.straight
-        all_steps = [steps, *(self.scale.straights if self.scale else ())]
-        kinds = [step.kind for straight in all_steps for step in straight.steps]
+        steps = self.map.entries if self.map else branch.straight
+        if self.scale is None:
+            return self._run([steps], region, boxes, forced)[0], ErrorScale(None, True)
+        analysis, *scales = self._run([steps, *self.scale.straights], region, boxes, forced)
+        pairs = zip(scales, self.scale.straights, strict=True)
+        return analysis, self.scale.weigh(*([*map(s.value, own.outputs)] for s, own in pairs))
+
+    def _run(
+        self,
+        straights: Sequence[StraightLineProgram],
+        region: ChartRegion,
+        boxes: Boxes,
+        forced: tuple[int, ...],
+    ) -> list[ErrorAnalysis]:
+        """Return all values of steps over boxes."""
+        kinds = [step.kind for straight in straights for step in straight.steps]
         # Where terms are told apart what vanishes cancels term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
         variables, monomials, turn = region.enter(boxes, kinds.count("tan"), forced, waves)
@@ -139,18 +174,13 @@ class ComputedStage:
         arguments = region.chart.arguments.items()
         given = {names[symbol]: express(value, variables, monomials) for symbol, value in arguments}
         found = []
-        for straight in all_steps:
+        for straight in straights:
             plain = self._add_up(straight, region.chart)
             stated = {
                 result: express(value, variables, monomials) for result, value in plain.items()
             }
-            evaluation = ErrorAnalysis(straight, variables, given, stated, turn, prove)
-            found.append(evaluation)
-        if self.scale is None:
-            return found[0], ErrorScale(None, True)
-        analysis, *scales = found
-        pairs = zip(scales, self.scale.straights, strict=True)
-        return analysis, self.scale.weigh(*([*map(s.value, own.outputs)] for s, own in pairs))
+            found.append(ErrorAnalysis(straight, variables, given, stated, turn, prove))
+        return found
 
     def _add_up(self, straight: StraightLineProgram, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))
@@ -217,13 +247,14 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
             continue
         scale = write_scale(kernel.quantity, form, stage, paper)
         straight = find_compensated(flatten_stage(stage, IN_NUMPY))
-        _check_kinds(straight)
         _check_signs(straight, kernel, form)
         affine = _find_map(kernel.quantity, stage, straight)
         whole = affine.apply() if affine else straight
-        yield ComputedStage(kernel, form, stage, WAY, whole, whole, scale, map=affine)
+        # Of exact numbers all branches are one function.
+        exact = _list_branches(whole)[0].straight
+        yield ComputedStage(kernel, form, stage, WAY, whole, exact, scale, map=affine)
         if kernel.is_shipped:
-            yield _compile(kernel, form, stage, whole, scale)
+            yield _compile(kernel, form, stage, exact, scale)
 
 
 def _compile(
@@ -236,24 +267,27 @@ def _compile(
     compiled = stage.change(defer_divisions)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(find_compensated(expanded))
-    _check_kinds(straight)
     _check_functions(straight)
     _check_signs(straight, kernel, form)
     affine = _find_map(kernel.quantity, stage, straight)
     if affine:
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
+    _list_branches(straight)
     computed = flatten_stage(compiled, {})
     return ComputedStage(
         kernel, form, stage, COMPILED_WAY, straight, exact, scale, computed, affine
     )
 
 
-def _check_kinds(straight: StraightLineProgram) -> None:
-    if unknown := sorted({step.kind for step in straight.steps} - (KINDS - UNPROVED)):
+def _list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
+    branches = list_branches(straight)
+    kinds = {step.kind for branch in branches for step in branch.straight.steps}
+    if unknown := sorted(kinds - (KINDS - UNPROVED)):
         raise ValueError(
             f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
         )
+    return branches
 
 
 def _check_functions(straight: StraightLineProgram) -> None:

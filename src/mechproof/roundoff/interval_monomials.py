@@ -9,7 +9,8 @@ in.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Collection, Hashable, Sequence
+from functools import reduce
 
 import numpy as np
 
@@ -32,7 +33,7 @@ class BoxVariables:
     """The variables of one evaluation, the intervals they are in, and which are never negative.
 
     It holds many boxes at once. What is decided differently for some is decided by `choose`:
-    `forced` are the first decisions.
+    `forced` are the first decisions. Those `nonzero` by their numbers never vanish.
     """
 
     def __init__(
@@ -42,8 +43,10 @@ class BoxVariables:
         poles: int = 0,
         forced: tuple[int, ...] = (),
         zeros: int = 0,
+        nonzero: Collection[int] = (),
     ) -> None:
         more = poles + zeros
+        self._nonzero = nonzero
         self._positive = (*positive, *(False,) * more)
         self.spans = list(spans)
         self._free = list(range(len(spans), len(spans) + more))
@@ -83,6 +86,11 @@ class BoxVariables:
         span = self.spans[index]
         apart = (span.low > 0) | (span.high < 0)
         return self.choose(apart, ~apart) == 0
+
+    def never_vanish(self, powers: Powers) -> Mask:
+        """Say where no variable of a product of powers may be zero."""
+        spans = (self.spans[i] for i, p in enumerate(powers) if p and i not in self._nonzero)
+        return reduce(np.logical_and, ((s.low > 0) | (s.high < 0) for s in spans), True)
 
     def is_positive(self, powers: Powers) -> bool:
         """Say whether a product of powers is never negative."""

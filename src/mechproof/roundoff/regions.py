@@ -54,7 +54,8 @@ class ChartRegion:
         if self.turns is not None:
             # The reciprocal of the angle, which is known when its rest is.
             spans.append(ONE)
-        variables = BoxVariables(spans, self._list_positive(boxes), poles, forced, zeros)
+        nonzero = {i for i, name in enumerate(self.names) if self._leaves_zero_out(name)}
+        variables = BoxVariables(spans, self._list_positive(boxes), poles, forced, zeros, nonzero)
         monomials = {name: variables.variable(i) for i, name in enumerate(self.names)}
         if not self.is_turned:
             return variables, monomials, None
@@ -81,6 +82,10 @@ class ChartRegion:
         if half not in (0, sp.pi):
             raise ValueError(f"chart: {self.chart.rest} is not near a multiple of half a turn")
         return express(sp.expand(self.chart.rest - half), variables, monomials), int(half / sp.pi)
+
+    def _leaves_zero_out(self, name: sp.Symbol) -> bool:
+        within = self.chart.within[name]
+        return bool(within.inf == 0 and within.left_open)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
         """Say which coordinates are never negative, of the angle's rest the reciprocal."""

@@ -1,0 +1,116 @@
+"""Branches by a sign: either is bounded where it may be taken, and both are one function."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from derived import paper_of
+
+from mechproof.arithmetic.intervals import Interval
+from mechproof.programs.kernel import list_functions
+from mechproof.roundoff.branches import Branch, list_branches
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
+from mechproof.roundoff.regions import list_regions
+from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram
+
+# u + sqrt(w + u**2), by the reciprocal where that cancels.
+STEPS = (
+    Step("size", "absolute", ("u",), EXACT),
+    Step("square", "square", ("u",), HALF),
+    Step("sum", "add", ("w", "square"), HALF),
+    Step("root", "sqrt", ("sum",), HALF),
+    Step("q", "add", ("size", "root"), HALF),
+    Step("test", "greater_equal", ("u", 0), EXACT),
+    Step("other", "divide", ("w", "q"), HALF),
+    Step("chosen", "choose", ("test", "q", "other"), EXACT),
+)
+ROOT = StraightLineProgram(("u", "w"), STEPS, ("chosen",))
+
+
+def change(number: int, **changes: object) -> StraightLineProgram:
+    """Return the steps with one of them changed."""
+    steps = [*STEPS]
+    steps[number] = replace(steps[number], **changes)  # type: ignore[arg-type]
+    return replace(ROOT, steps=tuple(steps))
+
+
+@cache
+def list_stages() -> tuple[ComputedStage, ...]:
+    """List the ways to compute the radius of the track."""
+    paper = paper_of("track_wheel")
+    (kernel,) = (one for one in list_functions(paper) if one.name == "radius")
+    return tuple(list_computed_stages(kernel, paper))
+
+
+def test_steps_without_a_choice_are_one_branch() -> None:
+    plain = replace(ROOT, steps=STEPS[:5], outputs=("q",))
+    assert list_branches(plain) == (Branch(plain),)
+
+
+def test_the_size_of_what_is_tested_is_known_in_either_branch() -> None:
+    above, below = list_branches(ROOT)
+    assert [step.kind for step in above.straight.steps] == ["square", "add", "sqrt", "add"]
+    assert above.straight.steps[-1].operands == ("u", "root")
+    assert below.straight.steps[0].kind == "negate"
+    assert below.straight.outputs == ("other",)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        (change(6, operands=("sum", "q")), "not shown to be equal"),
+        (change(2, kind="subtract"), "not shown to be equal"),
+        (change(7, operands=("test", "q", "root")), "not shown to be equal"),
+        (change(5, operands=("u", 1)), "compared, with zero"),
+        (replace(ROOT, steps=(*STEPS[:5], *STEPS[6:])), "chosen by the signs of nothing"),
+    ],
+    ids=[
+        "another quotient",
+        "a difference of squares",
+        "another branch",
+        "another number",
+        "no test",
+    ],
+)
+def test_what_is_not_one_function_is_refused(wrong: StraightLineProgram, told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        list_branches(wrong)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "may_vanish", "taken"),
+    [
+        (0.0, 2.0, False, (True, False)),
+        (-2.0, -1.0, False, (False, True)),
+        (-1.0, 1.0, False, (True, True)),
+        (-2.0, -1.0, True, (True, True)),
+        (np.nan, np.nan, False, (True, True)),
+    ],
+)
+def test_a_branch_is_taken_where_it_may_be(
+    low: float, high: float, may_vanish: bool, taken: tuple[bool, bool]
+) -> None:
+    ends = [Interval(np.array([0.0 if may_vanish else 1.0]), np.array([2.0]))]
+    variables = BoxVariables(ends, [True])
+    tested = IntervalMonomial(variables, Interval(np.array([low]), np.array([high])), (1,))
+    found = tuple(bool(np.all(branch.find_taken(tested))) for branch in list_branches(ROOT))
+    assert found == taken
+
+
+def test_both_branches_count_where_the_sign_is_not_known() -> None:
+    for stage in list_stages():
+        region = next(list_regions(stage.form.charts[0]))
+        sides = {"size": (0.0, np.inf), "share": (0.5, 0.51), "1/z": (0.0, np.inf)}
+        near = {**sides, "theta": (np.pi / 2 - 0.01, np.pi / 2 + 0.01)}
+        box = np.array([[near[name.name] for name in region.names]])
+        alone = [stage._bound(branch, region, box, ())[0] for branch in stage.branches]
+        assert stage.bound(region, box)[0] == max(alone)
+        # Where the sign is known only one counts, the one that does not cancel.
+        far = {**sides, "theta": (3.0, 3.01)}
+        box = np.array([[far[name.name] for name in region.names]])
+        above, below = (stage._bound(branch, region, box, ())[0] for branch in stage.branches)
+        assert stage.bound(region, box)[0] == below < above
