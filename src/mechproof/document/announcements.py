@@ -25,7 +25,8 @@ _SPECIAL = re.compile(
 )
 # What holds at a special position, or as long as something is held.
 _POSITION = re.compile(
-    r"\bdead[- ]cent(?:re|er)|\b(?:extreme|limit|limiting|end|special|initial) positions?\b"
+    r"\bdead[- ](?:cent(?:re|er)|position)|\b(?:special|limiting) cases?\b|\bremains? at rest\b"
+    r"|\b(?:extreme|limit|limiting|end|special|initial) positions?\b"
     r"|\b(?:at|in) (?:this|that) (?:position|instant|moment)\b"
     r"|\bwith the (?:\w+ ){1,2}(?:fixed|held|locked|braked|at rest)\b"
     r"|\b(?:is|are) (?:held|locked|braked|stationary|at rest|fixed)\b(?! (?:to|on|in|at|by)\b)"
@@ -61,10 +62,20 @@ _WHERE = re.compile(r"[\s.,;]*(?:where|in which|wobei|o\xf9|где)\b[^.;]*", re
 # What tells that a display follows from those before it, or says the same.
 _CONSEQUENCE = re.compile(
     r"\b(?:hence|therefore|thus|so|this|which|these|consequently|accordingly|again|that is|i\.e"
-    r"|namely|the same|(?:is|be) written|daher|folglich|somit|damit|also|daraus|donc|ainsi|soit"
+    r"|namely|(?:is|be) written|daher|folglich|somit|damit|also|daraus|donc|ainsi|soit"
     r"|следовательно|тогда|отсюда)\b"
-    r"|\b(?:substitut|insert|eliminat|combin|solv|follow|obtain|simplif|expan|rearrang|transform"
-    r"|rewrit|equivalent|identical|squar|einsetz|folgt|d'o\xf9|получ|подстав)",
+    r"|\bthe same (?:equation|expression|relation|result)|\b(?:squar|substitut)(?:ing|ed|ion)\b"
+    r"|\bfollows?\b|\b(?:we|one) obtains?\b|\bobtaining\b"
+    r"|\b(?:insert|eliminat|combin|solv|simplif|expan|rearrang|transform"
+    r"|rewrit|equivalent|identical|einsetz|folgt|d'o\xf9|получ|подстав)",
+    re.IGNORECASE,
+)
+# Behind a heading nothing follows.
+_HEADING = re.compile(r"\\(?:chapter|(?:sub)*section|paragraph)(?![A-Za-z])")
+# What is said of all cases.
+_GENERAL = re.compile(
+    r"\b(?:in general|generally|in every case|in all cases)\b|\bim allgemeinen\b"
+    r"|\ben g\xe9n\xe9ral\b|\bв общем\b",
     re.IGNORECASE,
 )
 _NO_PROSE = re.compile(
@@ -79,7 +90,8 @@ class Announced:
     """What is announced of a display: another case or a special one, or that it says something new.
 
     `is_position` tells that it may hold at a special position only, or while something is held,
-    `is_equating` that letters may be equal there that are others elsewhere.
+    `is_equating` that letters may be equal there that are others elsewhere, `is_general` that it
+    holds in all cases.
     `passage` counts the passages of prose so far, `scope` is the last one that says something new,
     `turns` counts those with words that turn the sense in which something is counted, or go on to
     another arrangement.
@@ -90,6 +102,7 @@ class Announced:
     is_new: bool = False
     is_position: bool = False
     is_equating: bool = False
+    is_general: bool = False
     passage: int = 0
     scope: int = 0
     turns: int = 0
@@ -101,7 +114,7 @@ class Announced:
         if not _has_prose(words):
             return replace(self, turns=turns)
         near = words[-_NEAR:]
-        is_new = not _CONSEQUENCE.search(words)
+        is_new = bool(_HEADING.search(words)) or not _CONSEQUENCE.search(words)
         is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
         return Announced(
             is_case=bool(_ALTERNATIVE.search(near)),
@@ -109,6 +122,7 @@ class Announced:
             is_new=is_new,
             is_position=is_position,
             is_equating=is_special or is_position or bool(_EQUATING.search(near)),
+            is_general=bool(_GENERAL.search(near)),
             passage=self.passage + 1,
             scope=self.passage + 1 if is_new else self.scope,
             turns=turns,

@@ -27,6 +27,7 @@ from mechproof.document.judging import (
     leave_out,
     opened,
 )
+from mechproof.document.newer_prints import compare_newer_prints
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -148,6 +149,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= contested
         rows |= dict(doubt_by_letters(tasks, rows, contested))
         rows |= dict(doubt_by_positions(tasks, rows))
+        rows |= dict(compare_newer_prints(key, tasks, rows, limit))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

@@ -292,14 +292,23 @@ def _may_hold_for(given: Task, task: Task) -> bool:
 
     A special position is left with the next passage that says something new.
     """
-    is_left = given.said.is_equating and _is_plain(given) and given.said.scope != task.said.scope
+    is_special = given.said.is_equating or task.said.is_general
+    is_left = given.said.is_position or (is_special and _is_plain(given))
+    is_left &= given.said.scope != task.said.scope
     return not (is_left or _is_turned(given, task))
 
 
 def _is_plain(task: Task) -> bool:
-    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi."""
-    terms = sp.Add.make_args(task.residual)
-    return all(term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in terms)
+    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi.
+
+    That may be multiplied by letters.
+    """
+    factors = sp.Mul.make_args(sp.factor_terms(task.residual))
+    return all(_is_term(term) for factor in factors for term in sp.Add.make_args(factor))
+
+
+def _is_term(term: sp.Expr) -> bool:
+    return bool(term.as_coeff_Mul()[1].is_Symbol or term.is_number)
 
 
 def _is_turned(one: Task, other: Task) -> bool:

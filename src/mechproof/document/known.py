@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -99,6 +99,17 @@ class Known:
                 break
             self.printed[rate] = name
             above = rate
+
+    def redefine(self, symbol: sp.Basic, value: Any, name: str) -> Values:
+        """Return what a newer print makes of a letter and its derivatives, None of what none."""
+        _, steps = self.symbols.find_steps(symbol)
+        own = steps[steps.index(symbol) :]
+        values = {s: v for s, v in self.values.items() if s not in own}
+        known = replace(self, values=values, printed={**self.printed})
+        if known.is_shown(symbol, value):
+            return {}
+        known.define(symbol, value, name)
+        return {s: known.values.get(s) for s in own}
 
     def is_derived(self, rate: sp.Basic) -> bool:
         """Return whether a derivative is known by that of which it is one, not by a print."""

@@ -69,7 +69,7 @@ class Sign:
 
     `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
     other side then. `worked_out` tells which sides are no print: derivatives, and what matrices
-    give.
+    give. `printed` are the letters of both sides as they are printed.
     """
 
     role: Role
@@ -80,6 +80,7 @@ class Sign:
     value: Any = None
     unit: str = ""
     worked_out: tuple[bool, bool] = (False, False)
+    printed: frozenset[sp.Basic] = frozenset()
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -104,15 +105,23 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
     for chain in read.chains:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
         given = [_is_worked_out(node) for node in chain.members]
-        found = [replace(s, worked_out=w) for s, w in zip(found, pairwise(given), strict=True)]
+        letters = map(_list_letters, pairwise(chain.members))
+        found = [
+            replace(sign, worked_out=is_not, printed=printed)
+            for sign, is_not, printed in zip(found, pairwise(given), letters, strict=True)
+        ]
         _note_others(name, found, known)
         signs += found
     for sign in signs:
         if sign.role is Role.CONSTRAINT:
             known.constrained.update(*(side.free_symbols for side in sign.sides))
     for chain in read.chains:
-        known.met.update({part.symbol for part in walk(chain) if isinstance(part, Letter)})
+        known.met.update(_list_letters(chain))
     return signs
+
+
+def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
+    return frozenset(part.symbol for part in walk(nodes) if isinstance(part, Letter))
 
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:

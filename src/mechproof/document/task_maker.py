@@ -118,10 +118,12 @@ class TaskMaker:
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
-        if task.is_solution and not isinstance(sign.sides[0], sp.MatrixBase):
-            one, other = sign.sides
-            value = other if one == sign.letter else one
-            self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
+        if task.is_solution and sign.letter is not None:
+            own = (sign.letter, self.known.values[sign.letter])
+            value = next((side for side in sign.sides if side not in own), sign.sides[1])
+            if not isinstance(value, sp.MatrixBase):
+                self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
+            task = replace(task, anew=self.known.redefine(sign.letter, value, printed.name))
         for name, value in self.known.list_others(sign.letter):
             if name == printed.name:
                 continue

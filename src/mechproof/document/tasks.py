@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
 
@@ -31,7 +33,8 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce.
+    `said` is what words before it announce. `anew` is what it makes of its letter and of that
+    one's derivatives, where it may be another case; None where nothing is known of one then.
     """
 
     row: Row
@@ -51,6 +54,7 @@ class Task:
     is_case: bool = False
     is_excused: bool = False
     said: Announced = NOTHING
+    anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
 
     @property
     def is_rounded(self) -> bool:

@@ -1,0 +1,108 @@
+"""Rows behind a newer print of a letter, which may be of another case.
+
+It is not known which of the prints they mean. A verdict stands if both prints give it. What holds
+by the newer print alone is proved where words tell of a consequence; else it is left open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.judging import Key, open_tasks
+from mechproof.document.tasks import Task
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.verdict import Judgement, State, Verdict
+from mechproof.record import Paper, RecordError
+from mechproof.record.statements import list_parts
+from mechproof.tools.processes import run_tasks
+
+_CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
+
+
+def compare_newer_prints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again what rests on a letter that was printed anew before, and differs there."""
+    asked = []
+    for n, task in enumerate(tasks):
+        newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
+        used = _list_used(task.paper, _list_printed(task)) if newer else set[sp.Basic]()
+        newer = _list_last([m for m in newer if used & tasks[m].anew.keys()], tasks)
+        is_said = task.is_claimed or task.follows
+        if newer and rows[n].outcome in _CERTAIN and not is_said:
+            asked.append((key, n, tuple(newer)))
+    for place, answer in run_tasks(judge_anew, asked, limit=limit):
+        _, n, newer = asked[place]
+        found = answer if isinstance(answer, Judgement) else None
+        names = ", ".join(tasks[m].row.number for m in newer)
+        if chosen := _choose(tasks[n], rows[n], found, names):
+            yield n, make_row(tasks[n], chosen)
+
+
+def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
+    """Leave out prints of letters that are printed anew once more."""
+    last = {symbol: m for m in newer for symbol in tasks[m].anew}
+    return sorted({*last.values()})
+
+
+def _choose(
+    task: Task, row: CheckedRow, found: Judgement | None, names: str
+) -> Judgement | str | None:
+    """Return what is said of a row instead of its verdict, None if that stands."""
+    is_proved = row.outcome == Verdict.PROVED.value
+    # What is printed just so is found to define the letter.
+    is_same = found is not None and found.verdict is Verdict.DEFINITION and is_proved
+    if is_same or (found and found.verdict == row.outcome):
+        return None
+    if found and found.verdict is Verdict.PROVED and not task.said.is_new:
+        return replace(found, reason=f"{found.reason}, by {names}")
+    first = "it holds" if is_proved else "it differs"
+    return f"{first} with the first print of a letter that {names} prints anew: which is meant?"
+
+
+def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+    """Judge a row by the newer prints of letters, or say why not."""
+    key, number, newer = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    anew: dict[sp.Basic, Any] = {}
+    for m in newer:
+        anew |= tasks[m].anew
+    stated = {
+        s for part in list_parts(task.row.statement) for s in _list_letters(vars(part).values())
+    }
+    if not _list_used(task.paper, stated) & anew.keys():
+        return "the value of the first print is put in"
+    variables = tuple(
+        replace(v, given=anew[v.symbol]) if v.symbol in anew else v for v in task.paper.variables
+    )
+    try:
+        return judge(task.row, replace(task.paper, variables=variables))
+    except (RecordError, ContradictionError) as error:
+        return str(error)
+
+
+def _list_printed(task: Task) -> set[sp.Basic]:
+    parts = list_parts(task.row.statement)
+    stated = (value for part in parts for value in vars(part).values())
+    return _list_letters((*task.sign.sides, *stated)) | task.sign.printed
+
+
+def _list_letters(values: Any) -> set[sp.Basic]:
+    return {s for value in values for s in getattr(value, "free_symbols", ())}
+
+
+def _list_used(paper: Paper, letters: set[sp.Basic]) -> set[sp.Basic]:
+    """Return letters and those that give them."""
+    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    used, new = set[sp.Basic](), letters
+    while new:
+        used |= new
+        new = _list_letters(given[s] for s in new if s in given) - used
+    return used
