@@ -247,6 +247,10 @@ def test_what_is_announced_goes_on_until_other_words() -> None:
         "Anticlockwise",
     ):
         assert first.go_on(words).turns == 1
+    assert first.go_on(" with ").is_clause
+    assert not first.go_on("The crank turns with it.").is_clause
+    assert first.go_on("Hence in general").is_general
+    assert first.go_on(r"\section{Cams} Hence").subjects == 1
     case = first.go_on("In the other case, with small angles,")
     flags = case.is_case, case.is_special, case.is_new, case.is_equating, case.is_position
     assert flags == (True, True, True, True, False)

@@ -27,6 +27,7 @@ VARIABLES = (
     *(Variable(s, "", latex=(str(s),)) for s in (x, y, A, B)),
     *(Variable(s, "", LENGTH, POSITIVE, latex=(str(s),)) for s in (h, m)),
     *(Variable(s, "", LENGTH, latex=(str(s),)) for s in (u, v)),
+    *(Variable(s, "", within=POSITIVE, latex=(str(s),)) for s in sp.symbols("l g", positive=True)),
     Variable(J, "", LENGTH, given=sp.ImmutableMatrix([[h, m], [m, -h]]), latex=("J",)),
     Variable(p, "", given=sp.ImmutableMatrix([x, 2 * x]), latex=("p",)),
     Variable(sp.Symbol("q", real=True), "", given=sp.Rational(1, 3), latex=("q",)),
@@ -48,6 +49,8 @@ def judge_print(latex: str, **declared: Any) -> list[Verdict]:
         *((r"\sin(-20^\circ)=-0.34", TRUE), (r"\sin(-20^\circ)=0.34", FALSE)),
         *((r"\frac12=0.5", TRUE), (r"\frac12=0.52", FALSE), ("q=0.333", TRUE), ("q=0.334", FALSE)),
         *((r"\frac13=0", FALSE), ("x=0.5x", FALSE)),
+        # Side by side, but in arguments of their own: no function lg.
+        *((r"\frac lg=l/g", TRUE), (r"\frac lg=g/l", FALSE), (r"\frac hlm=hm/l", TRUE)),
         # Rows and columns.
         (r"2p=(2x, 4x)", TRUE),
         (r"2p=(2x, 2x)", FALSE),

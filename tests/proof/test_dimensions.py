@@ -35,6 +35,7 @@ RIGHT = {
     "angle of two lengths": (sp.atan2(a, b), NUMBER),
     "sum of squares": (sp.Sum(q[i] ** 2, (i, 1, n)), LENGTH**2),
     "distance by integral": (sp.Integral(v, (t, 0, t)), LENGTH),
+    "integral from a place to itself": (sp.Integral(v, (t, 0, 0)), None),
     "product without unit": (sp.sin(w * t) + a / b, NUMBER),
     "zero fits all": (sp.Integer(0), None),
     "largest": (sp.Max(a, b), LENGTH),

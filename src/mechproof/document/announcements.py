@@ -37,6 +37,7 @@ _POSITION = re.compile(
 # What may make letters equal that are none.
 _EQUATING = re.compile(
     r"\bfor an? \w+|\b(?:coincide|vanish|aligned|collinear|in line)\b|\bare equal\b(?! to\b)"
+    r"|\bin an? \w+ (?:one|case|impact|collision)\b"
     r"|\bf\xfcr (?:ein|eine|einen)\b|\b(?:zusammenfallen|fallen zusammen|sind gleich|fluchten)\b"
     r"|\bpour une?\b|\bco\xefncident|совпадают",
     re.IGNORECASE,
@@ -58,6 +59,7 @@ _TURNING = re.compile(
     r"|(?<!против )часовой|противополож|обратн|\b(?:теперь|впредь)\b",
     re.IGNORECASE,
 )
+_CLAUSE = re.compile(r"[\s.,;]*(?:where|with|in which|wobei|mit|avec|o\xf9|где)\b", re.IGNORECASE)
 _WHERE = re.compile(r"[\s.,;]*(?:where|in which|wobei|o\xf9|где)\b[^.;]*", re.IGNORECASE)
 # What tells that a display follows from those before it, or says the same.
 _CONSEQUENCE = re.compile(
@@ -72,9 +74,17 @@ _CONSEQUENCE = re.compile(
 )
 # Behind a heading nothing follows.
 _HEADING = re.compile(r"\\(?:chapter|(?:sub)*section|paragraph)(?![A-Za-z])")
+# What goes on to something else, as a heading does.
+_CONTRAST = re.compile(
+    r"\bin contrast\b|\bon the other hand\b|\bin place of\b|\b(?:whereas|instead|unlike|next)\b"
+    r"|\b(?:of|in) fig(?:ure\b|\.)"
+    r"|\b(?:dagegen|hingegen|anstelle)\b|\ben revanche\b|\bв отличие\b",
+    re.IGNORECASE,
+)
 # What is said of all cases.
 _GENERAL = re.compile(
-    r"\b(?:in general|generally|in every case|in all cases)\b|\bim allgemeinen\b"
+    r"\b(?:in general|generally|in every case|in all cases|otherwise|elsewhere)\b"
+    r"|\boutside (?:this|these|that)\b|\bim allgemeinen\b"
     r"|\ben g\xe9n\xe9ral\b|\bв общем\b",
     re.IGNORECASE,
 )
@@ -89,43 +99,56 @@ _JOINING = frozenset(("and", "und", "et", "as", "well"))
 class Announced:
     """What is announced of a display: another case or a special one, or that it says something new.
 
+    `is_clause` tells that the sentence goes on and says what letters mean.
     `is_position` tells that it may hold at a special position only, or while something is held,
     `is_equating` that letters may be equal there that are others elsewhere, `is_general` that it
     holds in all cases.
     `passage` counts the passages of prose so far, `scope` is the last one that says something new,
-    `turns` counts those with words that turn the sense in which something is counted, or go on to
-    another arrangement.
+    or may be special, `turns` counts those with words that turn the sense in which something is
+    counted, or go on to another arrangement, `subjects` those that go on to something else.
     """
 
     is_case: bool = False
     is_special: bool = False
     is_new: bool = False
+    is_clause: bool = False
     is_position: bool = False
     is_equating: bool = False
     is_general: bool = False
     passage: int = 0
     scope: int = 0
     turns: int = 0
+    subjects: int = 0
+
+    def is_apart(self, other: Announced) -> bool:
+        """Return whether words stand between that go on to something else, or turn a sense."""
+        return (self.turns, self.subjects) != (other.turns, other.subjects)
 
     def go_on(self, words: str) -> Announced:
         """Return what is announced of the next display; without words of its own as before."""
         said = _WHERE.match(words) if self.passage else None
         turns = self.turns + bool(_TURNING.search(words, said.end() if said else 0))
+        is_other = bool(_HEADING.search(words))
+        subjects = self.subjects + (is_other or bool(_CONTRAST.search(words)))
         if not _has_prose(words):
-            return replace(self, turns=turns)
+            return replace(self, turns=turns, subjects=subjects)
         near = words[-_NEAR:]
-        is_new = bool(_HEADING.search(words)) or not _CONSEQUENCE.search(words)
+        is_new = is_other or not _CONSEQUENCE.search(words)
         is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
+        is_equating = is_special or is_position or bool(_EQUATING.search(near))
+        is_general = bool(_GENERAL.search(near))
         return Announced(
             is_case=bool(_ALTERNATIVE.search(near)),
             is_special=is_special,
             is_new=is_new,
+            is_clause=bool(_CLAUSE.match(words)),
             is_position=is_position,
-            is_equating=is_special or is_position or bool(_EQUATING.search(near)),
-            is_general=bool(_GENERAL.search(near)),
+            is_equating=is_equating,
+            is_general=is_general,
             passage=self.passage + 1,
-            scope=self.passage + 1 if is_new else self.scope,
+            scope=self.passage + 1 if is_new or is_equating or is_general else self.scope,
             turns=turns,
+            subjects=subjects,
         )
 
 

@@ -10,13 +10,15 @@ from mechproof.arguments.scalars import check_function, check_number, check_text
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
 from mechproof.document.consequences import GIVEN
 from mechproof.document.constrained_rows import (
-    doubt_by_letters,
-    doubt_by_positions,
     excuse_by_constraints,
-    find_contradictions,
     find_misprints,
     follow_from_constraints,
     solve_constraints,
+)
+from mechproof.document.doubts import (
+    doubt_by_letters,
+    doubt_by_positions,
+    find_contradictions,
 )
 from mechproof.document.judging import (
     COMPARED,

@@ -5,24 +5,22 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-import sympy as sp
-
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
+from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
 from mechproof.document.judging import (
-    WITH_DEFINITIONS,
     Key,
-    holds_alone,
     judge_beside,
     judge_excused,
     judge_misprint,
     judge_roots,
 )
 from mechproof.document.roles import CONSTRAINING, Role
+from mechproof.document.scope_of_constraints import is_plain, is_turned, list_holding
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
-from mechproof.record import Conjunction, Definition, Equality
+from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import WorkerError, run_tasks
 
 # How rows follow from constraints.
@@ -38,8 +36,7 @@ def follow_from_constraints(
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        before = [g for g in given if g < n and _may_hold_for(tasks[g], task)]
-        common = [g for g in before if _have_common(tasks[g], task)]
+        common = [g for g in list_holding(given, n, tasks) if _have_common(tasks[g], task)]
         if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
             numbers.append((key, n, tuple(common)))
     for place, found in run_tasks(judge_beside, numbers, limit=limit):
@@ -139,7 +136,7 @@ def find_misprints(
         others = {one for pair in pairs if n in pair for one in pair} - {n}
         names = ", ".join(tasks[other].row.number for other in sorted(others))
         said = f": {accused[n].reason}" if n in accused else ""
-        contradicts = f"{_tell_contradiction(names)}{said}"
+        contradicts = f"{tell_contradiction(names)}{said}"
         if n in refuted or n not in wrong.values():
             yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
     for m, n in wrong.items():
@@ -170,102 +167,15 @@ def _ask_definitions(
         (n, m)
         for n in accused
         for m, one in enumerate(tasks)
-        if _is_turned(one, tasks[n]) and _defines(one, _list_used(tasks[n], tasks))
+        if is_turned(one, tasks[n]) and defines(one, list_used(tasks[n], tasks))
     ]
     return [(n, m) for n, m in later if m not in wrong] + turned, wrong
 
 
-def find_contradictions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
-    """Accuse neither what is never true beside a definition after it, nor that definition.
-
-    The same is true of any definition, if words before the row announce no consequence, or turn a
-    sense.
-    """
-    for n, task in enumerate(tasks):
-        is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
-        letters = _list_printed(task) if is_beside else set[sp.Basic]()
-        is_new = task.said.is_new
-        others = [m for m, one in enumerate(tasks) if m > n or is_new or _is_turned(one, task)]
-        others = [m for m in others if _defines(tasks[m], letters)]
-        if names := ", ".join(tasks[m].row.number for m in others):
-            yield n, make_row(task, _tell_contradiction(names))
-        for m in others:
-            yield m, make_row(tasks[m], _tell_contradiction(task.row.number))
-
-
-def doubt_by_letters(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
-    """Refute no row by a letter whose definition another print contradicts, or is said of a case.
-
-    `contested` are the misprints, and the rows that contradict each other.
-    """
-    doubted = [
-        tasks[n]
-        for n, row in sorted(contested.items())
-        if tasks[n].sign.role is Role.DEFINITION
-        and (row.state is State.NOT_JUDGED or _is_refuted(row))
-    ]
-    special = [one for one in tasks if one.said.is_special]
-    for n, task in enumerate(tasks):
-        letters = _list_used(task, tasks) if _is_refuted(rows[n]) else ()
-        of_cases = [] if task.said.is_special else special
-        for others, why in ((doubted, "may be wrong itself"), (of_cases, "is said of a case")):
-            defining = (one for one in others if one is not task and _defines(one, letters))
-            if names := ", ".join(one.row.number for one in defining):
-                yield n, make_row(task, f"it differs, but rests on {names}, which {why}")
-                break
-
-
-def doubt_by_positions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
-    """Prove no row by definitions that are said of several positions, unless it needs none."""
-    placed = [one for one in tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
-    for n, task in enumerate(tasks):
-        is_proved = rows[n].outcome == Verdict.PROVED.value
-        letters = _list_used(task, tasks) if is_proved and len(placed) > 1 else ()
-        used = [one for one in placed if one is not task and _defines(one, letters)]
-        if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
-            names = ", ".join(one.row.number for one in used)
-            reason = f"it holds if {names} hold together: are they said of one case?"
-            yield n, make_row(task, reason)
-
-
-def _is_refuted(row: CheckedRow) -> bool:
-    return row.outcome == Verdict.REFUTED.value
-
-
-def _list_printed(task: Task) -> set[sp.Basic]:
-    """Return the letters that stand on the sides of a row."""
-    says = task.row.says
-    sides = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
-    return {s for side in sides for s in getattr(side, "free_symbols", ())}
-
-
-def _list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
-    """Return the letters of a row, and of what defines them."""
-    letters, before = _list_printed(task), set[sp.Basic]()
-    while letters != before:
-        before = letters
-        letters = letters.union(*(_list_printed(one) for one in tasks if _defines(one, letters)))
-    return letters
-
-
-def _defines(task: Task, letters: Collection[sp.Basic]) -> bool:
-    return task.sign.role is Role.DEFINITION and task.sign.letter in letters
-
-
-def _tell_contradiction(names: str) -> str:
-    return f"it and {names} contradict each other: one is wrong, or of another case"
-
-
 def _restates(task: Task, other: Task) -> bool:
     """Return whether a row is about the same letters as the definition of one of them."""
-    letters = _list_printed(task)
-    return _defines(other, letters) and _list_printed(other) == letters
+    letters = list_printed(task)
+    return defines(other, letters) and list_printed(other) == letters
 
 
 def _accuse(
@@ -282,38 +192,10 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     It is announced as another case, words between them turn a sense, or it comes later and is an
     equation such as a = b + pi.
     """
-    is_plain = (other > number or tasks[other].said.is_equating) and _is_plain(tasks[other])
-    is_other = tasks[other].is_case or _is_turned(tasks[other], tasks[number])
-    return is_plain or is_other or tasks[other].sign.role is Role.SOLUTIONS
-
-
-def _may_hold_for(given: Task, task: Task) -> bool:
-    """Return whether a constraint is said of what a row is about, as far as words tell.
-
-    A special position is left with the next passage that says something new.
-    """
-    is_special = given.said.is_equating or task.said.is_general
-    is_left = given.said.is_position or (is_special and _is_plain(given))
-    is_left &= given.said.scope != task.said.scope
-    return not (is_left or _is_turned(given, task))
-
-
-def _is_plain(task: Task) -> bool:
-    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi.
-
-    That may be multiplied by letters.
-    """
-    factors = sp.Mul.make_args(sp.factor_terms(task.residual))
-    return all(_is_term(term) for factor in factors for term in sp.Add.make_args(factor))
-
-
-def _is_term(term: sp.Expr) -> bool:
-    return bool(term.as_coeff_Mul()[1].is_Symbol or term.is_number)
-
-
-def _is_turned(one: Task, other: Task) -> bool:
-    """Return whether words between two rows turn the sense in which something is counted."""
-    return one.said.turns != other.said.turns
+    may_equate = other > number or tasks[other].said.is_equating
+    is_other = tasks[other].is_case or is_turned(tasks[other], tasks[number])
+    is_equal = may_equate and is_plain(tasks[other])
+    return is_equal or is_other or tasks[other].sign.role is Role.SOLUTIONS
 
 
 def _find_needed(

@@ -15,6 +15,7 @@ from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint,
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
+from mechproof.document.scope_of_constraints import list_holding
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
@@ -208,7 +209,8 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     key, number, others = which
     tasks = open_tasks(key)
     task = tasks[number]
-    before = [tasks[other] for other in others if other < number]
+    holding = list_holding([other for other in others if other < number], number, tasks)
+    before = [tasks[other] for other in holding]
     found = find_consequence(task, before) if task.residual is not None else None
     return _replace(task, *found) if found else None
 

@@ -14,11 +14,11 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import Key, open_tasks
+from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError
 from mechproof.proof.verdict import Judgement, State, Verdict
-from mechproof.record import Paper, RecordError
+from mechproof.record import Equality, Paper
 from mechproof.record.statements import list_parts
 from mechproof.tools.processes import run_tasks
 
@@ -38,9 +38,9 @@ def compare_newer_prints(
         if newer and rows[n].outcome in _CERTAIN and not is_said:
             asked.append((key, n, tuple(newer)))
     for place, answer in run_tasks(judge_anew, asked, limit=limit):
-        _, n, newer = asked[place]
+        _, n, before = asked[place]
         found = answer if isinstance(answer, Judgement) else None
-        names = ", ".join(tasks[m].row.number for m in newer)
+        names = ", ".join(tasks[m].row.number for m in before)
         if chosen := _choose(tasks[n], rows[n], found, names):
             yield n, make_row(tasks[n], chosen)
 
@@ -74,6 +74,9 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     anew: dict[sp.Basic, Any] = {}
     for m in newer:
         anew |= tasks[m].anew
+    says, own = task.row.says, anew.get(task.sign.letter)
+    if task.sign.role is Role.DERIVATIVE and isinstance(says, Equality) and own is not None:
+        return judge(replace(task.row, says=replace(says, rebuilt=own)), task.paper)
     stated = {
         s for part in list_parts(task.row.statement) for s in _list_letters(vars(part).values())
     }
@@ -82,10 +85,7 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     variables = tuple(
         replace(v, given=anew[v.symbol]) if v.symbol in anew else v for v in task.paper.variables
     )
-    try:
-        return judge(task.row, replace(task.paper, variables=variables))
-    except (RecordError, ContradictionError) as error:
-        return str(error)
+    return judge(task.row, replace(task.paper, variables=variables))
 
 
 def _list_printed(task: Task) -> set[sp.Basic]:

@@ -244,7 +244,7 @@ class TaskMaker:
             return False
         first = next((one for one in self.printed if one.name == sign.first), None)
         said = printed.announced
-        if first is not None and first.announced.turns != said.turns:
+        if first is not None and first.announced.is_apart(said):
             return True
         if sign.letter is None or self.known.is_derived(sign.letter):
             return said.is_special

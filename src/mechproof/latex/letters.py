@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -117,16 +118,19 @@ def read_letter(parser: Parser, match: Match | None) -> Node:
 
 def _refuse_italics(parser: Parser) -> None:
     """Refuse letters side by side that begin like a function."""
-    word = _WORD.match(parser.source.latex, parser.start)
-    if word is None or parser.text != word[0][0]:
+    found = _WORD.match(parser.source.latex, parser.start)
+    if found is None or parser.text != found[0][0]:
         return
-    if word[0] in ITALICS:
+    # The letters of \frac lg stand in arguments of their own.
+    tokens = zip(parser.tokens[parser.place :], found[0], strict=False)
+    word = "".join(letter for _, letter in takewhile(lambda one: one[0].text == one[1], tokens))
+    if word in ITALICS:
         raise parser.refuse(
-            f"{word[0]} in italics: a word or a product?",
-            rf"Print \text{{ {word[0]} }}, or \cdot between the letters.",
+            f"{word} in italics: a word or a product?",
+            rf"Print \text{{ {word} }}, or \cdot between the letters.",
         )
-    lengths = range(len(word[0]), 1, -1)
-    begun = (word[0][:n] for n in lengths if rf"\{word[0][:n]}" in parser.functions)
+    lengths = range(len(word), 1, -1)
+    begun = (word[:n] for n in lengths if rf"\{word[:n]}" in parser.functions)
     if name := next(begun, ""):
         raise parser.refuse(
             f"{name} in italics: a function or a product?",

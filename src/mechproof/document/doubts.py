@@ -1,0 +1,114 @@
+"""Verdicts that are doubted: by letters that may be wrong, of another case, or of several ones."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
+from mechproof.document.roles import Role
+from mechproof.document.scope_of_constraints import is_turned
+from mechproof.document.tasks import Task
+from mechproof.proof.verdict import State, Verdict
+from mechproof.record import Definition
+
+
+def find_contradictions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse neither what is never true beside a definition after it, nor that definition.
+
+    The same is true of any definition, if words before the row announce no consequence, or turn a
+    sense.
+    """
+    for n, task in enumerate(tasks):
+        is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
+        letters = list_printed(task) if is_beside else set[sp.Basic]()
+        is_new = task.said.is_new
+        others = [m for m, one in enumerate(tasks) if m > n or is_new or is_turned(one, task)]
+        others = [m for m in others if defines(tasks[m], letters)]
+        if names := ", ".join(tasks[m].row.number for m in others):
+            yield n, make_row(task, tell_contradiction(names))
+        for m in others:
+            yield m, make_row(tasks[m], tell_contradiction(task.row.number))
+
+
+def doubt_by_letters(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Refute no row by a letter whose definition may be wrong, or said of a case only.
+
+    It is said of a case perhaps if it is printed later; no condition is proved by such, either.
+    `contested` are the misprints, and the rows that contradict each other.
+    """
+    doubted = [
+        tasks[n]
+        for n, row in sorted(contested.items())
+        if tasks[n].sign.role is Role.DEFINITION
+        and (row.state is State.NOT_JUDGED or _is_refuted(row))
+    ]
+    special = [one for one in tasks if one.said.is_special]
+    for n, task in enumerate(tasks):
+        is_condition = task.sign.role is Role.RELATION and rows[n].outcome == Verdict.PROVED.value
+        letters = list_used(task, tasks) if _is_refuted(rows[n]) or is_condition else ()
+        of_cases = [] if task.said.is_special else special
+        behind = [one for one in tasks[n + 1 :] if one.said.passage > task.said.passage]
+        later = [one for one in behind if one.said.is_new and not one.said.is_clause]
+        groups = (
+            (doubted, "may be wrong itself"),
+            (of_cases, "is said of a case"),
+            (later, "is printed later, perhaps of a case"),
+        )
+        for others, why in groups:
+            defining = (one for one in others if one is not task and defines(one, letters))
+            if names := ", ".join(one.row.number for one in defining):
+                first = "it holds" if is_condition else "it differs"
+                yield n, make_row(task, f"{first}, but rests on {names}, which {why}")
+                break
+
+
+def doubt_by_positions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Prove no row by definitions that are said of several positions, unless it needs none."""
+    placed = [one for one in tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
+    for n, task in enumerate(tasks):
+        is_proved = rows[n].outcome == Verdict.PROVED.value
+        letters = list_used(task, tasks) if is_proved and len(placed) > 1 else ()
+        used = [one for one in placed if one is not task and defines(one, letters)]
+        if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
+            names = ", ".join(one.row.number for one in used)
+            reason = f"it holds if {names} hold together: are they said of one case?"
+            yield n, make_row(task, reason)
+
+
+def _is_refuted(row: CheckedRow) -> bool:
+    return row.outcome == Verdict.REFUTED.value
+
+
+def list_printed(task: Task) -> set[sp.Basic]:
+    """Return the letters that stand on the sides of a row."""
+    says = task.row.says
+    sides = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
+    return {s for side in sides for s in getattr(side, "free_symbols", ())}
+
+
+def list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
+    """Return the letters of a row, and of what defines them."""
+    letters, before = list_printed(task) | task.sign.printed, set[sp.Basic]()
+    while letters != before:
+        before = letters
+        letters = letters.union(*(list_printed(one) for one in tasks if defines(one, letters)))
+    return letters
+
+
+def defines(task: Task, letters: Collection[sp.Basic]) -> bool:
+    """Return whether a row defines one of some letters."""
+    return task.sign.role is Role.DEFINITION and task.sign.letter in letters
+
+
+def tell_contradiction(names: str) -> str:
+    """Say that a row and others cannot both be true of one case."""
+    return f"it and {names} contradict each other: one is wrong, or of another case"

@@ -1,0 +1,69 @@
+"""Which constraints are said of what a row is about, as far as words tell.
+
+What makes letters equal at a special position is left with the next words that say something new.
+What is printed again with other signs, behind other words, holds instead of the first print.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from mechproof.document.tasks import Task
+
+
+def list_holding(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
+    """List the constraints before a row that hold for it."""
+    before = [g for g in given if g < number and _may_hold_for(tasks[g], tasks[number])]
+    return _leave_out_restated(before, tasks)
+
+
+def is_turned(one: Task, other: Task) -> bool:
+    """Return whether words between two rows turn the sense in which something is counted."""
+    return one.said.turns != other.said.turns
+
+
+def _may_hold_for(given: Task, task: Task) -> bool:
+    """Return whether a constraint is said of what a row is about, as far as words tell.
+
+    A special position is left with the next passage that says something new.
+    """
+    is_special = given.said.is_equating or task.said.is_general
+    is_left = given.said.is_position or (is_special and is_plain(given))
+    is_left &= given.said.scope != task.said.scope
+    return not (is_left or is_turned(given, task))
+
+
+def _leave_out_restated(given: Sequence[int], tasks: Sequence[Task]) -> list[int]:
+    """Leave out constraints that are printed again behind other words, with other signs."""
+    terms = [_list_terms(tasks[g]) for g in given]
+    return [
+        g
+        for place, g in enumerate(given)
+        if not any(
+            terms[place] == own and tasks[g].said.passage != tasks[later].said.passage
+            for later, own in zip(given[place + 1 :], terms[place + 1 :], strict=True)
+        )
+    ]
+
+
+def _list_terms(task: Task) -> frozenset[sp.Expr]:
+    """Return the terms of a constraint but for their signs."""
+    terms = sp.Add.make_args(sp.expand(task.residual))
+    return frozenset(-t if t.could_extract_minus_sign() else t for t in terms)
+
+
+def is_plain(task: Task) -> bool:
+    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi.
+
+    That may be multiplied by letters.
+    """
+    one, other = task.sign.sides
+    is_printed = isinstance(one, sp.Expr) and isinstance(other, sp.Expr)
+    factors = sp.Mul.make_args(sp.factor_terms(one - other if is_printed else task.residual))
+    return all(_is_term(term) for factor in factors for term in sp.Add.make_args(factor))
+
+
+def _is_term(term: sp.Expr) -> bool:
+    return bool(term.as_coeff_Mul()[1].is_Symbol or term.is_number)

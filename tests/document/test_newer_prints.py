@@ -1,0 +1,169 @@
+"""Letters printed anew, special values and constraints of other cases: what rests on which."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% k ; k_1 ; k_2 : stiffness [N/mm] {k_1>0, k_2>0}
+%% m : mass [kg] {m>0}
+%% \omega : frequency
+%% r_1 ; r_2 ; s ; l ; x ; a ; b ; c : lengths [mm] {r_1>0, l>0, a>0}
+%% A : area [mm^2]
+%% v ; u : velocities
+%% \omega_1 ; \omega_2 : speeds [rad/s]
+%% F ; G ; N ; R : forces [N] {G>0, N>0}
+%% \mu : friction [1] {0<\mu<1}
+%% \alpha ; \psi : angles [rad]
+%% T : torque [N*mm]
+%% M(x) : moment [N*mm]
+%% R_z 2x2 : rotation
+%% y(t) : position [mm]
+%% \varphi(t) : angle [rad]
+%% factor \mu, a, F
+%% end
+"""
+PARALLEL = ("#Two springs in parallel have the stiffness", "k=k_1+k_2", "#and the frequency is")
+SERIES = (r"\omega=\sqrt{k/m}", "#Two springs in series have", r"k=\frac{k_1k_2}{k_1+k_2}")
+IN_SERIES = r"\omega=\sqrt{\frac{k_1k_2}{m(k_1+k_2)}}"
+IN_PARALLEL = r"\omega=\sqrt{\frac{k_1+k_2}m}"
+TURN = r"R_z=\begin{pmatrix}\cos\psi&-\sin\psi\\\sin\psi&\cos\psi\end{pmatrix}"
+BACK = r"R_z=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}"
+FIRST = r"R_z\begin{pmatrix}1\\0\end{pmatrix}=\begin{pmatrix}\cos\psi\\\sin\psi\end{pmatrix}"
+HEXAGON = ("#The area of the hexagonal section is", r"A=\frac{\sqrt3}2s^2")
+PRESSED = ("#The drum turns to the right, and the moments are", r"Fa=Nb-\mu Nc")
+OPEN = "not judged"
+# Displays, with # words before them, and the outcome of the last one.
+PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
+    "hence, with the newer print": ((*PARALLEL, *SERIES, "#Hence", IN_SERIES), "PROVED"),
+    "hence, with the first print": ((*PARALLEL, *SERIES, "#Hence", IN_PARALLEL), OPEN),
+    "new words, with the newer print": (
+        (*PARALLEL, *SERIES, "#The frequency is then", IN_SERIES),
+        OPEN,
+    ),
+    "with neither": ((*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1-k_2}m}"), "REFUTED"),
+    "with both": ((*PARALLEL, *SERIES, "#Hence", r"\omega^2=\frac km"), "PROVED"),
+    "before the newer print": ((*PARALLEL, SERIES[0], "#Hence", IN_PARALLEL), "PROVED"),
+    "the print itself once more": ((*PARALLEL, *SERIES, "#or", "k=k_1+k_2"), "DEFINITION"),
+    "a matrix of the first print": (
+        ("#A turn is", TURN, r"#From here on $\psi$ is counted clockwise:", BACK, "#Thus", FIRST),
+        OPEN,
+    ),
+    "a matrix without another": (("#A turn is", TURN, "#Thus", FIRST), "PROVED"),
+    "a derivative of the first print": (
+        (
+            *("#The pin is at", r"y=a\sin\varphi", "#The pin of the other crank is at"),
+            *(r"y=-a\sin\varphi", "#Therefore", r"\dot y=a\dot\varphi\cos\varphi"),
+        ),
+        OPEN,
+    ),
+    "a derivative of the newer print": (
+        (
+            *("#The pin is at", r"y=a\sin\varphi", "#The pin of the other crank is at"),
+            *(r"y=-a\sin\varphi", "#Therefore", r"\dot y=-a\dot\varphi\cos\varphi"),
+        ),
+        "PROVED",
+    ),
+    "a square is no word of a consequence": ((*HEXAGON, "#The square bar has", "A=s^2"), OPEN),
+    "nor is a heading": ((*HEXAGON, r"#\section{Square bar}", "#Hence", "A=s^2"), OPEN),
+    "nor what leads to the next": ((*HEXAGON, "#The next bar is square. Thus", "A=s^2"), OPEN),
+    "but squaring is": ((*HEXAGON, "#Squaring it we get", "A=s^2"), "REFUTED"),
+    "a contrast": (
+        (*HEXAGON, "#The round bar, in contrast, has", r"T=F s", "#so that", r"A=\pi s^2"),
+        OPEN,
+    ),
+}
+
+
+# What a special value, a limit or another arrangement behind a row says nothing of.
+SPECIAL: dict[str, tuple[tuple[str, ...], int, str]] = {
+    "a value at a place does not accuse what stands before it": (
+        (
+            *("#Equilibrium requires", r"Fl\sin\alpha=\frac{Gl}2\cos\alpha"),
+            *(r"#At $\alpha=45^\circ$ the thrust is half the weight,", r"F=\frac G2"),
+        ),
+        0,
+        OPEN,
+    ),
+    "a law of another beam": (
+        (
+            *("#The moment below the load is", r"M(a)=\frac{Fa(l-a)}l"),
+            *("#If the beam is clamped on the left,", "M=-F(l-x)"),
+        ),
+        0,
+        OPEN,
+    ),
+    "what letters mean proves": (
+        ("#The area is", r"A=\frac{\pi s^2}4", "#that is", r"A=\pi l^2", "#with", "s=2l"),
+        1,
+        "PROVED",
+    ),
+    "a condition and its limit": (
+        ("#As long as it rests,", r"R<\mu N", "#At the limit of adhesion", r"R=\mu N"),
+        0,
+        OPEN,
+    ),
+    "a condition that the limit makes true": (
+        ("#As long as it rests,", r"R\ge\mu N", "#At the limit of adhesion", r"R=\mu N"),
+        0,
+        OPEN,
+    ),
+    "what is printed again with another sign holds instead": (
+        (
+            *PRESSED,
+            *("#so that", r"T=\mu Nr_1", "#If the drum turns to the left,", r"Fa=Nb+\mu Nc"),
+            *("#and hence", r"T=\frac{\mu Far_1}{b-\mu c}"),
+        ),
+        -1,
+        OPEN,
+    ),
+    "without another sign": (
+        (*PRESSED, "#so that", r"T=\mu Nr_1", "#and hence", r"T=\frac{\mu Far_1}{b-\mu c}"),
+        -1,
+        "PROVED",
+    ),
+    "teeth inside": (
+        (
+            *("#With external teeth we have", r"r_1\omega_1+r_2\omega_2=0"),
+            *("#With internal teeth", r"r_1\omega_1-r_2\omega_2=0", "#so that"),
+            r"\frac{\omega_2}{\omega_1}=-\frac{r_1}{r_2}",
+        ),
+        -1,
+        "DEFINITION",
+    ),
+    "what is said in general follows from no special case": (
+        ("#In a plastic impact", "u=v", "#In general", r"\frac{u-v}s=5(v-u)"),
+        -1,
+        "DEFINITION",
+    ),
+    "what follows from a special case": (
+        ("#In a plastic impact", "u=v", "#so that", r"\frac{u-v}s=5(v-u)"),
+        -1,
+        "PROVED",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SPECIAL)
+def test_a_case_says_nothing_of_others(name: str) -> None:
+    parts, place, expected = SPECIAL[name]
+    assert judge(*parts)[place] == expected
+
+
+def judge(*parts: str) -> list[str]:
+    """Return the outcomes of displays; what begins with # are words before the next one."""
+    shown = (
+        f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
+        for part in parts
+    )
+    return [row.outcome for row in check("paper.tex", BLOCK + "".join(shown)).rows]
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_no_verdict_rests_on_the_first_print_alone(name: str) -> None:
+    parts, expected = PAPERS[name]
+    assert judge(*parts)[-1] == expected
