@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from small_papers import outcomes
 
+from mechproof.document.checking import check
+
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 
@@ -54,6 +56,15 @@ UNITS = {
 def test_numbers_may_have_units(latex: str) -> None:
     block = "%% sizes r=20 mm, l=60 mm, \\alpha=0.5\n"
     assert outcomes(latex, block=block) == UNITS[latex]
+
+
+@pytest.mark.parametrize("words", ["", "For this crank the ratio is", "If the rod is short,"])
+@pytest.mark.parametrize(("number", "outcome"), [("0.333", "PROVED"), ("0.343", "REFUTED")])
+def test_words_excuse_no_number_at_the_sizes(words: str, number: str, outcome: str) -> None:
+    block = "%% mechproof\n%% r ; l : lengths [mm]\n%% \\lambda : ratio\n%% sizes r=20 mm, l=60 mm"
+    display = rf"\begin{{equation}}\lambda=\frac rl={number}\end{{equation}}"
+    text = f"{block}\n%% end\n{words} {display}"
+    assert [row.outcome for row in check("paper.tex", text).rows] == ["DEFINITION", outcome]
 
 
 # Prints, and what becomes of each: an angle and its tangent, a size before its formula.

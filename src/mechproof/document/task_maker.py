@@ -284,7 +284,8 @@ class TaskMaker:
         """
         if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
             return True
-        if isinstance(says, PrintedNumber) and not self.known.settle(says.value).free_symbols:
+        is_number = isinstance(says, PrintedNumber) and sign.role is Role.CONSTRAINT
+        if is_number and not self.known.settle(says.value).free_symbols:
             return not (printed.announced.is_case or printed.announced.is_new)
         if is_listed(printed, self.block.constraints) or sign.role in CONSTRAINING:
             return False
