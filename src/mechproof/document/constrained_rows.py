@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from mechproof.document.applicable_constraints import is_plain, is_turned, list_applicable
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
 from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
@@ -16,7 +17,6 @@ from mechproof.document.judging import (
     judge_roots,
 )
 from mechproof.document.roles import CONSTRAINING, Role
-from mechproof.document.scope_of_constraints import is_plain, is_turned, list_holding
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
@@ -36,7 +36,7 @@ def follow_from_constraints(
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
-        common = [g for g in list_holding(given, n, tasks) if _have_common(tasks[g], task)]
+        common = [g for g in list_applicable(given, n, tasks) if _have_common(tasks[g], task)]
         if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
             numbers.append((key, n, tuple(common)))
     for place, found in run_tasks(judge_beside, numbers, limit=limit):

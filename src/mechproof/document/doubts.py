@@ -6,10 +6,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from mechproof.document.applicable_constraints import is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.roles import Role
-from mechproof.document.scope_of_constraints import is_turned
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import State, Verdict
 from mechproof.record import Definition

@@ -9,13 +9,13 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.document.applicable_constraints import list_applicable
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following
 from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
-from mechproof.document.scope_of_constraints import list_holding
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.solutions import Solutions
 from mechproof.document.sources import read_source
@@ -209,8 +209,7 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     key, number, others = which
     tasks = open_tasks(key)
     task = tasks[number]
-    holding = list_holding([other for other in others if other < number], number, tasks)
-    before = [tasks[other] for other in holding]
+    before = [tasks[other] for other in list_applicable(others, number, tasks)]
     found = find_consequence(task, before) if task.residual is not None else None
     return _replace(task, *found) if found else None
 

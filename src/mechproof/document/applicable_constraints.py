@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.document.tasks import Task
 
 
-def list_holding(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
+def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
     """List the constraints before a row that hold for it."""
     before = [g for g in given if g < number and _may_hold_for(tasks[g], tasks[number])]
     return _leave_out_restated(before, tasks)
