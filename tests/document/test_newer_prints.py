@@ -45,6 +45,12 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
         (*PARALLEL, *SERIES, "#The frequency is then", IN_SERIES),
         OPEN,
     ),
+    "a letter printed again that follows": (
+        (*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1k_2}{k_1m+k_2m}}"),
+        "PROVED",
+    ),
+    "no words between": ((*PARALLEL, *SERIES, IN_SERIES), "PROVED"),
+    "no words between, with the first print": ((*PARALLEL, *SERIES, IN_PARALLEL), OPEN),
     "with neither": ((*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1-k_2}m}"), "REFUTED"),
     "with both": ((*PARALLEL, *SERIES, "#Hence", r"\omega^2=\frac km"), "PROVED"),
     "before the newer print": ((*PARALLEL, SERIES[0], "#Hence", IN_PARALLEL), "PROVED"),

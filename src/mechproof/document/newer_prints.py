@@ -1,7 +1,8 @@
 """Rows behind a newer print of a letter, which may be of another case.
 
 It is not known which of the prints they mean. A verdict stands if both prints give it. What holds
-by the newer print alone is proved where words tell of a consequence; else it is left open.
+by the newer print alone is proved if no words stand between, or those of a consequence; else it is
+left open.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.judging import Key, open_tasks
+from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.proof.judge import judge
@@ -35,14 +36,18 @@ def compare_newer_prints(
         used = _list_used(task.paper, _list_printed(task)) if newer else set[sp.Basic]()
         newer = _list_last([m for m in newer if used & tasks[m].anew.keys()], tasks)
         is_said = task.is_claimed or task.follows
-        if newer and rows[n].outcome in _CERTAIN and not is_said:
+        if newer and _is_compared(task, rows[n]) and not is_said:
             asked.append((key, n, tuple(newer)))
     for place, answer in run_tasks(judge_anew, asked, limit=limit):
         _, n, before = asked[place]
         found = answer if isinstance(answer, Judgement) else None
-        names = ", ".join(tasks[m].row.number for m in before)
-        if chosen := _choose(tasks[n], rows[n], found, names):
+        if chosen := _choose(tasks[n], rows[n], found, [tasks[m] for m in before]):
             yield n, make_row(tasks[n], chosen)
+
+
+def _is_compared(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row has a verdict, or differs from what it is compared with."""
+    return row.outcome in _CERTAIN or (row.state is State.NOT_JUDGED and task.sign.role in COMPARED)
 
 
 def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
@@ -52,7 +57,7 @@ def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
 
 
 def _choose(
-    task: Task, row: CheckedRow, found: Judgement | None, names: str
+    task: Task, row: CheckedRow, found: Judgement | None, newer: Sequence[Task]
 ) -> Judgement | str | None:
     """Return what is said of a row instead of its verdict, None if that stands."""
     is_proved = row.outcome == Verdict.PROVED.value
@@ -60,8 +65,12 @@ def _choose(
     is_same = found is not None and found.verdict is Verdict.DEFINITION and is_proved
     if is_same or (found and found.verdict == row.outcome):
         return None
-    if found and found.verdict is Verdict.PROVED and not task.said.is_new:
+    names = ", ".join(one.row.number for one in newer)
+    goes_on = not task.said.is_new or task.said.passage == newer[-1].said.passage
+    if found and found.verdict is Verdict.PROVED and goes_on:
         return replace(found, reason=f"{found.reason}, by {names}")
+    if row.judgement is None:
+        return None
     first = "it holds" if is_proved else "it differs"
     return f"{first} with the first print of a letter that {names} prints anew: which is meant?"
 
