@@ -51,8 +51,8 @@ def by_larger(one: sp.Symbol, other: sp.Symbol) -> tuple[Chart, ...]:
 
 
 BY_RADII = by_larger(radius, amplitude)
-# The angle by which the circle is met again, and the part of it that a period is. The circle may be
-# shifted either way, but not to the pole, where the track has corners.
+# theta = z*phi is the angle within the periods, 1/z the share that a period has of a turn. The
+# circle may be shifted either way, but not to the pole, where the track has corners.
 PHASE, PERIOD = sp.Symbol("theta", positive=True), sp.Symbol("1/z", positive=True)
 SHIFTED, TURNED = sp.Rational(63, 64), 21
 OFF_POLE = tuple(

@@ -74,6 +74,20 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
         ),
         "PROVED",
     ),
+    "a derivative in which the first print was put": (
+        (
+            *(r"x=a\sin\varphi", "y=b+x", "#The pin of the other crank is at", r"x=-a\sin\varphi"),
+            *("#Therefore", r"\dot y=a\dot\varphi\cos\varphi"),
+        ),
+        OPEN,
+    ),
+    "the last of three prints": (
+        (
+            *(*PARALLEL, *SERIES, "#With levers they have", "k=4k_1+k_2", "#Hence"),
+            r"\omega=\sqrt{\frac{4k_1+k_2}m}",
+        ),
+        "PROVED",
+    ),
     "a square is no word of a consequence": ((*HEXAGON, "#The square bar has", "A=s^2"), OPEN),
     "nor is a heading": ((*HEXAGON, r"#\section{Square bar}", "#Hence", "A=s^2"), OPEN),
     "nor what leads to the next": ((*HEXAGON, "#The next bar is square. Thus", "A=s^2"), OPEN),
@@ -143,6 +157,11 @@ SPECIAL: dict[str, tuple[tuple[str, ...], int, str]] = {
     ),
     "what is said in general follows from no special case": (
         ("#In a plastic impact", "u=v", "#In general", r"\frac{u-v}s=5(v-u)"),
+        -1,
+        "DEFINITION",
+    ),
+    "a special case written as a ratio": (
+        ("#In a plastic impact", r"\frac uv=1", "#In general", r"\frac{u-v}s=5(v-u)"),
         -1,
         "DEFINITION",
     ),

@@ -249,7 +249,10 @@ class _Ring:
         return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
 
     def lower_all(self, value: fmpq_mpoly) -> fmpq_mpoly:
-        """Return the rest of a division by all relations, those with others' generators first."""
+        """Return the remainder of the division by all relations.
+
+        Later ones come first: they may hold generators of earlier ones.
+        """
         for power in reversed(self.relations):
             _, value = divmod(value, self.read(power) - self.read(self.relations[power]))
         return value

@@ -34,7 +34,7 @@ _POSITION = re.compile(
     r"|м[её]ртв\w+ (?:точк|положен)|остановлен|заторможен",
     re.IGNORECASE,
 )
-# What may make letters equal that are none.
+# What may make letters equal that are not equal elsewhere.
 _EQUATING = re.compile(
     r"\bfor an? \w+|\b(?:coincide|vanish|aligned|collinear|in line)\b|\bare equal\b(?! to\b)"
     r"|\bin an? \w+ (?:one|case|impact|collision)\b"
@@ -101,7 +101,7 @@ class Announced:
 
     `is_clause` tells that the sentence goes on and says what letters mean.
     `is_position` tells that it may hold at a special position only, or while something is held,
-    `is_equating` that letters may be equal there that are others elsewhere, `is_general` that it
+    `is_equating` that letters that differ elsewhere may be equal there, `is_general` that it
     holds in all cases.
     `passage` counts the passages of prose so far, `scope` is the last one that says something new,
     or may be special, `turns` counts those with words that turn the sense in which something is

@@ -1,7 +1,8 @@
-"""Which constraints are said of what a row is about, as far as words tell.
+"""Which constraints apply to a row, as far as words tell.
 
-What makes letters equal at a special position is left with the next words that say something new.
-What is printed again with other signs, behind other words, holds instead of the first print.
+What makes letters equal at a special position no longer holds after the next words that say
+something new. What is printed again with other signs, behind other words, holds instead of the
+first print.
 """
 
 from __future__ import annotations
@@ -57,11 +58,12 @@ def _list_terms(task: Task) -> frozenset[sp.Expr]:
 def is_plain(task: Task) -> bool:
     """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi.
 
-    That may be multiplied by letters.
+    Both sides may have been multiplied or divided by letters.
     """
     one, other = task.sign.sides
     is_printed = isinstance(one, sp.Expr) and isinstance(other, sp.Expr)
-    factors = sp.Mul.make_args(sp.factor_terms(one - other if is_printed else task.residual))
+    above, _ = sp.fraction(sp.together(one - other if is_printed else task.residual))
+    factors = (f.as_base_exp()[0] for f in sp.Mul.make_args(sp.factor_terms(above)))
     return all(_is_term(term) for factor in factors for term in sp.Add.make_args(factor))
 
 

@@ -149,9 +149,9 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= misprints
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
+        rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
         rows |= dict(doubt_by_letters(tasks, rows, contested))
         rows |= dict(doubt_by_positions(tasks, rows))
-        rows |= dict(compare_newer_prints(key, tasks, rows, limit))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

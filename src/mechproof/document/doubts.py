@@ -1,4 +1,4 @@
-"""Verdicts that are doubted: by letters that may be wrong, of another case, or of several ones."""
+"""Verdicts that are doubted: a definition may be wrong, or of another case, or cases are mixed."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def doubt_by_letters(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Refute no row by a letter whose definition may be wrong, or said of a case only.
 
-    It is said of a case perhaps if it is printed later; no condition is proved by such, either.
+    A definition that is printed later may be of a case; no condition is proved by one, either.
     `contested` are the misprints, and the rows that contradict each other.
     """
     doubted = [
@@ -80,7 +80,7 @@ def doubt_by_positions(
         used = [one for one in placed if one is not task and defines(one, letters)]
         if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
             names = ", ".join(one.row.number for one in used)
-            reason = f"it holds if {names} hold together: are they said of one case?"
+            reason = f"it holds only if {names} hold together: are they said of one case?"
             yield n, make_row(task, reason)
 
 

@@ -32,7 +32,7 @@ class Known:
     which others are made before they are printed, with their values and what prints these.
     `circular` are matrices that were made of what is made of them. `constrained` are letters
     between which constraints are printed, `tied` what is printed of their derivatives. `said` is
-    what words before the equation announce that is being read.
+    what the words before the equation being read announce.
     """
 
     symbols: Symbols
@@ -101,7 +101,10 @@ class Known:
             above = rate
 
     def redefine(self, symbol: sp.Basic, value: Any, name: str) -> Values:
-        """Return what a newer print makes of a letter and its derivatives, None of what none."""
+        """Return what a newer print makes of letters and derivatives, None without a value then.
+
+        Derivatives have the values of letters put in that are not said to move.
+        """
         _, steps = self.symbols.find_steps(symbol)
         own = steps[steps.index(symbol) :]
         values = {s: v for s, v in self.values.items() if s not in own}
@@ -109,7 +112,16 @@ class Known:
         if known.is_shown(symbol, value):
             return {}
         known.define(symbol, value, name)
-        return {s: known.values.get(s) for s in own}
+        resting = [
+            s for s, v in values.items() if not self.is_derived(s) and self.is_shown(symbol, v)
+        ]
+        for letter in resting:
+            _, steps = self.symbols.find_steps(letter)
+            for rate in steps[steps.index(letter) + 1 :]:
+                known.values.pop(rate, None)
+            known.define(letter, values[letter], self.printed[letter])
+        changed = (s for s in self.values if known.values.get(s) != self.values[s])
+        return {s: known.values.get(s) for s in (*own, *changed)}
 
     def is_derived(self, rate: sp.Basic) -> bool:
         """Return whether a derivative is known by that of which it is one, not by a print."""

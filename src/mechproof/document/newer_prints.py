@@ -7,7 +7,7 @@ left open.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -27,16 +27,24 @@ _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
 
 
 def compare_newer_prints(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    contested: Collection[int],
+    limit: float,
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Judge again what rests on a letter that was printed anew before, and differs there."""
+    """Judge again what rests on a letter that was printed anew before, and differs there.
+
+    What is left open because it is `contested` stays so.
+    """
     asked = []
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
         used = _list_used(task.paper, _list_printed(task)) if newer else set[sp.Basic]()
         newer = _list_last([m for m in newer if used & tasks[m].anew.keys()], tasks)
         is_said = task.is_claimed or task.follows
-        if newer and _is_compared(task, rows[n]) and not is_said:
+        is_open = n in contested and rows[n].state is State.NOT_JUDGED
+        if newer and _is_compared(task, rows[n]) and not (is_said or is_open):
             asked.append((key, n, tuple(newer)))
     for place, answer in run_tasks(judge_anew, asked, limit=limit):
         _, n, before = asked[place]
@@ -51,7 +59,7 @@ def _is_compared(task: Task, row: CheckedRow) -> bool:
 
 
 def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
-    """Leave out prints of letters that are printed anew once more."""
+    """Keep the last new print of each letter."""
     last = {symbol: m for m in newer for symbol in tasks[m].anew}
     return sorted({*last.values()})
 
@@ -61,7 +69,7 @@ def _choose(
 ) -> Judgement | str | None:
     """Return what is said of a row instead of its verdict, None if that stands."""
     is_proved = row.outcome == Verdict.PROVED.value
-    # What is printed just so is found to define the letter.
+    # A row that repeats the new print is judged a definition.
     is_same = found is not None and found.verdict is Verdict.DEFINITION and is_proved
     if is_same or (found and found.verdict == row.outcome):
         return None
@@ -72,7 +80,7 @@ def _choose(
     if row.judgement is None:
         return None
     first = "it holds" if is_proved else "it differs"
-    return f"{first} with the first print of a letter that {names} prints anew: which is meant?"
+    return f"{first} with the first definition of what {names} defines anew: which one is meant?"
 
 
 def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:

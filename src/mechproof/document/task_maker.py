@@ -119,8 +119,8 @@ class TaskMaker:
             return task
         others = []
         if task.is_solution and sign.letter is not None:
-            own = (sign.letter, self.known.values[sign.letter])
-            value = next((side for side in sign.sides if side not in own), sign.sides[1])
+            first = (sign.letter, self.known.values[sign.letter])
+            value = next((side for side in sign.sides if side not in first), sign.sides[1])
             if not isinstance(value, sp.MatrixBase):
                 self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
             task = replace(task, anew=self.known.redefine(sign.letter, value, printed.name))
@@ -284,8 +284,8 @@ class TaskMaker:
         """
         if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
             return True
-        is_number = isinstance(says, PrintedNumber) and sign.role is Role.CONSTRAINT
-        if is_number and not self.known.settle(says.value).free_symbols:
+        given = self.known.settle(says.value) if isinstance(says, PrintedNumber) else None
+        if given is not None and sign.role is Role.CONSTRAINT and not given.free_symbols:
             return not (printed.announced.is_case or printed.announced.is_new)
         if is_listed(printed, self.block.constraints) or sign.role in CONSTRAINING:
             return False

@@ -33,8 +33,8 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce. `anew` is what it makes of its letter and of that
-    one's derivatives, where it may be another case; None where nothing is known of one then.
+    `said` is what words before it announce. `anew` are the values of letters and
+    derivatives if it is another case; None for one without a value then.
     """
 
     row: Row

@@ -24,7 +24,7 @@ _ACUTE = sp.Interval.open(0, sp.pi / 2)
 def find_relations(task: Task) -> str:
     """Return relations of letters of which nothing is said, if an equation holds where they do.
 
-    That is that lengths are positive, or angles acute, too.
+    These say that lengths are positive, or angles acute.
     """
     free = Domain.of(task.paper, task.row.on)
     met = sorted(list_letters(task), key=str)

@@ -30,7 +30,7 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
 
 
 def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
-    """List what is repeated, the largest first: none is a part of one behind it."""
+    """List what is repeated, the largest first."""
     values = [value for _, value in evaluation.steps] + list(entries(evaluation.output))
     named = {value for _, value in evaluation.steps}
     seen: Counter[sp.Expr] = Counter()

@@ -200,7 +200,7 @@ def _power(node: sp.Pow, known: Dimensions) -> Dimension | None:
 
 def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
     if isinstance(node, sp.Integral) and any(len({*ends}) < len(ends) for _, *ends in node.limits):
-        # From a place to itself: zero, which has every dimension.
+        # Zero, as both limits are the same; zero fits every dimension.
         return None
     result = infer(node.function, _with_bound(node, known))
     if isinstance(node, sp.Sum) or result is None:

@@ -1,13 +1,15 @@
 """Branches: in, steps that choose by the sign of one of them; out, the steps of either sign.
 
-Where a number and its sign are rounded, either branch may be computed. Both are one function of
-exact numbers, which is shown here, so that each is bounded wherever it may be taken. Of branches
-that differ there is no bound (Goubault and Putot 2013 bound the jump besides).
+Where a number and its sign are rounded, either branch may be computed. In exact arithmetic both are
+the same function; this is proved here, so each branch can be bounded wherever it may be taken.
+Branches that differ get no bound (Goubault and Putot 2013 also bound the jump).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 
@@ -16,16 +18,17 @@ from mechproof.arithmetic.polynomials import is_zero
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.interval_monomials import IntervalMonomial
-from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, keep_needed
+from mechproof.roundoff.steps import CONSTANT, EXACT, Step, StraightLineProgram, keep_needed
 
-CHOICE, TESTS = "choose", ("greater_equal",)
+CHOICE, TEST = "choose", "greater_equal"
 _ROOTS = ("sqrt", "hypot")
+_Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
 _RATIONAL = ("add", "subtract", "multiply", "divide", "fma", "negate", "square")
 
 
 @dataclass(frozen=True)
 class Branch:
-    """Steps without a choice, taken where a result of theirs is not negative, or where it is."""
+    """Steps without a choice, taken where the tested result is not negative, or is negative."""
 
     straight: StraightLineProgram
     tested: str = ""
@@ -47,32 +50,40 @@ class Branch:
         return ~((computed.span.high < 0) & variables.never_vanish(powers))
 
 
+# A stage is asked for its branches more than once, and the proof takes a while.
+@lru_cache(maxsize=64)
 def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
     """List the branches of steps, the steps themselves if they choose nothing.
 
     Raises ValueError for choices by anything but the sign of one result, and for branches that are
     not shown to be one function.
     """
-    if all(step.kind != CHOICE for step in straight.steps):
+    choices = [step for step in straight.steps if step.kind == CHOICE]
+    if not choices:
         return (Branch(straight),)
-    tested = {_find_tested(step) for step in straight.steps if step.kind in TESTS}
+    known = {step.result: step for step in straight.steps if step.kind == TEST}
+    tested = {_find_tested(known.get(str(step.operands[0])), step) for step in choices}
     if len(tested) != 1:
-        raise ValueError(f"chosen by the signs of {', '.join(sorted(tested)) or 'nothing'}")
+        raise ValueError(f"chosen by the signs of {', '.join(sorted(tested))}")
     (by,) = tested
     branches = tuple(Branch(_resolve(straight, by, sign), by, sign) for sign in (False, True))
     _require_equal(*branches)
     return branches
 
 
-def _find_tested(step: Step) -> str:
-    operand, zero = step.operands
+def _find_tested(test: Step | None, choice: Step) -> str:
+    """Return the result by whose sign is chosen; ValueError for another choice."""
+    operand, zero = test.operands if test else ("", None)
     if not isinstance(operand, str) or zero != 0:
-        raise ValueError(f"{step.result}: only a result is compared, with zero")
+        raise ValueError(f"{choice.result}: chosen by anything but the sign of a result")
     return operand
 
 
 def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> StraightLineProgram:
-    """Return the steps of a sign: the size of what has it is that itself, or what it is negated."""
+    """Return the steps of a sign: the absolute value of the tested result is that, or its negative.
+
+    The tested result stays, needed or not.
+    """
     names: dict[Operand, Operand] = {}
     steps = []
     for step in straight.steps:
@@ -83,35 +94,42 @@ def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> Strai
             names[step.result] = by
         elif step.kind == "absolute" and operands == (by,):
             steps.append(Step(step.result, "negate", (by,), EXACT))
-        elif step.kind not in TESTS:
+        elif step.kind != TEST:
             steps.append(replace(step, operands=operands))
     outputs = tuple(names.get(output, output) for output in straight.outputs)
-    return keep_needed(replace(straight, steps=tuple(steps), outputs=outputs))
+    kept = keep_needed(replace(straight, steps=tuple(steps), outputs=(*outputs, by)))
+    return replace(kept, outputs=outputs)
 
 
 def _require_equal(one: Branch, other: Branch) -> None:
-    """Require that exact numbers have the same outputs; ValueError if that is not shown."""
+    """Require the same outputs in exact arithmetic; ValueError if that is not shown."""
     relations: dict[sp.Pow, sp.Expr] = {}
-    known: dict[tuple[str, tuple[sp.Expr, ...]], sp.Symbol] = {}
+    known: _Known = {}
     sides = [_express(branch.straight, relations, known) for branch in (one, other)]
-    for above, below in zip(*sides, strict=True):
-        if not is_zero(above - below, relations):
-            raise ValueError(f"the branches by the sign of {one.tested} are not shown to be equal")
+    try:
+        are_equal = all(is_zero(a - b, relations) for a, b in zip(*sides, strict=True))
+    except sp.PolynomialError:
+        # Of roots of quotients, say.
+        are_equal = False
+    if not are_equal:
+        raise ValueError(f"the branches by the sign of {one.tested} are not shown to be equal")
 
 
 def _express(
     straight: StraightLineProgram,
     relations: dict[sp.Pow, sp.Expr],
-    known: dict[tuple[str, tuple[sp.Expr, ...]], sp.Symbol],
+    known: _Known,
 ) -> list[sp.Expr]:
-    """Return the outputs, roots and other functions being symbols, of which squares are known."""
+    """Return the outputs, with a symbol for each root or other function, and squares of roots."""
     values: dict[Operand, sp.Expr] = {n: sp.Symbol(n) for n in (*straight.inputs, *CONSTANTS)}
 
     def take(operand: Operand) -> sp.Expr:
         return values[operand] if isinstance(operand, str) else sp.Rational(operand)
 
     for step in straight.steps:
-        given = tuple(map(take, step.operands))
+        # The operand of a constant is the number itself.
+        given: tuple[Any, ...] = step.operands
+        given = given if step.kind == CONSTANT else tuple(map(take, given))
         if step.kind in _RATIONAL:
             values[step.result] = SYMBOLIC[step.kind](*given)
             continue

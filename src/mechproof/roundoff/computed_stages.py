@@ -25,7 +25,7 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
-from mechproof.roundoff.branches import Branch, list_branches
+from mechproof.roundoff.branches import CHOICE, Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
@@ -114,7 +114,7 @@ class ComputedStage:
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
-        """Return the steps without choices, for each of these."""
+        """Return the branches, each without choices."""
         return _list_branches(self.straight)
 
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
@@ -142,7 +142,7 @@ class ComputedStage:
     def _find_taken(
         self, branch: Branch, region: ChartRegion, part: Boxes, forced: tuple[int, ...]
     ) -> Array:
-        """Return a positive number where a branch may be taken, zero elsewhere."""
+        """Return 1 where a branch may be taken, 0 elsewhere."""
         (found,) = self._run([branch.test], region, part, forced)
         is_taken = branch.find_taken(found.value(branch.tested))
         return np.broadcast_to(np.where(is_taken, 1.0, 0.0), len(part))
@@ -250,7 +250,8 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
         _check_signs(straight, kernel, form)
         affine = _find_map(kernel.quantity, stage, straight)
         whole = affine.apply() if affine else straight
-        # Of exact numbers all branches are one function.
+        # In exact arithmetic all branches are the same function. Where this one loses digits the
+        # search in long doubles sees a little less; what counts is weighed in balls.
         exact = _list_branches(whole)[0].straight
         yield ComputedStage(kernel, form, stage, WAY, whole, exact, scale, map=affine)
         if kernel.is_shipped:
@@ -273,6 +274,7 @@ def _compile(
     if affine:
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
+    # Refused here, not when a bound is asked for.
     _list_branches(straight)
     computed = flatten_stage(compiled, {})
     return ComputedStage(
@@ -312,6 +314,8 @@ def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -
     """Return the map of an affine stage; ValueError for a shift that is computed."""
     if not stage.affine:
         return None
+    if any(step.kind == CHOICE for step in straight.steps):
+        raise ValueError("a map that chooses")
     names = input_names(quantity)
     points = tuple(names[s] for s in quantity.arguments[0].symbols)
     shift = tuple(map(str, straight.outputs[-len(points) :]))

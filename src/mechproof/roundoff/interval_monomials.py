@@ -33,7 +33,7 @@ class BoxVariables:
     """The variables of one evaluation, the intervals they are in, and which are never negative.
 
     It holds many boxes at once. What is decided differently for some is decided by `choose`:
-    `forced` are the first decisions. Those `nonzero` by their numbers never vanish.
+    `forced` are the first decisions. `nonzero` are the indices of variables that never vanish.
     """
 
     def __init__(

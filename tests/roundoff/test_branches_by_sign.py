@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import sympy as sp
 from derived import paper_of
 
 from mechproof.arithmetic.intervals import Interval
@@ -65,15 +66,14 @@ def test_the_size_of_what_is_tested_is_known_in_either_branch() -> None:
         (change(6, operands=("sum", "q")), "not shown to be equal"),
         (change(2, kind="subtract"), "not shown to be equal"),
         (change(7, operands=("test", "q", "root")), "not shown to be equal"),
-        (change(5, operands=("u", 1)), "compared, with zero"),
-        (replace(ROOT, steps=(*STEPS[:5], *STEPS[6:])), "chosen by the signs of nothing"),
+        (change(3, kind="divide", operands=("w", "u")), "not shown to be equal"),
+        (change(5, operands=("u", 1)), "anything but the sign"),
+        (change(5, kind="less"), "anything but the sign"),
+        (replace(ROOT, steps=(*STEPS[:5], *STEPS[6:])), "anything but the sign"),
     ],
     ids=[
-        "another quotient",
-        "a difference of squares",
-        "another branch",
-        "another number",
-        "no test",
+        *("another quotient", "a difference of squares", "another branch", "no root"),
+        *("another number", "another test", "no test"),
     ],
 )
 def test_what_is_not_one_function_is_refused(wrong: StraightLineProgram, told: str) -> None:
@@ -99,6 +99,42 @@ def test_a_branch_is_taken_where_it_may_be(
     tested = IntervalMonomial(variables, Interval(np.array([low]), np.array([high])), (1,))
     found = tuple(bool(np.all(branch.find_taken(tested))) for branch in list_branches(ROOT))
     assert found == taken
+
+
+def test_a_tested_result_that_no_output_needs_stays() -> None:
+    steps = (
+        Step("g", "multiply", ("u", "w"), HALF),
+        Step("a", "add", ("u", "w"), HALF),
+        Step("b", "add", ("w", "u"), HALF),
+        Step("test", "greater_equal", ("g", 0), EXACT),
+        Step("chosen", "choose", ("test", "a", "b"), EXACT),
+    )
+    for branch in list_branches(StraightLineProgram(("u", "w"), steps, ("chosen",))):
+        assert [step.result for step in branch.test.steps] == ["g"]
+
+
+def test_what_is_said_never_to_be_zero_decides() -> None:
+    ends = [Interval(np.array([0.0]), np.array([2.0]))]
+    above, below = list_branches(ROOT)
+    for variables, taken in (
+        (BoxVariables(ends, [True], nonzero={0}), (False, True)),
+        (BoxVariables(ends, [False], nonzero={0}), (True, True)),
+    ):
+        tested = IntervalMonomial(variables, Interval(np.array([-2.0]), np.array([-1.0])), (1,))
+        found = (above.find_taken(tested), below.find_taken(tested))
+        assert tuple(map(bool, map(np.all, found))) == taken
+
+
+def test_an_open_end_leaves_zero_out_and_a_closed_one_does_not() -> None:
+    chart = list_stages()[0].form.charts[0]
+    closed = {
+        **chart.within,
+        **{s: sp.Interval(0, sp.oo) for s in chart.within if str(s) == "size"},
+    }
+    box = np.array([[[0.0, np.inf], [0.5, 0.6], [0.0, np.inf], [3.0, 3.01]]])
+    for one, leaves_out in ((chart, True), (replace(chart, within=closed), False)):
+        variables, *_ = next(list_regions(one)).enter(box, 0)
+        assert bool(np.all(variables.never_vanish((1, 0, 0, 0)))) is leaves_out
 
 
 def test_both_branches_count_where_the_sign_is_not_known() -> None:
