@@ -67,6 +67,35 @@ def test_words_excuse_no_number_at_the_sizes(words: str, number: str, outcome: s
     assert [row.outcome for row in check("paper.tex", text).rows] == ["DEFINITION", outcome]
 
 
+SHAFT = r"""%% mechproof
+%% d : diameter [mm]
+%% \tau : stress [MPa]
+%% T : torque [N*m]
+%% P : power [kW]
+%% n : speed [rpm]
+%% \omega : angular velocity [rad/s]
+%% sizes P=15 kW, n=1450 rpm, d=38 mm
+%% end
+\begin{equation}\omega=\frac{2\pi n}{60}=151.8\,\mathrm{rad/s}\end{equation}
+"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"T=\frac P\omega=98.8\,\mathrm{N\,m}", "PROVED"),
+        (r"T=\frac P\omega=89.8\,\mathrm{N\,m}", "REFUTED"),
+        (r"T=\frac P\omega,\qquad\tau=\frac{16T}{\pi d^3}=9.17\,\mathrm{MPa}", "PROVED"),
+        (r"T=\frac P\omega,\qquad\tau=\frac{16T}{\pi d^3}=9.71\,\mathrm{MPa}", "REFUTED"),
+    ],
+)
+def test_a_formula_may_turn_revolutions_itself_and_others_rest_on_it(
+    latex: str, outcome: str
+) -> None:
+    text = rf"{SHAFT}\begin{{equation}}{latex}\end{{equation}}"
+    assert check("paper.tex", text).rows[-1].outcome == outcome
+
+
 # Prints, and what becomes of each: an angle and its tangent, a size before its formula.
 TANGENTS = [
     ([r"\tan\beta=\frac rl", r"\beta=18.4^\circ"], ["DEFINITION", "PROVED"]),

@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.cells import Head, Numeral
 from mechproof.document.symbols import Symbols
-from mechproof.document.units import Unit
+from mechproof.document.units import REVOLUTIONS, Unit
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.verdict import Verdict
 from mechproof.record import NUMBER, PrintedNumber
@@ -132,6 +132,9 @@ class Scales:
             if letters <= self.known.keys():
                 scale = unit * self.known.get(own, sp.S.One)
                 readings.append((self.to_si(turned) / scale, scale))
+                if turned.has(sp.pi):
+                    # It may turn revolutions in a minute into radians itself.
+                    readings.append((self.to_si(turned, but=REVOLUTIONS) / scale, scale))
         choices = self.symbols.list_branches(formula.free_symbols)
         turns = self._list_turns(formula, own)
         return [
