@@ -269,7 +269,9 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
     verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
     outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
     if not sides:
-        return Answer(verdicts[holds], "evaluation", f"{_clip(str(relation))} {outcome}")
+        is_settled = relation in (sp.true, sp.false)
+        told = "by what defines its letters it" if is_settled else _clip(str(relation))
+        return Answer(verdicts[holds], "evaluation", f"{told} {outcome}")
     values = [balls.evaluate(side, {}, 512) for side in sides]
     plain, enclosed = show_plainly(*values), balls.show_apart(*values)
     sign = f" {_SIGNS.get(sign, sign)} "
