@@ -51,16 +51,16 @@ def by_larger(one: sp.Symbol, other: sp.Symbol) -> tuple[Chart, ...]:
 
 
 BY_RADII = by_larger(radius, amplitude)
-# theta = z*phi is the angle within the periods, 1/z the share that a period has of a turn. The
-# circle may be shifted either way, but not to the pole, where the track has corners.
-PHASE, PERIOD = sp.Symbol("theta", positive=True), sp.Symbol("1/z", positive=True)
+# theta = z*phi is the angle within the periods. The circle may be shifted either way, but not to
+# the pole, where the track has corners.
+PHASE, COUNT = sp.Symbol("theta", positive=True), sp.Symbol("count", positive=True)
 SHIFTED, TURNED = sp.Rational(63, 64), 21
 OFF_POLE = tuple(
     Chart(
         f"|A| <= {SHIFTED}*R and z*|phi| <= {TURNED}",
-        {radius: SIZE, amplitude: sign * SIZE * SHARE, periods: PERIOD**-1, phi: PERIOD * PHASE},
+        {radius: SIZE, amplitude: sign * SIZE * SHARE, periods: COUNT, phi: PHASE / COUNT},
         {
-            **dict.fromkeys((SIZE, PERIOD), sp.Interval.Lopen(0, sp.oo)),
+            **dict.fromkeys((SIZE, COUNT), sp.Interval.Lopen(0, sp.oo)),
             SHARE: sp.Interval(0, SHIFTED),
             PHASE: sp.Interval(0, TURNED),
         },

@@ -140,7 +140,7 @@ def test_an_open_end_leaves_zero_out_and_a_closed_one_does_not() -> None:
 def test_both_branches_count_where_the_sign_is_not_known() -> None:
     for stage in list_stages():
         region = next(list_regions(stage.form.charts[0]))
-        sides = {"size": (0.0, np.inf), "share": (0.5, 0.51), "1/z": (0.0, np.inf)}
+        sides = {"size": (0.0, np.inf), "share": (0.5, 0.51), "count": (0.0, np.inf)}
         near = {**sides, "theta": (np.pi / 2 - 0.01, np.pi / 2 + 0.01)}
         box = np.array([[near[name.name] for name in region.names]])
         alone = [stage._bound(branch, region, box, ())[0] for branch in stage.branches]
