@@ -55,8 +55,8 @@ def test_long_doubles_tell_what_balls_tell(claim: RoundingClaim) -> None:
     points = draw_all(subject, 12, 3)
     roughly, exactly = estimate(subject, points), judge(subject, points)
     assert np.array_equal(roughly < 0, exactly < 0)
-    # Results that are exact are off by nothing.
-    assert np.mean(exactly >= 0) > 0.5
+    # Results that are exact are off by nothing; of two charts one may lie outside the domain.
+    assert np.mean(exactly >= 0) >= 0.5
     np.testing.assert_allclose(roughly, exactly, rtol=0, atol=0.01)
 
 
