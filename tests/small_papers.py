@@ -35,4 +35,13 @@ def run(*equations: str, block: str = "") -> CheckedPaper:
     return check("paper.tex", paper(*equations, block=block))
 
 
+def judge_parts(block: str, *parts: str) -> list[str]:
+    """Return the outcomes of displays; what begins with # are words before the next one."""
+    shown = (
+        f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
+        for part in parts
+    )
+    return [row.outcome for row in check("paper.tex", block + "".join(shown)).rows]
+
+
 ROD = r"x=r\cos\varphi"

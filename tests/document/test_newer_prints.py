@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import pytest
+from functools import partial
 
-from mechproof.document.checking import check
+import pytest
+from small_papers import judge_parts
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -179,13 +180,7 @@ def test_a_case_says_nothing_of_others(name: str) -> None:
     assert judge(*parts)[place] == expected
 
 
-def judge(*parts: str) -> list[str]:
-    """Return the outcomes of displays; what begins with # are words before the next one."""
-    shown = (
-        f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
-        for part in parts
-    )
-    return [row.outcome for row in check("paper.tex", BLOCK + "".join(shown)).rows]
+judge = partial(judge_parts, BLOCK)
 
 
 @pytest.mark.parametrize("name", PAPERS)

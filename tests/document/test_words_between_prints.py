@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
+from small_papers import judge_parts
 
 from mechproof.document.announcements import NOTHING, Announced
-from mechproof.document.checking import check
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -41,13 +43,7 @@ WORDS = {
 }
 
 
-def judge(*parts: str) -> list[str]:
-    """Return the outcomes of equations; what begins with # are words before the next one."""
-    shown = (
-        f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
-        for part in parts
-    )
-    return [row.outcome for row in check("paper.tex", BLOCK + "".join(shown)).rows]
+judge = partial(judge_parts, BLOCK)
 
 
 @pytest.mark.parametrize("words", WORDS)

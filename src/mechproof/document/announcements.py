@@ -59,8 +59,9 @@ _TURNING = re.compile(
     r"|(?<!против )часовой|противополож|обратн|\b(?:теперь|впредь)\b",
     re.IGNORECASE,
 )
-_CLAUSE = re.compile(r"[\s.,;]*(?:where|with|in which|wobei|mit|avec|o\xf9|где)\b", re.IGNORECASE)
-_WHERE = re.compile(r"[\s.,;]*(?:where|in which|wobei|o\xf9|где)\b[^.;]*", re.IGNORECASE)
+_MEANING = r"where|in which|wobei|o\xf9|где"
+_CLAUSE = re.compile(rf"[\s.,;]*(?:{_MEANING}|with|mit|avec)\b", re.IGNORECASE)
+_WHERE = re.compile(rf"[\s.,;]*(?:{_MEANING})\b[^.;]*", re.IGNORECASE)
 # What tells that a display follows from those before it, or says the same.
 _CONSEQUENCE = re.compile(
     r"\b(?:hence|therefore|thus|so|this|which|these|consequently|accordingly|again|that is|i\.e"
@@ -99,13 +100,13 @@ _JOINING = frozenset(("and", "und", "et", "as", "well"))
 class Announced:
     """What is announced of a display: another case or a special one, or that it says something new.
 
-    `is_clause` tells that the sentence goes on and says what letters mean.
-    `is_position` tells that it may hold at a special position only, or while something is held,
-    `is_equating` that letters that differ elsewhere may be equal there, `is_general` that it
-    holds in all cases.
-    `passage` counts the passages of prose so far, `scope` is the last one that says something new,
-    or may be special, `turns` counts those with words that turn the sense in which something is
-    counted, or go on to another arrangement, `subjects` those that go on to something else.
+    `is_clause` tells that the sentence goes on and says what letters mean, `is_position` that it
+    may hold at a special position only, or while something is held, `is_equating` that letters
+    that differ elsewhere may be equal there, `is_general` that it holds in all cases.
+
+    `passage` counts the passages of prose so far; `scope` is the last one that says something new
+    or may be special; `turns` counts those with words that turn the sense in which something is
+    counted or go on to another arrangement, `subjects` those that go on to something else.
     """
 
     is_case: bool = False

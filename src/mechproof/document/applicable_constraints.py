@@ -51,7 +51,7 @@ def _leave_out_restated(given: Sequence[int], tasks: Sequence[Task]) -> list[int
 
 def _list_terms(task: Task) -> frozenset[sp.Expr]:
     """Return the terms of a constraint but for their signs."""
-    terms = sp.Add.make_args(sp.expand(task.residual))
+    terms = sp.Add.make_args(task.residual)
     return frozenset(-t if t.could_extract_minus_sign() else t for t in terms)
 
 

@@ -40,8 +40,8 @@ def compare_newer_prints(
     asked = []
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
-        used = _list_used(task.paper, _list_printed(task)) if newer else set[sp.Basic]()
-        newer = _list_last([m for m in newer if used & tasks[m].anew.keys()], tasks)
+        used = _list_used(task.paper, _list_stated(task) | task.sign.printed) if newer else ()
+        newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
         is_open = n in contested and rows[n].state is State.NOT_JUDGED
         if newer and _is_compared(task, rows[n]) and not (is_said or is_open):
@@ -94,10 +94,7 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     says, own = task.row.says, anew.get(task.sign.letter)
     if task.sign.role is Role.DERIVATIVE and isinstance(says, Equality) and own is not None:
         return judge(replace(task.row, says=replace(says, rebuilt=own)), task.paper)
-    stated = {
-        s for part in list_parts(task.row.statement) for s in _list_letters(vars(part).values())
-    }
-    if not _list_used(task.paper, stated) & anew.keys():
+    if not _list_used(task.paper, _list_stated(task)) & anew.keys():
         return "the value of the first print is put in"
     variables = tuple(
         replace(v, given=anew[v.symbol]) if v.symbol in anew else v for v in task.paper.variables
@@ -105,10 +102,10 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     return judge(task.row, replace(task.paper, variables=variables))
 
 
-def _list_printed(task: Task) -> set[sp.Basic]:
+def _list_stated(task: Task) -> set[sp.Basic]:
+    """Return the letters that a row is stated with; of some the values may be put in."""
     parts = list_parts(task.row.statement)
-    stated = (value for part in parts for value in vars(part).values())
-    return _list_letters((*task.sign.sides, *stated)) | task.sign.printed
+    return _list_letters(value for part in parts for value in vars(part).values())
 
 
 def _list_letters(values: Any) -> set[sp.Basic]:

@@ -21,7 +21,7 @@ from mechproof.document.laws import read_piece
 from mechproof.document.relations import read_relations
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
-from mechproof.latex.measures import find_number, is_number
+from mechproof.latex.measures import find_factor, find_number, is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
@@ -69,7 +69,8 @@ class Sign:
 
     `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
     other side then. `worked_out` tells which sides are no print: derivatives, and what matrices
-    give. `printed` are the letters of both sides as they are printed.
+    give. `printed` are the letters of both sides as they are printed, `factor`
+    the digits of their only decimal, if it is a factor.
     """
 
     role: Role
@@ -81,6 +82,7 @@ class Sign:
     unit: str = ""
     worked_out: tuple[bool, bool] = (False, False)
     printed: frozenset[sp.Basic] = frozenset()
+    factor: str = ""
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -105,10 +107,13 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
     for chain in read.chains:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
         given = [_is_worked_out(node) for node in chain.members]
-        letters = map(_list_letters, pairwise(chain.members))
         found = [
-            replace(sign, worked_out=is_not, printed=printed)
-            for sign, is_not, printed in zip(found, pairwise(given), letters, strict=True)
+            replace(
+                sign, worked_out=is_not, printed=_list_letters(nodes), factor=find_factor(nodes)
+            )
+            for sign, is_not, nodes in zip(
+                found, pairwise(given), pairwise(chain.members), strict=True
+            )
         ]
         _note_others(name, found, known)
         signs += found

@@ -119,6 +119,11 @@ class Scales:
         """
         return formula.xreplace({s: s * x for s, x in self.known.items() if x != but})
 
+    def list_si(self, formula: sp.Expr) -> list[sp.Expr]:
+        """Return what a formula is in units of SI, also if it turns revolutions itself."""
+        turning = [self.to_si(formula, but=REVOLUTIONS)] if formula.has(sp.pi) else []
+        return list(dict.fromkeys([self.to_si(formula), *turning]))
+
     def list_readings(self, formula: sp.Expr, own: sp.Basic | None) -> list[tuple[sp.Expr, ...]]:
         """Return what a formula of a letter may give, by numbers in the units of their letters.
 
@@ -131,10 +136,7 @@ class Scales:
             letters = {*turned.free_symbols, own} - {None, *self.symbols.branches}
             if letters <= self.known.keys():
                 scale = unit * self.known.get(own, sp.S.One)
-                readings.append((self.to_si(turned) / scale, scale))
-                if turned.has(sp.pi):
-                    # It may turn revolutions in a minute into radians itself.
-                    readings.append((self.to_si(turned, but=REVOLUTIONS) / scale, scale))
+                readings += ((value / scale, scale) for value in self.list_si(turned))
         choices = self.symbols.list_branches(formula.free_symbols)
         turns = self._list_turns(formula, own)
         return [

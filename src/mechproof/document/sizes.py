@@ -17,7 +17,7 @@ from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.units import REVOLUTIONS, Unit, read_unit
+from mechproof.document.units import Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
 from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
@@ -186,10 +186,7 @@ class Sizes:
         for formula in formulas:
             if not formula.free_symbols:
                 yield formula
-            yield scales.to_si(formula) / unit.scale
-            if formula.has(sp.pi):
-                # It may turn revolutions in a minute into radians itself.
-                yield scales.to_si(formula, but=REVOLUTIONS) / unit.scale
+            yield from (value / unit.scale for value in scales.list_si(formula))
 
     def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
         """Return whether nothing but numbers stands between sizes and the display of a number."""

@@ -14,8 +14,7 @@ from mechproof.document.roles import Role, Sign
 from mechproof.proof.verdict import Place
 from mechproof.record import Paper, PrintedNumber, Row
 
-# A number with a decimal point, or a comma as LaTeX has it.
-DECIMAL = re.compile(r"\d+(?:\.|\{,\})\d+")
+_DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
 
 
 @dataclass(frozen=True)
@@ -33,8 +32,8 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce. `anew` are the values of letters and
-    derivatives if it is another case; None for one without a value then.
+    `said` is what words before it announce. `anew` are the values of letters and derivatives if it
+    is another case; None for one without a value then.
     """
 
     row: Row
@@ -60,7 +59,7 @@ class Task:
     def is_rounded(self) -> bool:
         """Return whether a decimal stands beside letters: it is a rounded number."""
         is_number = isinstance(self.row.says, PrintedNumber)
-        return not is_number and bool(DECIMAL.search(self.row.printed_latex))
+        return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
 
     @property
     def is_alone(self) -> bool:

@@ -10,7 +10,7 @@ from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import GAPS
 from mechproof.latex.tokens import QUANTITIES
-from mechproof.latex.tree import Add, Degrees, Measure, Node, Number
+from mechproof.latex.tree import Add, Degrees, Measure, Node, Number, Product, walk
 from mechproof.latex.words import AND, ELSE, IF
 
 if TYPE_CHECKING:
@@ -84,6 +84,14 @@ def find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, A
         if isinstance(inside, Degrees) and isinstance(inside.number, Number):
             return sign + inside.number.text, other, "°"
     return "", None, ""
+
+
+def find_factor(nodes: tuple[Node, ...]) -> str:
+    """Return the digits of the only decimal of members, if it is a factor of one of them."""
+    decimals = [one for one in walk(nodes) if isinstance(one, Number) and "." in one.text]
+    members = (_split_sign(node)[1] for node in nodes)
+    factors = [one for member in members if isinstance(member, Product) for one in member.factors]
+    return decimals[0].text if len(decimals) == 1 and decimals[0] in factors else ""
 
 
 def _split_sign(node: Node) -> tuple[str, Node]:

@@ -21,9 +21,7 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.steps import CONSTANT, EXACT, Step, StraightLineProgram, keep_needed
 
 CHOICE, TEST = "choose", "greater_equal"
-_ROOTS = ("sqrt", "hypot")
 _Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
-_RATIONAL = ("add", "subtract", "multiply", "divide", "fma", "negate", "square")
 
 
 @dataclass(frozen=True)
@@ -130,12 +128,11 @@ def _express(
         # The operand of a constant is the number itself.
         given: tuple[Any, ...] = step.operands
         given = given if step.kind == CONSTANT else tuple(map(take, given))
-        if step.kind in _RATIONAL:
-            values[step.result] = SYMBOLIC[step.kind](*given)
+        meaning = None if step.kind == CONSTANT else SYMBOLIC[step.kind](*given)
+        if meaning is not None and meaning.is_rational_function():
+            values[step.result] = meaning
             continue
         values[step.result] = symbol = known.setdefault((step.kind, given), sp.Dummy(step.result))
-        if step.kind in _ROOTS:
-            relations[symbol**2] = (
-                given[0] if step.kind == "sqrt" else sp.Add(*(g**2 for g in given))
-            )
+        if meaning is not None and (meaning**2).is_rational_function():
+            relations[symbol**2] = meaning**2
     return [take(output) for output in straight.outputs]
