@@ -61,7 +61,7 @@ def set_signs(text: str) -> str:
     for typed, written in SIGNS.items():
         text = text.replace(typed, written)
     raised = re.sub(r"\*\*(-?\d+)", lambda power: power[1].translate(RAISED), text)
-    return re.sub(r"(?<=[\w)])\*(?=[\w(])", "·", re.sub(r"pi", "π", raised))
+    return re.sub(r"(?<=[\w)|])\*(?=[\w(|])", "·", re.sub(r"pi", "π", raised))
 
 
 def name_marks(
