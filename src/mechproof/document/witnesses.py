@@ -76,7 +76,7 @@ def find_points(
     slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals and symbols else []
     both = [list(residuals), slopes]
     try:
-        systems = [sp.lambdify(symbols, both, name) for name in ("math", "mpmath")]
+        systems = [sp.lambdify(symbols, both, name, cse=True) for name in ("math", "mpmath")]
     except NotImplementedError:
         return
     with mpmath.workdps(_DIGITS):
@@ -180,25 +180,29 @@ def _enclose(expression: sp.Expr, values: Mapping[sp.Basic, balls.Ball]) -> ball
 def _find_zero(systems: Sequence[System], start: Sequence[sp.Expr]) -> Vector | None:
     """Return the zero that Newton's steps lead to, None if they lead to none.
 
-    Where doubles come near to one, what is left is a matter of few steps with many digits.
+    Where doubles come near to one, what is left is a matter of few steps with many digits; what
+    doubles cannot hold is begun with these.
     """
     doubles, digits = systems
     place = [mpmath.mpf(sp.N(value, _DIGITS)) for value in start]
-    near = _descend(doubles, [*map(float, place)], _NEAR)
-    return _descend(digits, [*map(mpmath.mpf, near)] if near else place, _SMALL)
+    try:
+        near = _descend(doubles, [*map(float, place)], _NEAR)
+    except _NONE:
+        near = place
+    try:
+        return _descend(digits, [*map(mpmath.mpf, near)], _SMALL) if near else None
+    except _NONE:
+        return None
 
 
 def _descend(system: System, place: Vector, small: float) -> Vector | None:
     """Return where Newton's steps and the residuals become small, None if they do not."""
-    try:
-        for _ in range(_STEPS):
-            values, slopes = system(*place)
-            step = _solve(slopes, values)
-            place = [x - dx for x, dx in zip(place, step, strict=True)]
-            if all(abs(dx) < small * (1 + abs(x)) for x, dx in zip(place, step, strict=True)):
-                return place if max(map(abs, system(*place)[0])) < small else None
-    except _NONE:
-        pass
+    for _ in range(_STEPS):
+        values, slopes = system(*place)
+        step = _solve(slopes, values)
+        place = [x - dx for x, dx in zip(place, step, strict=True)]
+        if all(abs(dx) < small * (1 + abs(x)) for x, dx in zip(place, step, strict=True)):
+            return place if max(map(abs, system(*place)[0])) < small else None
     return None
 
 
