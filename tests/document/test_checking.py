@@ -144,6 +144,17 @@ CASES = {
             *["not read", "not read", "not read", "not read", "not read"],
         ],
     ),
+    "what depends on time is multiplied by what is no time": (
+        [
+            r"\eta=2r\sin\xi",
+            r"\dot\eta=r\dot\xi\left(\cos\xi+\cos\xi\right)",
+            r"\ddot\eta=\ddot\xi(2r\cos\xi+0)-2r\dot\xi^2(1-1+\sin\xi)",
+            r"\ddot\eta=\dot\xi(\tau_1-\tau_2)",
+            r"\ddot\eta=\dot\xi(\tau_1+\tau_2+t)",
+            r"\eta=r(\lambda-\sqrt{1-\lambda^2})",
+        ],
+        ["DEFINITION", "PROVED", "PROVED", "not read", "not read", "not judged"],
+    ),
     "later prints are compared with each member of a chain": (
         [r"k=mu=n\cos\alpha", r"k=n\frac{\cos^2\alpha}{\cos\alpha}", r"k=n\sin\alpha", r"k=2mu"],
         ["DEFINITION", "not judged", "PROVED", "not judged", "REFUTED"],
@@ -226,6 +237,9 @@ CASES = {
 # What a block says besides.
 SAID = {
     "a letter that counts may be printed as another number": "%% natural n\n%% identity (2), (3)\n",
+    "what depends on time is multiplied by what is no time": (
+        "%% \\eta(t) : a path [m]\n%% \\xi(t) : an angle [rad]\n%% \\tau_1 ; \\tau_2 : times [s]\n"
+    ),
     "a star is part of a name": "%% F ; E^* ; R^\\star : sizes\n",
     "an identity may be claimed": "%% identity (1)\n",
 }

@@ -15,7 +15,7 @@ from mechproof.latex.functions import CONSTANTS
 from mechproof.latex.names import Match
 from mechproof.latex.numerals import read_number
 from mechproof.latex.signs import STAR
-from mechproof.latex.tree import Add, Bracket, Call, Constant, Letter, Node, Number, Power
+from mechproof.latex.tree import Add, Bracket, Call, Constant, Letter, Node, Number, Power, Radical
 from mechproof.latex.words import ITALICS
 from mechproof.record import NUMBER, Dimension
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _WORD = re.compile(r"[a-z]{2,}")
+_TIME = Dimension(time=1)
 _PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
@@ -44,12 +45,12 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
 def _multiplies(parser: Parser, letter: Letter) -> bool:
     r"""Return whether units tell that a bracket multiplies a letter: r(1-\cos\varphi), k(a+b).
 
-    The letter depends on nothing, and the bracket is a sum that is no argument: of lengths and the
-    like, or with functions in it.
+    The letter depends on nothing but time, and the bracket is a sum that is no argument: of lengths
+    and the like, or with functions or a root in it.
     """
     moving, known = parser.notation.moving, parser.notation.dimensions
-    rates = {rate for _, rates in moving.values() for rate in rates}
-    if letter.symbol not in known or letter.symbol in {*moving, *rates}:
+    by = {by for one, (by, rates) in moving.items() if letter.symbol in (one, *rates)}
+    if letter.symbol not in known or any(known.get(one) != _TIME for one in by):
         return False
     place, count = parser.place, len(parser.collected)
     try:
@@ -65,22 +66,20 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     terms = [_walk_outside_calls(term) for _, term in bracket.inside.terms]
     letters = [{n.symbol for n in term if isinstance(n, Letter)} for term in terms]
     is_free = not running & set().union(*letters)
-    return (
-        len(terms) > 1
-        and is_free
-        and all(
-            isinstance(term[0], Number)
-            or any(isinstance(n, Call) for n in term)
-            or any(_is_extent(known.get(symbol)) for symbol in symbols)
-            for term, symbols in zip(terms, letters, strict=True)
-        )
-        and any(not isinstance(term[0], Number) for term in terms)
+    has_root = any(isinstance(n, Radical) for term in terms for n in term)
+    are_none = all(
+        isinstance(term[0], Number)
+        or any(isinstance(n, Call) for n in term)
+        or any(_is_extent(known.get(symbol)) for symbol in symbols)
+        for term, symbols in zip(terms, letters, strict=True)
     )
+    has_letters = any(not isinstance(term[0], Number) for term in terms)
+    return len(terms) > 1 and is_free and has_letters and (has_root or are_none)
 
 
 def _is_extent(dimension: Dimension | None) -> bool:
     """Return whether a unit is that of no usual argument, as numbers, angles and times are."""
-    return dimension is not None and dimension not in (NUMBER, Dimension(time=1))
+    return dimension is not None and dimension not in (NUMBER, _TIME)
 
 
 def _walk_outside_calls(node: Node) -> list[Node]:
