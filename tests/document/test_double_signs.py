@@ -1,4 +1,4 @@
-"""Letters printed with a double sign: both values are roots of a constraint, or a misprint."""
+"""Prints with a double sign: both values are roots of a constraint, or one of them holds."""
 
 from __future__ import annotations
 
@@ -9,14 +9,20 @@ from mechproof.document.checking import check
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 BLOCK = r"""%% mechproof
-%% E ; F ; G ; T ; a ; b ; c ; x : numbers
-%% q ; p : angles
+%% E ; F ; G ; T ; c ; x ; y ; x_{1,2} : numbers
+%% a ; b : numbers {a>0, b>0}
+%% q ; p : angles [rad]
 %% end
 """
 ROOTS = r"T=\frac{-F\pm\sqrt{E^2+F^2-G^2}}{G-E}"
 WAVE = r"E\cos q+F\sin q+G=0"
 HALF = r"T=\tan\frac q2"
 QUADRATIC = r"ax^2+bx+c=0"
+ROOT = r"\sqrt{E^2+F^2-G^2}"
+RADIUS = r"\sqrt{E^2+F^2}"
+REACH = (r"x=a\cos p+b\cos(p+q)", r"y=a\sin p+b\sin(p+q)")
+ELBOW = "x^2+y^2-a^2-b^2"
+SHOULDER = "x^2+y^2+a^2-b^2"
 # What is printed before, a print, and what becomes of it.
 CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((WAVE, HALF), ROOTS, "PROVED"),
@@ -31,9 +37,48 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     # Two changes contradict the other; without a constraint nothing is known.
     ((QUADRATIC,), r"x=\frac{b\pm\sqrt{b^2+4ac}}{2a}", "not judged"),
     ((), r"x=a\pm\sqrt b", "DEFINITION"),
-    # One of them only, and chains, are not read so.
+    # Two letters that are the roots.
+    ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{2a}", "PROVED"),
+    ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{a}", "REFUTED"),
+    # Of two prints the first does not rest on the second.
+    ((r"x=a\pm\sqrt b",), r"x=\sqrt b\left(\frac a{\sqrt b}\pm1\right)", "PROVED"),
+    # Chains are not read so.
     ((QUADRATIC,), r"x=\frac{-b\pm\sqrt{b^2-4ac}}{2a}=c", "not read"),
-    ((QUADRATIC,), r"x=\frac{-b\mp\sqrt{b^2-4ac}}{2a}", "not read"),
+    ((QUADRATIC,), r"x=\frac{-b\mp\sqrt{b^2-4ac}}{2a}", "PROVED"),
+    # What is no letter: a tangent of a part, or what has one value or the other.
+    ((WAVE,), ROOTS.replace("T", r"\tan\frac q2"), "PROVED"),
+    ((WAVE,), ROOTS.replace("T", r"\tan\frac q2").replace("-G^2", "+G^2"), "REFUTED"),
+    ((WAVE,), rf"\cos q=\frac{{-EG\pm F{ROOT}}}{{E^2+F^2}}", "PROVED"),
+    ((WAVE,), rf"\cos q=\frac{{-EG\pm E{ROOT}}}{{E^2+F^2}}", "REFUTED"),
+    ((), r"\sin q=\pm\sqrt{1-\cos^2q}", "PROVED"),
+    ((), r"\sin q=\pm\sqrt{1+\cos^2q}", "REFUTED"),
+    ((), r"x=\pm\sqrt{x^2}", "PROVED"),
+    ((), r"\cos q=\pm\cos q", "not judged"),
+    # Angles have one of two directions.
+    ((WAVE,), rf"q=\operatorname{{atan2}}(F,E)\pm\arccos\frac{{-G}}{{{RADIUS}}}", "PROVED"),
+    ((WAVE,), rf"q=\operatorname{{atan2}}(F,E)\mp\arccos\frac G{{{RADIUS}}}", "REFUTED"),
+    ((WAVE,), rf"q=\operatorname{{atan2}}(E,F)\pm\arccos\frac{{-G}}{{{RADIUS}}}", "REFUTED"),
+    ((WAVE,), r"q=\operatorname{atan2}(F,E)\pm\arccos\frac{-G}{E^2+F^2}", "REFUTED"),
+    (REACH, rf"q=\pm\arccos\frac{{{ELBOW}}}{{2ab}}", "PROVED"),
+    (REACH, rf"q=\pm\arcsin\frac{{{ELBOW}}}{{2ab}}", "REFUTED"),
+    (REACH, rf"q=\pm\arccos\frac{{{ELBOW}}}{{ab}}", "REFUTED"),
+    (
+        REACH,
+        rf"p=\operatorname{{atan2}}(y,x)\mp\arccos\frac{{{SHOULDER}}}{{2a\sqrt{{x^2+y^2}}}}",
+        "PROVED",
+    ),
+    (
+        REACH,
+        rf"p=\operatorname{{atan2}}(y,x)\mp\arccos\frac{{{SHOULDER}}}{{2b\sqrt{{x^2+y^2}}}}",
+        "REFUTED",
+    ),
+    # Without a double sign it is one of them: it may be meant for a case.
+    (REACH, rf"q=\arccos\frac{{{ELBOW}}}{{2ab}}", "DEFINITION"),
+    (REACH, r"p=\operatorname{atan2}(y,x)-\operatorname{atan2}(b\sin q,a+b\cos q)", "PROVED"),
+    (REACH, r"p=\operatorname{atan2}(y,x)+\operatorname{atan2}(b\sin q,a+b\cos q)", "REFUTED"),
+    (REACH, r"p=\operatorname{atan2}(y,x)-\operatorname{atan2}(b\sin q,a-b\cos q)", "REFUTED"),
+    # A special position is none of what holds otherwise.
+    ((r"E\sin q=F\sin p", "q=-p"), r"q+p=\pi", "DEFINITION"),
 ]
 
 

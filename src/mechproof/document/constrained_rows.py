@@ -84,12 +84,21 @@ def _have_common(one: Task, other: Task) -> bool:
 def solve_constraints(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Judge again letters that are printed with a double sign: they may be roots."""
+    """Judge again what is printed with a double sign: both may be roots.
+
+    Of two such prints the first is none that follows from the second.
+    """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    solved = [n for n in given if tasks[n].sign.role is Role.SOLUTIONS]
     asked = [
-        (key, n, tuple(g for g in given if g != n and _have_common(tasks[g], task)))
-        for n, task in enumerate(tasks)
-        if n in given and task.sign.role is Role.SOLUTIONS
+        (
+            key,
+            n,
+            tuple(
+                g for g in given if (g < n or g not in solved) and _have_common(tasks[g], tasks[n])
+            ),
+        )
+        for n in solved
     ]
     for place, found in run_tasks(judge_roots, asked, limit=limit):
         if isinstance(found, Judgement):

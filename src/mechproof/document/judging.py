@@ -17,11 +17,13 @@ from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
-from mechproof.document.solutions import Solutions
+from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
 from mechproof.document.sources import read_source
+from mechproof.document.special_cases import state_angles
 from mechproof.document.tasks import Task
 from mechproof.document.unsaid_relations import find_relations
 from mechproof.document.witnesses import find_points
+from mechproof.proof.dimensions import is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
@@ -43,6 +45,8 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 LIMIT = 60.0
 # How far a row is never true: those that define its letters may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"
+# How far angles are equal that differ.
+_TURNS = ", up to whole turns"
 # Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
@@ -106,7 +110,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     except (RecordError, ContradictionError) as error:
         return str(error)
     if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
-        return "one of its signs is printed elsewhere; of the other nothing is known"
+        return _judge_signs(task, found)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return judge_factor(task)
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
@@ -135,7 +139,32 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
         beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
         return replace(found, reason=f"it is never true{beside}: {found.reason}")
+    if found.verdict is Verdict.REFUTED and (turned := _judge_angles(task)):
+        return turned
     return _take_as_given(task, found)
+
+
+def _judge_angles(task: Task) -> Judgement | None:
+    """Judge two angles that are not equal by their directions: None if these differ."""
+    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
+        return None
+    if not is_angle((says.printed, says.rebuilt), domain.dimensions):
+        return None
+    found = judge(replace(task.row, says=state_angles(says)), task.paper)
+    if found.verdict is not Verdict.PROVED:
+        return None
+    return replace(found, reason=f"{found.reason}{_TURNS}")
+
+
+def _judge_signs(task: Task, found: Judgement) -> Judgement | str:
+    """Judge a print with a double sign, of which one sign holds wherever its letters lie."""
+    domain = Domain.of(task.paper, task.row.on)
+    each = Solutions(*task.sign.sides).state_each(domain.dimensions)
+    if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
+        return "one of its signs is printed elsewhere; of the other nothing is known"
+    turns = _TURNS if isinstance(each[0], Conjunction) else ""
+    return replace(found, reason=f"{found.reason}, with one sign or the other{turns}")
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -243,7 +272,7 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
         compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
         if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
             return None
-        printed = {t.row.says.symbol for t in tasks if isinstance(t.row.says, Definition)}
+        printed = _list_printed(tasks)
         second = {s for t in (task, *(tasks[o] for o in others)) for s in _list_accelerations(t)}
         for entry in compared:
             found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
@@ -258,6 +287,10 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     return None
 
 
+def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
+    return {task.row.says.symbol for task in tasks if isinstance(task.row.says, Definition)}
+
+
 def _list_accelerations(task: Task) -> set[sp.Basic]:
     """Return the second derivatives that those of a row have and nothing before them."""
     first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
@@ -270,8 +303,16 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     tasks = open_tasks(key)
     task = tasks[number]
     given = {tasks[o].row.number: tasks[o].residual for o in others}
-    found = Solutions(*task.sign.sides).judge(given, Domain.of(task.paper, task.row.on))
-    return _replace(task, *found) if found else None
+    letters = {s for residual in given.values() for s in residual.free_symbols}
+    solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
+    domain = Domain.of(task.paper, task.row.on)
+    if met := solutions.find_met(given, domain):
+        reason = "both signs give {} of {}, taken as given".format(*met)
+        return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
+    if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
+        reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
+        return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
+    return None
 
 
 def _replace(

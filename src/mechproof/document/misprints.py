@@ -9,7 +9,7 @@ become one that stands elsewhere, or the same on both sides.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -18,6 +18,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.slips import Change, Entry, Sides, list_alike, list_changes
 from mechproof.document.witnesses import Point, enclose, find_points
+from mechproof.proof.dimensions import is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_plainly
@@ -50,14 +51,17 @@ def find_misprint(
     printed: Collection[sp.Basic] = (),
     *,
     may_repeat: bool = False,
+    state: Callable[[Sides], Sides] = lambda sides: sides,
 ) -> Misprint | None:
     """Return where an equation fails beside constraints, and what mends it; None if it may be true.
 
     `given` are the residuals of the constraints, `printed` the letters that are defined by a print.
-    With `may_repeat` what it is mended to may stand elsewhere in the paper.
+    With `may_repeat` what it is mended to may stand elsewhere in the paper. `state` makes of the
+    sides, as they are printed or mended, what is compared.
     """
-    sides = entry.sides
+    sides = state(entry.sides)
     met = {s for side in sides for s in side.free_symbols}
+    are_angles = is_angle(sides, domain.dimensions)
     given_by = {s: v for s, v in domain.given.items() if isinstance(v, sp.Expr)}
     known = {s: v for s, v in given_by.items() if s in met}
     zeros = {s: v for s, v in given_by.items() if v == 0}
@@ -68,9 +72,9 @@ def find_misprint(
     repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
     changes = list_changes(entry, list_alike(met, domain), defined)
     for change in islice(changes, MOST if places else 0):
-        if _holds_often(change.sides, values) and not _is_trivial(
-            change.sides, repeated, known | zeros
-        ):
+        mended = state(change.sides)
+        holds = _holds_often(mended, values, are_angles=are_angles)
+        if holds and not _is_trivial(mended, repeated, known | zeros, are_angles=are_angles):
             evidence = _show(sides, given, domain, places)
             return Misprint(evidence, change) if evidence else None
     return None
@@ -106,33 +110,35 @@ def _find_failures(
     """
     resolved = domain.resolve(sides[0]), domain.resolve(sides[1])
     parts = [*resolved, *map(domain.resolve, others), *given]
+    are_angles = is_angle(sides, domain.dimensions)
     points = []
     for point in find_points(given, {s for one in parts for s in one.free_symbols}, domain, _COUNT):
         # Where lengths shrink to nothing, or one has no end, much is true.
         if all(_NEAR < abs(value) < 1 / _NEAR for value in point.values()):
-            agrees = agree(resolved, point)
+            agrees = agree(resolved, point, are_angles=are_angles)
             if agrees:
                 return []
             points += [point] if agrees is False else []
     return points if len(points) >= _ENOUGH else []
 
 
-def agree(sides: Sides, values: Values) -> bool | None:
-    """Return whether sides have the same value, None where they have none."""
+def agree(sides: Sides, values: Values, *, are_angles: bool = False) -> bool | None:
+    """Return whether sides have the same value, angles the same direction; None without a value."""
     try:
         one, other = (balls.evaluate(side, values) for side in sides)
     except (NotImplementedError, KeyError):
         return None
     if not (one.is_finite() and other.is_finite()):
         return None
-    return bool(abs(one - other) < _CLOSE * (abs(one) + abs(other) + 1))
+    rest = 2 * ((one - other) / 2).sin() if are_angles else one - other
+    return bool(abs(rest) < _CLOSE * (abs(one) + abs(other) + 1))
 
 
-def _holds_often(sides: Sides, places: Sequence[Values]) -> bool:
+def _holds_often(sides: Sides, places: Sequence[Values], *, are_angles: bool) -> bool:
     """Return whether sides agree at some of the places: at the first few at least at one."""
-    if not any(agree(sides, values) for values in places[:FEW]):
+    if not any(agree(sides, values, are_angles=are_angles) for values in places[:FEW]):
         return False
-    return sum(agree(sides, values) is True for values in places) >= FEW
+    return sum(agree(sides, values, are_angles=are_angles) is True for values in places) >= FEW
 
 
 def _list_definitions(domain: Domain) -> list[sp.Expr]:
@@ -140,12 +146,17 @@ def _list_definitions(domain: Domain) -> list[sp.Expr]:
 
 
 def _is_trivial(
-    sides: Sides, repeated: Sequence[sp.Expr], defined: Mapping[sp.Basic, sp.Expr]
+    sides: Sides,
+    repeated: Sequence[sp.Expr],
+    defined: Mapping[sp.Basic, sp.Expr],
+    *,
+    are_angles: bool,
 ) -> bool:
     """Return whether an equation says nothing, or what stands elsewhere up to a number.
 
     A letter that is a function of itself says nothing of others. Of a letter that stands alone
-    what defines it is put in, too, and zero for those that it defines to be zero.
+    what defines it is put in, too, and zero for those that it defines to be zero. Angles differ by
+    whole turns.
     """
     if any(one.is_Symbol and other.free_symbols == {one} for one, other in _turn(sides)):
         return True
@@ -153,10 +164,16 @@ def _is_trivial(
     shown = [sides, tuple(defined.get(side, side) for side in sides)]
     shown.append(tuple(side.subs(zeros) for side in sides))
     for rest in (sp.expand(one - other) for one, other in shown):
+        rest = _take_turns_out(rest) if are_angles else rest
         alike = (one for one in repeated if one.free_symbols == rest.free_symbols)
         if rest == 0 or any(sp.cancel(rest / one).is_number for one in alike):
             return True
     return False
+
+
+def _take_turns_out(angle: sp.Expr) -> sp.Expr:
+    number, rest = angle.as_independent(*angle.free_symbols, as_Add=True)
+    return rest if (number / (2 * sp.pi)).is_integer else angle
 
 
 def _turn(sides: Sides) -> tuple[Sides, Sides]:

@@ -45,6 +45,9 @@ from mechproof.tools.processes import limit_time
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
+_MATRICES = (sp.MatrixBase, sp.MatrixExpr)
+# What a print with a double sign may do.
+_SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -203,30 +206,33 @@ class Document:
             return [
                 replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
             ]
-        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
-            if len(signs) > 1 or double.group() not in (r"\pm", "±"):
-                raise read.source.refuse(
-                    double.start(),
-                    "a double sign in a chain of a letter: both signs, or either?",
-                    r"Say branch \sigma=\pm1 in the block of letters.",
-                )
-            return [self._find_solutions(printed, reader)]
-        return signs
+        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs) and len(signs) > 1:
+            raise read.source.refuse(
+                double.start(),
+                "a double sign in a chain of a letter: both signs, or either?",
+                r"Say branch \sigma=\pm1 in the block of letters.",
+            )
+        return [self._find_solutions(printed, reader) or signs[0], *signs[1:]]
 
-    def _find_solutions(self, printed: Printed, reader: Reader) -> Sign:
-        """Return the sign of a letter that is given by a double sign, read as a letter, too."""
+    def _find_solutions(self, printed: Printed, reader: Reader) -> Sign | None:
+        """Return the sign of what has a double sign on one side, read as a letter; or None."""
         notation = replace(reader.notation, branch=SIGN)
         read = Reader(reader.variables, notation, reader.remedies).parse(printed.latex.string)
         values = {**self.known.values}
         known = replace(
             self.known, values=values, printed={**self.known.printed}, others={}, later={}
         )
-        (sign,) = find_roles(printed.name, read, known)
+        signs = find_roles(printed.name, read, known)
+        if len(signs) > 1 or signs[0].role not in _SOLVED:
+            return None
+        sign = signs[0]
         if sign.role is Role.DEFINITION:
             return replace(sign, role=Role.SOLUTIONS, sides=(sign.letter, values[sign.letter]))
-        one, other = sign.sides
-        sides = (sign.letter, other if one == sign.letter else one)
-        return replace(sign, role=Role.SOLUTIONS, sides=sides)
+        sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
+        is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
+        if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
+            return None
+        return replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="")
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""

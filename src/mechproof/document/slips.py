@@ -14,9 +14,10 @@ from mechproof.record import PrintedNumber
 
 # Functions of angles.
 TURNING = (sp.sin, sp.cos, sp.tan)
+_ARCS = (sp.asin, sp.acos, sp.atan)
 _EXPONENTS = {
     **{sp.Integer(2): (1, 3), sp.Integer(3): (2,), sp.Integer(4): (2, 3)},
-    **{sp.Integer(-1): (1, -2), sp.Integer(-2): (-1,), sp.Rational(1, 2): (1,)},
+    **{sp.Integer(-1): (1, -2, -sp.Rational(1, 2)), sp.Integer(-2): (-1,), sp.Rational(1, 2): (1,)},
     **{sp.Rational(3, 2): (1, sp.Rational(1, 2)), sp.Rational(-1, 2): (-1,)},
 }
 _DIGITS = tuple(map(sp.Integer, range(1, 10)))
@@ -128,6 +129,10 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
         # SymPy does not keep which way round a difference is printed.
         signs = (1, -1) if _is_difference(part.args[0]) else (1,)
         yield from (sign * other(*part.args) for other in TURNING for sign in signs)
+    elif isinstance(part, _ARCS):
+        yield from (other(*part.args) for other in _ARCS)
+    elif isinstance(part, sp.atan2):
+        yield sp.atan2(*reversed(part.args))
     elif isinstance(part, sp.Pow):
         yield from (part.base**exponent for exponent in _EXPONENTS.get(part.exp, ()))
         yield from (part / part.base * letter for letter in letters)

@@ -1,103 +1,108 @@
-r"""Letters printed with a double sign, T = (-F ± \sqrt{…}) / …: with both signs they are roots.
+r"""Prints with a double sign on one side, T = (-F ± \sqrt{…}) / …: with both they are roots.
 
-The letter, or that of whose part it is the tangent, is put into the constraints that have it.
-Where it meets none, a change of one part of the print with which both signs do is a misprint.
+The letter, or that of whose part it is the tangent, is put into the constraints that have it. Where
+it meets none, what is printed may have one of its two values wherever the others hold; a change of
+one part of the print with which it does is a misprint.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
 
 import sympy as sp
 
-from mechproof.arithmetic import balls
-from mechproof.document.misprints import FEW, MOST, Values, agree
-from mechproof.document.slips import Change, Entry, list_alike, list_changes
-from mechproof.document.witnesses import find_points
+from mechproof.document.misprints import Misprint, find_misprint
+from mechproof.document.slips import Entry, Sides
+from mechproof.document.special_cases import state_angles
+from mechproof.proof.dimensions import Dimensions, is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Conjunction, Equality
+from mechproof.record import Conjunction, Equality, Statement
 
 SIGN = sp.Symbol("±", real=True)
-RUNG = "substitution"
-_COUNT = 24
+SUBSTITUTION = "substitution"
+_PAIR = re.compile(r"(.+)_(?:\{1, ?2\}|1,2)")
+
+
+def write_sign(text: str) -> str:
+    """Return the text of an expression with SIGN for a factor as it is printed."""
+    return text.replace("+ ±*", "± ").replace("±*", "±")
 
 
 @dataclass(frozen=True)
 class Solutions:
-    """A letter, and what it is printed to be with both values of SIGN."""
+    """What is printed to have a value with both values of SIGN: mostly a letter."""
 
-    letter: sp.Basic
+    left: sp.Expr
     value: sp.Expr
 
-    @property
-    def residual(self) -> sp.Expr:
-        """Return what is zero where the letter has one of the two values."""
-        return sp.Mul(*(self.letter - one for one in _choose(self.value)))
+    def state(self, dimensions: Dimensions) -> Equality:
+        """State that it has one of the two values, angles up to whole turns."""
+        one, other = _choose(self.value)
+        if is_angle((self.left, self.value), dimensions):
+            # With cos a - cos b = -2 sin((a + b)/2) sin((a - b)/2).
+            turned = self.left - (one + other) / 2
+            return Equality(sp.cos(turned), sp.cos((one - other) / 2), "member")
+        # Of the product the root in both values leaves nothing.
+        total, times = (sp.cancel(sp.expand(x)) for x in (one + other, one * other))
+        rest = self.left**2 - total * self.left + times
+        return Equality(rest, sp.S.Zero, "member")
 
-    def judge(
-        self, given: Mapping[str, sp.Expr], domain: Domain
-    ) -> tuple[Verdict, str, str] | None:
-        """Judge by the first constraint that has the letter whether both values meet it.
+    def state_each(self, dimensions: Dimensions) -> list[Statement]:
+        """State that it has the value with the one sign, and with the other."""
+        says = [Equality(self.left, value, "member") for value in _choose(self.value)]
+        if is_angle((self.left, self.value), dimensions):
+            return [state_angles(one) for one in says]
+        return [*says]
 
-        None if that is not shown, nor a change with which they would.
-        """
-        unknown, value = self._find_unknown(domain)
+    def name_root(self, letters: Iterable[sp.Basic]) -> Solutions:
+        """Return what is printed of both roots, x_{1,2}, as what it says of x, if that is met."""
+        pair = _PAIR.fullmatch(str(self.left))
+        named = [s for s in letters if pair and str(s) == pair[1]]
+        return replace(self, left=named[0]) if named else self
+
+    def find_met(self, given: Mapping[str, sp.Expr], domain: Domain) -> tuple[sp.Basic, str] | None:
+        """Return the letter that is put in, and the first constraint that both values meet."""
+        unknown, value = _invert(self.left, self.value, domain)
         alone = replace(domain, given={s: v for s, v in domain.given.items() if s != unknown})
+        where = (*domain.where, *_list_conditions(alone.resolve(self.value)))
+        value = alone.resolve(value)
+        if not unknown.is_Symbol or unknown in value.free_symbols:
+            return None
         for name, residual in given.items():
             if unknown not in residual.free_symbols:
                 continue
-            rests = (residual.xreplace({unknown: one}) for one in _choose(alone.resolve(value)))
+            rests = (residual.xreplace({unknown: one}) for one in _choose(value))
             says = Conjunction(tuple(Equality(sp.expand_trig(r), sp.S.Zero) for r in rests))
-            where = (*domain.where, *_list_conditions(alone.resolve(self.value)))
-            answer = decide(says, replace(domain, where=where))
-            if answer.verdict is Verdict.PROVED:
-                return Verdict.PROVED, RUNG, f"both signs give {unknown} of {name}, taken as given"
-            if answer.verdict is not Verdict.REFUTED:
-                continue
-            if change := self._find_change(unknown, residual, alone):
-                reason = f"{change.reason}; both signs compared with {name}"
-                return Verdict.REFUTED, RUNG, reason
+            if decide(says, replace(domain, where=where)).verdict is Verdict.PROVED:
+                return unknown, name
         return None
 
-    def _find_unknown(self, domain: Domain) -> tuple[sp.Basic, sp.Expr]:
-        """Return the letter that is put in, and its value: of T = tan(q/2) it is q."""
-        return _invert(domain.given.get(self.letter), self.letter, self.value)
+    def find_misprint(
+        self, given: Sequence[sp.Expr], domain: Domain, printed: Collection[sp.Basic]
+    ) -> Misprint | None:
+        """Return a change of the print with which it has one of its values beside constraints."""
 
-    def _find_change(self, unknown: sp.Basic, residual: sp.Expr, domain: Domain) -> Change | None:
-        """Return a change of the print with which both signs meet a constraint at points."""
-        letters = list_alike(self.value.free_symbols - {SIGN}, domain)
-        met = {s for one in (residual, *letters) for s in domain.resolve(one).free_symbols}
-        points = find_points([], met - {unknown}, domain, _COUNT)
-        places = [
-            {**point, **{s: balls.evaluate(domain.resolve(s), point) for s in letters}}
-            for point in points
-        ]
-        own = Entry((self.value, sp.S.Zero), (True, False))
-        for change in islice(list_changes(own, letters, {}), MOST):
-            _, value = _invert(domain.given.get(self.letter), self.letter, change.sides[0])
-            met_at = 0
-            for place in places:
-                holds = _holds(residual, unknown, value, place)
-                if holds is False:
-                    break
-                met_at += bool(holds)
-                if met_at >= FEW:
-                    return change
-        return None
+        def state(sides: Sides) -> Sides:
+            says = Solutions(*sides).state(domain.dimensions)
+            return says.printed, says.rebuilt
+
+        entry = Entry((self.left, self.value), (not self.left.is_Symbol, True))
+        return find_misprint(entry, given, domain, printed, state=state)
 
 
-def _invert(known: sp.Expr | None, letter: sp.Basic, value: sp.Expr) -> tuple[sp.Basic, sp.Expr]:
-    """Return the letter of whose part another is known to be the tangent, and what it is then."""
+def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:
+    """Return the letter of whose part a tangent is printed, or is a letter, and its value then."""
+    known = domain.given.get(left, left)
     if isinstance(known, sp.tan) and len(known.free_symbols) == 1:
         (unknown,) = known.free_symbols
         part = known.args[0] / unknown
         if part.is_number:
             return unknown, sp.atan(value) / part
-    return letter, value
+    return left, value
 
 
 def _choose(value: sp.Expr) -> list[sp.Expr]:
@@ -111,15 +116,3 @@ def _list_conditions(value: sp.Expr) -> Iterator[sp.Basic]:
             yield sp.Ge(power.base, 0)
         if power.exp.is_negative:
             yield sp.Ne(power.base, 0)
-
-
-def _holds(residual: sp.Expr, unknown: sp.Basic, value: sp.Expr, place: Values) -> bool | None:
-    """Return whether both signs meet a constraint at a place, None where they have no value."""
-    answers = []
-    for one in _choose(value):
-        try:
-            there = balls.evaluate(one, place)
-        except (NotImplementedError, KeyError):
-            return None
-        answers.append(agree((residual, sp.S.Zero), {**place, unknown: there}))
-    return None if None in answers else all(answers)

@@ -105,7 +105,12 @@ def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
     """State that two angles are equal up to whole turns."""
     read = known.symbols.reader().parse(turn)
     whole = read.meaning().of(read.chains[0].members[0])
-    sides = [2 * sp.pi * side / whole for side in (says.printed, says.rebuilt)]
+    return state_angles(says, 2 * sp.pi / whole)
+
+
+def state_angles(says: Equality, times: sp.Expr = sp.S.One) -> Conjunction:
+    """State that the sides, times a factor, are angles of one direction."""
+    sides = [times * side for side in (says.printed, says.rebuilt)]
     parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
     return Conjunction(tuple(parts))
 

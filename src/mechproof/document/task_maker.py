@@ -24,7 +24,7 @@ from mechproof.document.sides import (
     ties_letters,
 )
 from mechproof.document.sizes import OTHERS, Sizes
-from mechproof.document.solutions import Solutions
+from mechproof.document.solutions import Solutions, write_sign
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -74,8 +74,9 @@ class TaskMaker:
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
         if signs[0].role is Role.SOLUTIONS:
-            says = Equality(Solutions(*signs[0].sides).residual, sp.S.Zero, "member")
-            read_as = "{} = {}".format(*signs[0].sides)
+            dimensions = self.known.symbols.notation.dimensions
+            says = Solutions(*signs[0].sides).state(dimensions)
+            read_as = write_sign("{} = {}".format(*signs[0].sides))
             row = Equation(printed.name, printed.latex.string, says=says, read_as=read_as)
         own = next((s.letter for s in signs if s.letter is not None), None)
         pairs = [*zip(read_row(row, reader), signs, strict=True)]
