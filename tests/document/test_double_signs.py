@@ -18,6 +18,7 @@ ROOTS = r"T=\frac{-F\pm\sqrt{E^2+F^2-G^2}}{G-E}"
 WAVE = r"E\cos q+F\sin q+G=0"
 HALF = r"T=\tan\frac q2"
 QUADRATIC = r"ax^2+bx+c=0"
+TWO = r"x=\frac{-b\pm\sqrt{b^2-4ac}}{2a}"
 ROOT = r"\sqrt{E^2+F^2-G^2}"
 RADIUS = r"\sqrt{E^2+F^2}"
 REACH = (r"x=a\cos p+b\cos(p+q)", r"y=a\sin p+b\sin(p+q)")
@@ -42,8 +43,10 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{a}", "REFUTED"),
     # Of two prints the first does not rest on the second.
     ((r"x=a\pm\sqrt b",), r"x=\sqrt b\left(\frac a{\sqrt b}\pm1\right)", "PROVED"),
-    # Chains are not read so.
-    ((QUADRATIC,), r"x=\frac{-b\pm\sqrt{b^2-4ac}}{2a}=c", "not read"),
+    # Of a chain the first sign; the others hold with both.
+    ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\mp\sqrt{{b^2-4ac}}}}", "PROVED"),
+    ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\pm\sqrt{{b^2-4ac}}}}", "REFUTED"),
+    ((QUADRATIC,), rf"{TWO}=c", "not read"),
     ((QUADRATIC,), r"x=\frac{-b\mp\sqrt{b^2-4ac}}{2a}", "PROVED"),
     # What is no letter: a tangent of a part, or what has one value or the other.
     ((WAVE,), ROOTS.replace("T", r"\tan\frac q2"), "PROVED"),

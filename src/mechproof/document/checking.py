@@ -29,7 +29,7 @@ from mechproof.document.judging import (
     leave_out,
     opened,
 )
-from mechproof.document.newer_prints import compare_newer_prints
+from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -152,6 +152,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
         rows |= dict(doubt_by_letters(tasks, rows, contested))
         rows |= dict(doubt_by_positions(tasks, rows))
+        rows |= dict(doubt_by_cases(key, tasks, rows, limit))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

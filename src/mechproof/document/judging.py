@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -17,13 +17,17 @@ from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
 from mechproof.document.slips import Entry, find_slip
-from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
+from mechproof.document.solutions import (
+    SUBSTITUTION,
+    Solutions,
+    judge_angles,
+    judge_signs,
+    write_sign,
+)
 from mechproof.document.sources import read_source
-from mechproof.document.special_cases import state_angles
 from mechproof.document.tasks import Task
 from mechproof.document.unsaid_relations import find_relations
 from mechproof.document.witnesses import find_points
-from mechproof.proof.dimensions import is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
@@ -35,6 +39,7 @@ from mechproof.record import (
     Holds,
     PrintedNumber,
     RecordError,
+    Statement,
 )
 
 # How the row of one sign of a chain is called.
@@ -45,8 +50,6 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 LIMIT = 60.0
 # How far a row is never true: those that define its letters may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"
-# How far angles are equal that differ.
-_TURNS = ", up to whole turns"
 # Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
@@ -110,7 +113,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     except (RecordError, ContradictionError) as error:
         return str(error)
     if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
-        return _judge_signs(task, found)
+        return judge_signs(task, found)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return judge_factor(task)
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
@@ -139,32 +142,9 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
         beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
         return replace(found, reason=f"it is never true{beside}: {found.reason}")
-    if found.verdict is Verdict.REFUTED and (turned := _judge_angles(task)):
+    if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
         return turned
     return _take_as_given(task, found)
-
-
-def _judge_angles(task: Task) -> Judgement | None:
-    """Judge two angles that are not equal by their directions: None if these differ."""
-    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
-    if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
-        return None
-    if not is_angle((says.printed, says.rebuilt), domain.dimensions):
-        return None
-    found = judge(replace(task.row, says=state_angles(says)), task.paper)
-    if found.verdict is not Verdict.PROVED:
-        return None
-    return replace(found, reason=f"{found.reason}{_TURNS}")
-
-
-def _judge_signs(task: Task, found: Judgement) -> Judgement | str:
-    """Judge a print with a double sign, of which one sign holds wherever its letters lie."""
-    domain = Domain.of(task.paper, task.row.on)
-    each = Solutions(*task.sign.sides).state_each(domain.dimensions)
-    if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
-        return "one of its signs is printed elsewhere; of the other nothing is known"
-    turns = _TURNS if isinstance(each[0], Conjunction) else ""
-    return replace(found, reason=f"{found.reason}, with one sign or the other{turns}")
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -184,20 +164,24 @@ def _is_nowhere_true(task: Task) -> bool:
 
 def _is_false_alone(task: Task) -> bool:
     """Return whether a row is true nowhere, whatever defines its letters."""
-    one, other = task.sign.sides
-    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
-        return True
-    domain = replace(Domain.of(task.paper, task.row.on), given={})
-    return decide(Holds(sp.Ne(one, other, evaluate=False)), domain).verdict is Verdict.PROVED
+    return _decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False))) is not False
 
 
 def holds_alone(task: Task) -> bool:
     """Return whether a row is true whatever defines its letters."""
+    return _decide_alone(task, Equality) is True
+
+
+def _decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
+    """Return whether what is stated of the sides is proved without what defines letters.
+
+    None for sides that are no numbers.
+    """
     one, other = task.sign.sides
     if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
-        return False
+        return None
     domain = replace(Domain.of(task.paper, task.row.on), given={})
-    return decide(Equality(one, other), domain).verdict is Verdict.PROVED
+    return decide(state(one, other), domain).verdict is Verdict.PROVED
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:

@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.doubts import defines, list_used
 from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
@@ -83,6 +84,40 @@ def _choose(
     return f"{first} with the first definition of what {names} defines anew: which one is meant?"
 
 
+def doubt_by_cases(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Prove no row by what is said of a case behind it, unless it holds without."""
+    asked = []
+    for n, task in enumerate(tasks):
+        is_proved = rows[n].outcome == Verdict.PROVED.value and task.sign.role is not Role.RELATION
+        used = list_used(task, tasks) if is_proved and not (task.is_claimed or task.follows) else ()
+        cases = [m for m in range(n + 1, len(tasks)) if _is_case(tasks[m], task, used)]
+        if cases:
+            asked.append((key, n, tuple(cases)))
+    for place, answer in run_tasks(judge_without, asked, limit=limit):
+        _, n, cases = asked[place]
+        if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
+            names = ", ".join(tasks[m].row.number for m in cases)
+            reason = f"it holds, but rests on {names}, which is printed later, perhaps of a case"
+            yield n, make_row(tasks[n], reason)
+
+
+def _is_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
+    """Return whether a row defines one of some letters behind words that may tell of a case."""
+    said = one.said
+    may_tell = said.is_case or said.is_equating
+    is_behind = said.passage > task.said.passage and not said.is_clause
+    return defines(one, used) and may_tell and is_behind
+
+
+def judge_without(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+    """Judge a row without what some other rows define."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    return _judge_with(tasks[number], {tasks[m].sign.letter: None for m in others})
+
+
 def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     """Judge a row by the newer prints of letters, or say why not."""
     key, number, newer = which
@@ -94,6 +129,11 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     says, own = task.row.says, anew.get(task.sign.letter)
     if task.sign.role is Role.DERIVATIVE and isinstance(says, Equality) and own is not None:
         return judge(replace(task.row, says=replace(says, rebuilt=own)), task.paper)
+    return _judge_with(task, anew)
+
+
+def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
+    """Judge a row with other values of letters, None for those without one."""
     if not _list_used(task.paper, _list_stated(task)) & anew.keys():
         return "the value of the first print is put in"
     variables = tuple(

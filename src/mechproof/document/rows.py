@@ -31,7 +31,7 @@ from mechproof.document.scopes import add_scopes
 from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.sizes import collect_sizes
-from mechproof.document.solutions import SIGN
+from mechproof.document.solutions import SIGN, read_signs
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
@@ -206,33 +206,33 @@ class Document:
             return [
                 replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
             ]
-        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs) and len(signs) > 1:
+        if solved := self._find_solutions(printed, reader):
+            return solved
+        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
             raise read.source.refuse(
                 double.start(),
-                "a double sign in a chain of a letter: both signs, or either?",
+                "a double sign in the definition of a letter: both signs, or either?",
                 r"Say branch \sigma=\pm1 in the block of letters.",
             )
-        return [self._find_solutions(printed, reader) or signs[0], *signs[1:]]
+        return signs
 
-    def _find_solutions(self, printed: Printed, reader: Reader) -> Sign | None:
-        """Return the sign of what has a double sign on one side, read as a letter; or None."""
-        notation = replace(reader.notation, branch=SIGN)
-        read = Reader(reader.variables, notation, reader.remedies).parse(printed.latex.string)
+    def _find_solutions(self, printed: Printed, reader: Reader) -> list[Sign]:
+        """Return the signs of what has a double sign on one side, read as a letter; or none."""
+        read = read_signs(reader).parse(printed.latex.string)
         values = {**self.known.values}
         known = replace(
             self.known, values=values, printed={**self.known.printed}, others={}, later={}
         )
-        signs = find_roles(printed.name, read, known)
-        if len(signs) > 1 or signs[0].role not in _SOLVED:
-            return None
-        sign = signs[0]
+        sign, *steps = find_roles(printed.name, read, known)
+        if sign.role not in _SOLVED or any(step.role is not Role.STEP for step in steps):
+            return []
         if sign.role is Role.DEFINITION:
-            return replace(sign, role=Role.SOLUTIONS, sides=(sign.letter, values[sign.letter]))
+            sign = replace(sign, sides=(sign.letter, values[sign.letter]))
         sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
         is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
         if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
-            return None
-        return replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="")
+            return []
+        return [replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number=""), *steps]
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""

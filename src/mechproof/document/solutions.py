@@ -2,7 +2,7 @@ r"""Prints with a double sign on one side, T = (-F ± \sqrt{…}) / …: with bo
 
 The letter, or that of whose part it is the tangent, is put into the constraints that have it. Where
 it meets none, what is printed may have one of its two values wherever the others hold; a change of
-one part of the print with which it does is a misprint.
+one part of the print with which it does is a misprint. Angles are compared up to whole turns.
 """
 
 from __future__ import annotations
@@ -14,17 +14,60 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.misprints import Misprint, find_misprint
+from mechproof.document.roles import Role, Sign
 from mechproof.document.slips import Entry, Sides
 from mechproof.document.special_cases import state_angles
+from mechproof.document.tasks import Task
+from mechproof.latex import Reader
 from mechproof.proof.dimensions import Dimensions, is_angle
 from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
-from mechproof.proof.verdict import Verdict
-from mechproof.record import Conjunction, Equality, Statement
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Conjunction, Equality, Row, Statement
 
 SIGN = sp.Symbol("±", real=True)
 SUBSTITUTION = "substitution"
+# How far angles are equal that differ.
+_TURNS = ", up to whole turns"
 _PAIR = re.compile(r"(.+)_(?:\{1, ?2\}|1,2)")
+
+
+def read_signs(reader: Reader) -> Reader:
+    """Return a reader for which a double sign is a letter."""
+    return Reader(reader.variables, replace(reader.notation, branch=SIGN), reader.remedies)
+
+
+def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
+    """State of a row that it has one of two values, or of a step that it holds with both signs."""
+    says: Statement = Solutions(*sign.sides).state(dimensions)
+    if sign.role is Role.STEP:
+        pairs = zip(*map(_choose, sign.sides), strict=True)
+        says = Conjunction(tuple(Equality(*sides, "member") for sides in pairs))
+    return replace(row, says=says, read_as=write_sign(row.read_as))
+
+
+def judge_angles(task: Task) -> Judgement | None:
+    """Judge two angles that are not equal by their directions: None if these differ."""
+    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
+        return None
+    if not is_angle((says.printed, says.rebuilt), domain.dimensions):
+        return None
+    found = judge(replace(task.row, says=state_angles(says)), task.paper)
+    if found.verdict is not Verdict.PROVED:
+        return None
+    return replace(found, reason=f"{found.reason}{_TURNS}")
+
+
+def judge_signs(task: Task, found: Judgement) -> Judgement | str:
+    """Judge a print with a double sign, of which one sign holds wherever its letters lie."""
+    domain = Domain.of(task.paper, task.row.on)
+    each = Solutions(*task.sign.sides).state_each(domain.dimensions)
+    if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
+        return "one of its signs is printed elsewhere; of the other nothing is known"
+    turns = _TURNS if isinstance(each[0], Conjunction) else ""
+    return replace(found, reason=f"{found.reason}, with one sign or the other{turns}")
 
 
 def write_sign(text: str) -> str:

@@ -24,7 +24,7 @@ from mechproof.document.sides import (
     ties_letters,
 )
 from mechproof.document.sizes import OTHERS, Sizes
-from mechproof.document.solutions import Solutions, write_sign
+from mechproof.document.solutions import read_signs, state_signs
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -73,13 +73,13 @@ class TaskMaker:
             if s.role is Role.DEFINITION and isinstance(s.letter, sp.MatrixSymbol)
         )
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
-        if signs[0].role is Role.SOLUTIONS:
-            dimensions = self.known.symbols.notation.dimensions
-            says = Solutions(*signs[0].sides).state(dimensions)
-            read_as = write_sign("{} = {}".format(*signs[0].sides))
-            row = Equation(printed.name, printed.latex.string, says=says, read_as=read_as)
         own = next((s.letter for s in signs if s.letter is not None), None)
-        pairs = [*zip(read_row(row, reader), signs, strict=True)]
+        has_sign = signs[0].role is Role.SOLUTIONS
+        rows = read_row(row, read_signs(reader) if has_sign else reader)
+        pairs = [*zip(rows, signs, strict=True)]
+        if has_sign:
+            dimensions = self.known.symbols.notation.dimensions
+            pairs = [(state_signs(one, sign, dimensions), sign) for one, sign in pairs]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
         return [self._prepare(printed, *part, own) for part in parts]
