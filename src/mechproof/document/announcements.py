@@ -68,11 +68,12 @@ _CONSEQUENCE = re.compile(
     r"|namely|(?:is|be) written|daher|folglich|somit|damit|also|daraus|donc|ainsi|soit"
     r"|следовательно|тогда|отсюда)\b"
     r"|\bthe same (?:equation|expression|relation|result)|\b(?:squar|substitut)(?:ing|ed|ion)\b"
-    r"|\bfollows?\b|\b(?:we|one) obtains?\b|\bobtaining\b"
+    r"|\bfollows?\b|\bconversely\b|\b(?:we|one) obtains?\b|\bobtaining\b"
     r"|\b(?:insert|eliminat|combin|solv|simplif|expan|rearrang|transform"
     r"|rewrit|equivalent|identical|einsetz|folgt|d'o\xf9|получ|подстав)",
     re.IGNORECASE,
 )
+_END = re.compile(r"(?<!\b[Ff]ig)(?<!\b[Ee]q)(?<!\b[Ee]qs)(?<!\bcf)(?<!\b[Ss]ec)[.;!?]\s")
 # Behind a heading nothing follows.
 _HEADING = re.compile(r"\\(?:chapter|(?:sub)*section|paragraph)(?![A-Za-z])")
 # What goes on to something else, as a heading does.
@@ -134,7 +135,7 @@ class Announced:
         if not _has_prose(words):
             return replace(self, turns=turns, subjects=subjects)
         near = words[-_NEAR:]
-        is_new = is_other or not _CONSEQUENCE.search(words)
+        is_new = is_other or not _follows(words)
         is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
         is_equating = is_special or is_position or bool(_EQUATING.search(near))
         is_general = bool(_GENERAL.search(near))
@@ -142,7 +143,7 @@ class Announced:
             is_case=bool(_ALTERNATIVE.search(near)),
             is_special=is_special,
             is_new=is_new,
-            is_clause=bool(_CLAUSE.match(words)),
+            is_clause=bool(_CLAUSE.match(words)) and not is_position,
             is_position=is_position,
             is_equating=is_equating,
             is_general=is_general,
@@ -151,6 +152,15 @@ class Announced:
             turns=turns,
             subjects=subjects,
         )
+
+
+def _follows(words: str) -> bool:
+    """Return whether words tell of a consequence before they say anything else.
+
+    What letters mean, behind the display before, says nothing new.
+    """
+    sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
+    return any(_CONSEQUENCE.search(one) for one in sentences[:1])
 
 
 def _has_prose(words: str) -> bool:

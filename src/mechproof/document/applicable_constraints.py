@@ -16,7 +16,7 @@ from mechproof.document.tasks import Task
 
 def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
     """List the constraints before a row that hold for it."""
-    before = [g for g in given if g < number and _may_hold_for(tasks[g], tasks[number])]
+    before = [g for g in given if g < number and may_hold_for(tasks[g], tasks[number])]
     return _leave_out_restated(before, tasks)
 
 
@@ -25,7 +25,7 @@ def is_turned(one: Task, other: Task) -> bool:
     return one.said.turns != other.said.turns
 
 
-def _may_hold_for(given: Task, task: Task) -> bool:
+def may_hold_for(given: Task, task: Task) -> bool:
     """Return whether a constraint is said of what a row is about, as far as words tell.
 
     A special position is left with the next passage that says something new.

@@ -18,6 +18,7 @@ from mechproof.document.constrained_rows import (
 from mechproof.document.doubts import (
     doubt_by_letters,
     doubt_by_positions,
+    doubt_by_unread,
     find_contradictions,
 )
 from mechproof.document.judging import (
@@ -33,6 +34,7 @@ from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
+from mechproof.document.undeclared_motion import doubt_by_motion
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Left, Place, Verdict
@@ -152,7 +154,9 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
         rows |= dict(doubt_by_letters(tasks, rows, contested))
         rows |= dict(doubt_by_positions(tasks, rows))
+        rows |= dict(doubt_by_unread(found, rows))
         rows |= dict(doubt_by_cases(key, tasks, rows, limit))
+        rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from mechproof.document.applicable_constraints import is_plain, is_turned, list_applicable
+from mechproof.document.applicable_constraints import (
+    is_plain,
+    is_turned,
+    list_applicable,
+    may_hold_for,
+)
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
 from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
@@ -70,7 +75,8 @@ def excuse_by_constraints(
         common = [g for g in given if _have_common(tasks[g], task) and not tasks[g].is_loose]
         is_refuted = rows[n].outcome == Verdict.REFUTED.value and task.asserts
         if common and is_refuted and not task.is_claimed:
-            numbers.append((key, n, tuple(_connect(n, given, tasks))))
+            near = [g for g in given if g < n or may_hold_for(tasks[g], task)]
+            numbers.append((key, n, tuple(_connect(n, near, tasks))))
     for place, answer in run_tasks(judge_excused, numbers, limit=limit):
         yield numbers[place][1], make_row(tasks[numbers[place][1]], answer)
 
@@ -117,7 +123,7 @@ def find_misprints(
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     asked = {
-        n: tuple(_connect(n, given, tasks))
+        n: tuple(_connect(n, [g for g in given if may_hold_for(tasks[g], task)], tasks))
         for n, task in enumerate(tasks)
         if _may_be_misprint(task, rows[n])
         # Of a letter whose first prints differ nobody knows which is meant.

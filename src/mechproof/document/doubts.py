@@ -9,9 +9,10 @@ import sympy as sp
 from mechproof.document.applicable_constraints import is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
+from mechproof.document.letters import name_symbol
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
-from mechproof.proof.verdict import State, Verdict
+from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.record import Definition
 
 
@@ -84,6 +85,44 @@ def doubt_by_positions(
             yield n, make_row(task, reason)
 
 
+def doubt_by_unread(
+    found: Sequence[Task | Left], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Leave open what rests on a letter that an equation between, not read, may define anew."""
+    tasks = [one for one in found if isinstance(one, Task)]
+    unread = _list_unread(found)
+    for n, task in enumerate(tasks):
+        is_certain = rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
+        if not (is_certain and unread):
+            continue
+        letters = list_compared(task, tasks)
+        between = [
+            left
+            for place, name, left in unread
+            if place <= n and any(_is_named(one, name, letters) for one in tasks[:place])
+        ]
+        if names := ", ".join(left.number for left in between):
+            first = "it differs" if _is_refuted(rows[n]) else "it holds"
+            reason = f"{first}, but {names}, which is not read, may define a letter of it anew"
+            yield n, make_row(task, reason)
+
+
+def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
+    """List equations that are not read: how many rows stand before, and what is on the left."""
+    unread, place = [], 0
+    for one in found:
+        if isinstance(one, Task):
+            place += 1
+        elif one.state is State.NOT_READ and "=" in one.printed_latex:
+            unread.append((place, name_symbol(one.printed_latex.partition("=")[0].strip()), one))
+    return unread
+
+
+def _is_named(task: Task, name: str, letters: Collection[sp.Basic]) -> bool:
+    """Return whether a row defines one of some letters, which has a name."""
+    return defines(task, letters) and name_symbol(str(task.sign.letter)) == name
+
+
 def _is_refuted(row: CheckedRow) -> bool:
     return row.outcome == Verdict.REFUTED.value
 
@@ -102,6 +141,12 @@ def list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
         before = letters
         letters = letters.union(*(list_printed(one) for one in tasks if defines(one, letters)))
     return letters
+
+
+def list_compared(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
+    """Return the letters of a row, and of what it is compared with."""
+    compared = [one for one in tasks if one.row.number == task.sign.first]
+    return set[sp.Basic]().union(*(list_used(one, tasks) for one in (task, *compared)))
 
 
 def defines(task: Task, letters: Collection[sp.Basic]) -> bool:

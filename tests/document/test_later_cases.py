@@ -1,0 +1,108 @@
+"""What rests on a later case, on an equation that is not read, or on a letter that moves unsaid."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import pytest
+from small_papers import judge_parts
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% F ; G ; A : forces [N] {F>0}
+%% M : moment [N*mm]
+%% a ; b ; l ; r ; h : lengths [mm] {a>0, b>0, l>0, r>0}
+%% x(t) : position [mm]
+%% \varphi(t) : angle of the crank [rad]
+%% \beta@ ; \delta : angles [rad]
+%% s(\theta) : lift [mm]
+%% \theta : angle of the cam [rad]
+%% n_i ; n_a ; n_k ; d ; D ; f : numbers {D>0}
+%% k ; k_1 ; k_2 ; k_3 : stiffness [N/mm] {k_1>0, k_2>0, k_3>0}
+%% end
+"""
+BEAM = ("#The bearing carries", r"A=F\frac{l-a}l", "#and the moment is")
+WRONG, RIGHT = (rf"M=Aa=F\frac{{a{other}}}l" for other in ("^2", "(l-a)"))
+MIDDLE = ("#It is largest if the load stands in the middle,", r"a=\frac l2")
+LOOP = (r"x=r\cos\varphi+l\cos\beta", "#where", r"r\sin\varphi=l\sin\beta", "#The speed is")
+SPEED = r"\dot x=-r\dot\varphi\sin\varphi-r\dot\varphi\cos\varphi\tan\beta"
+HARMONIC = r"s=\frac h2(1-\cos\theta)"
+UNREAD = r"s=h(\theta)"
+SLOPE = r"s'=\frac h2\sin\theta"
+CAGE = ("#A fault is met with", r"f=n_i-n_k=\frac12(n_i-n_a)(1+\frac dD)")
+AT_REST = ("#With the outer ring at rest,", r"n_k=\frac{n_i}2-\frac{n_id}{2D}")
+PULLEY = ("#A fixed pulley turns a force, so that", "F=G")
+OPEN = "not judged"
+# Displays, with # words before them, and the outcomes of all.
+PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "proved by a later case": (
+        (*BEAM, WRONG, *MIDDLE),
+        ("DEFINITION", "DEFINITION", OPEN, "DEFINITION"),
+    ),
+    "true without it": (
+        (*BEAM, RIGHT, *MIDDLE),
+        ("DEFINITION", "DEFINITION", "PROVED", "DEFINITION"),
+    ),
+    "wrong without it": ((*BEAM, WRONG), ("DEFINITION", "DEFINITION", "REFUTED")),
+    "what a letter means is no case": (
+        (*BEAM, WRONG, "#where", r"a=\frac l2"),
+        ("DEFINITION", "DEFINITION", "PROVED", "DEFINITION"),
+    ),
+    "said of the case, behind it": (
+        (*BEAM, RIGHT, *MIDDLE, "#Then", r"Aa=F\frac l4"),
+        ("DEFINITION", "DEFINITION", "PROVED", "DEFINITION", "PROVED"),
+    ),
+    "refuted by a later case": ((*CAGE, *AT_REST), ("DEFINITION", OPEN, "DEFINITION")),
+    "a special position accuses no loop before it": (
+        (*LOOP[:3], "#At the dead centres", r"\sin\varphi=0"),
+        ("DEFINITION", "DEFINITION", "DEFINITION"),
+    ),
+    "what is not read may say anew": (
+        (HARMONIC, "#The other law is", UNREAD, "#with", SLOPE),
+        ("DEFINITION", "not read", OPEN),
+    ),
+    "nothing is said anew": ((HARMONIC, "#with", SLOPE), ("DEFINITION", "PROVED")),
+    "what is not read is of another letter": (
+        (HARMONIC, UNREAD.replace("s=", "A="), "#with", SLOPE),
+        ("DEFINITION", "not read", "PROVED"),
+    ),
+    "it stands behind": (
+        (HARMONIC, "#with", SLOPE, UNREAD),
+        ("DEFINITION", "PROVED", "not read"),
+    ),
+    "a case is set before the consequence": (
+        (*PULLEY, "#A loose one hangs in two ropes. It follows that", r"F=\frac G2"),
+        ("DEFINITION", OPEN),
+    ),
+    "a consequence": (
+        (*PULLEY, "#It follows that", r"F=\frac G2"),
+        ("DEFINITION", "REFUTED"),
+    ),
+    "what letters mean stands before the consequence": (
+        ("k=k_1+k_2", r"#where $k_1$ is the first. Hence", r"k=k_1\left(1+\frac{k_1}{k_2}\right)"),
+        ("DEFINITION", "REFUTED"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_rows_beside_later_cases_have_their_outcome(name: str) -> None:
+    parts, expected = PAPERS[name]
+    assert judge_parts(BLOCK.replace("@", "(t)"), *parts) == [*expected]
+
+
+judge_speed = partial(judge_parts, BLOCK.replace("@", ""), *LOOP)
+
+
+@pytest.mark.parametrize("wrong", ["", r"\cos\beta"])
+def test_what_has_to_move_and_is_not_said_to_is_named(wrong: str) -> None:
+    speed = SPEED.replace(r"\tan\beta", wrong or r"\tan\beta")
+    assert judge_speed(speed)[-1] == OPEN
+    moving = judge_parts(BLOCK.replace("@", "(t)"), *LOOP, speed)
+    assert moving[-1] == ("REFUTED" if wrong else "PROVED")
+
+
+def test_an_angle_that_need_not_move_is_constant() -> None:
+    still = (r"x=r\cos(\varphi+\delta)", r"\dot x=-r\dot\varphi\sin(\varphi+\delta)")
+    assert judge_parts(BLOCK.replace("@", "(t)"), *still) == ["DEFINITION", "PROVED"]
