@@ -157,7 +157,7 @@ CASES: dict[str, tuple[list[str], list[str]]] = {
             "#The offset is seen as",
             r"h\cos\varphi=0",
         ],
-        ["not judged", "not judged", "DEFINITION"],
+        ["DEFINITION", "DEFINITION", "DEFINITION"],
     ),
     "loops of one arrangement": (
         [

@@ -16,6 +16,8 @@ from mechproof.record import Conjunction, Equality
 
 MULTIPLE = "multiple of a constraint"
 COMBINATION = "combination of constraints"
+# How rows follow from constraints.
+FOLLOWING = (MULTIPLE, COMBINATION)
 GIVEN = "definition"
 
 

@@ -12,8 +12,13 @@ from mechproof.document.applicable_constraints import (
     may_hold_for,
 )
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.consequences import COMBINATION, GIVEN, MULTIPLE, list_letters
-from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
+from mechproof.document.consequences import FOLLOWING, GIVEN, list_letters
+from mechproof.document.doubts import (
+    defines,
+    list_printed,
+    list_used,
+    tell_contradiction,
+)
 from mechproof.document.judging import (
     Key,
     judge_beside,
@@ -28,8 +33,6 @@ from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# How rows follow from constraints.
-_FOLLOWING = (MULTIPLE, COMBINATION)
 # What may yet follow from constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
@@ -145,7 +148,7 @@ def find_misprints(
     needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
     pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
     open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
-    pairs += open_pairs
+    pairs += [*open_pairs, *_list_later(tasks, accused)]
     refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
@@ -222,7 +225,7 @@ def _find_needed(
 ) -> set[int]:
     """Return constraints without which a row does not follow that is shown to follow."""
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
-    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in _FOLLOWING]
+    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in FOLLOWING]
     pairs = [(other, n) for other in others for n in following if other < n]
     asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
     found = dict(run_tasks(judge_beside, asked, limit=limit))
@@ -242,6 +245,13 @@ def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
 
 def _is_proof(found: object) -> bool:
     return isinstance(found, Judgement) and found.verdict is Verdict.PROVED
+
+
+def _list_later(tasks: Sequence[Task], accused: Collection[int]) -> Iterator[tuple[int, int]]:
+    """Yield rows that are accused, with what defines their letters after them."""
+    for n in accused:
+        used = list_used(tasks[n], tasks)
+        yield from ((n, m) for m in range(n + 1, len(tasks)) if defines(tasks[m], used))
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:

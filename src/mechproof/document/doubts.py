@@ -154,6 +154,14 @@ def defines(task: Task, letters: Collection[sp.Basic]) -> bool:
     return task.sign.role is Role.DEFINITION and task.sign.letter in letters
 
 
+def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
+    """Return whether a row defines one of some letters behind words that may tell of a case."""
+    said = one.said
+    may_tell = said.is_new and (said.is_case or said.is_equating)
+    is_behind = said.passage > task.said.passage and not said.is_clause
+    return defines(one, used) and may_tell and is_behind
+
+
 def tell_contradiction(names: str) -> str:
     """Say that a row and others cannot both be true of one case."""
     return f"it and {names} contradict each other: one is wrong, or of another case"

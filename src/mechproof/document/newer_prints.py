@@ -14,7 +14,8 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.doubts import defines, list_used
+from mechproof.document.consequences import FOLLOWING
+from mechproof.document.doubts import is_later_case, list_used
 from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
@@ -90,9 +91,11 @@ def doubt_by_cases(
     """Prove no row by what is said of a case behind it, unless it holds without."""
     asked = []
     for n, task in enumerate(tasks):
-        is_proved = rows[n].outcome == Verdict.PROVED.value and task.sign.role is not Role.RELATION
-        used = list_used(task, tasks) if is_proved and not (task.is_claimed or task.follows) else ()
-        cases = [m for m in range(n + 1, len(tasks)) if _is_case(tasks[m], task, used)]
+        found = rows[n].judgement
+        is_proved = found and found.verdict is Verdict.PROVED and found.rung not in FOLLOWING
+        is_said = task.is_claimed or task.follows or task.sign.role is Role.RELATION
+        used = list_used(task, tasks) if is_proved and not is_said else ()
+        cases = [m for m in range(n + 1, len(tasks)) if is_later_case(tasks[m], task, used)]
         if cases:
             asked.append((key, n, tuple(cases)))
     for place, answer in run_tasks(judge_without, asked, limit=limit):
@@ -101,14 +104,6 @@ def doubt_by_cases(
             names = ", ".join(tasks[m].row.number for m in cases)
             reason = f"it holds, but rests on {names}, which is printed later, perhaps of a case"
             yield n, make_row(tasks[n], reason)
-
-
-def _is_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
-    """Return whether a row defines one of some letters behind words that may tell of a case."""
-    said = one.said
-    may_tell = said.is_case or said.is_equating
-    is_behind = said.passage > task.said.passage and not said.is_clause
-    return defines(one, used) and may_tell and is_behind
 
 
 def judge_without(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
