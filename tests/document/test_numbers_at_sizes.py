@@ -143,3 +143,54 @@ def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
     numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]
     found = outcomes(r"\beta=\arcsin\frac rl", *numbers, block=block)
     assert found[2::2] == ["PROVED", "PROVED", "REFUTED"]
+
+
+DRIVE = r"""%% mechproof
+%% v : speed [m/s]
+%% D : diameter [mm]
+%% P : power [kW]
+%% M : torque [N m]
+%% n ; n_1 : revolutions [min^{-1}]
+%% N ; f : revolutions, frequency of the mains [1/s]
+%% \omega : angular velocity [rad/s]
+%% z_1 ; z_2 : teeth
+%% s ; p : slip, pairs of poles [1]
+%% sizes v=0.25 m/s, D=400 mm, P=5.68 kW, n_1=1450 min^{-1}, z_1=20, z_2=50, p=2, f=50 1/s
+%% end
+"""
+REVOLVING = [
+    (r"n=\frac{v}{\pi D}=11.9\,\mathrm{min}^{-1}", "PROVED"),
+    (r"n=\frac{v}{\pi D}=11.9\,\mathrm{min^{-1}}", "PROVED"),
+    (r"n=\frac{v}{\pi D}=11.9\,\min^{-1}", "PROVED"),
+    (r"n=\frac{v}{\pi D}=11.9\,\mathrm{rev/min}", "PROVED"),
+    (r"n=\frac{v}{\pi D}=19.1\,\mathrm{min}^{-1}", "REFUTED"),
+    (r"n=\frac{v}{\pi D}=0.199\,\mathrm{s}^{-1}", "PROVED"),
+    (r"n=\frac{v}{\pi D}=0.199\,\mathrm{min}^{-1}", "REFUTED"),
+    (r"n=\frac{60v}{\pi D}=11.9\,\mathrm{min}^{-1}", "PROVED"),
+    (r"n=\frac{60v}{\pi D}=19.1\,\mathrm{min}^{-1}", "REFUTED"),
+    (r"N=\frac{v}{\pi D}=11.9\,\mathrm{rpm}", "PROVED"),
+    (r"N=\frac{v}{\pi D}=19.1\,\mathrm{rpm}", "REFUTED"),
+    (r"\frac{v}{\pi D}=11.9\,\mathrm{rpm}", "PROVED"),
+    (r"\frac{v}{\pi D}=19.1\,\mathrm{rpm}", "REFUTED"),
+    (r"\omega=2\pi n_1=151.8\,\mathrm{s^{-1}}", "PROVED"),
+    (r"\omega=2\pi n_1=158.1\,\mathrm{s^{-1}}", "REFUTED"),
+    (r"M=\frac{P}{2\pi n_1}=37.4\,\mathrm{N\,m}", "PROVED"),
+    (r"M=\frac{P}{2\pi n_1}=34.7\,\mathrm{N\,m}", "REFUTED"),
+    (r"n=\frac{z_1}{z_2}n_1,\quad v=\pi Dn=12.1\,\mathrm{m/s}", "PROVED"),
+    (r"n=\frac{z_1}{z_2}n_1,\quad v=\pi Dn=1.21\,\mathrm{m/s}", "REFUTED"),
+    (r"N=\frac{z_1}{z_2}n_1=9.67\,\mathrm{s}^{-1}", "PROVED"),
+    (r"N=\frac{z_1}{z_2}n_1=6.97\,\mathrm{s}^{-1}", "REFUTED"),
+    (r"s=1-\frac{n_1p}{f}=0.033", "PROVED"),
+    (r"s=1-\frac{n_1p}{f}=0.043", "REFUTED"),
+]
+
+
+@pytest.mark.parametrize(("latex", "outcome"), REVOLVING)
+def test_revolutions_are_radians_or_counted(latex: str, outcome: str) -> None:
+    text = rf"{DRIVE}\begin{{equation}}{latex}\end{{equation}}"
+    assert check("paper.tex", text).rows[-1].outcome == outcome
+
+
+def test_the_recomputed_number_is_that_of_the_nearest_reading() -> None:
+    text = rf"{DRIVE}\begin{{equation}}\omega=2\pi n_1=158.1\,\mathrm{{s}}^{{-1}}\end{{equation}}"
+    assert "recomputed 151.844" in check("paper.tex", text).rows[-1].reason

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.units import Unit, UnitError, read_unit, spell_unit
+from mechproof.document.units import Unit, UnitError, drop_braces, read_unit, spell_unit
 from mechproof.latex import Reader, ReadingError
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
@@ -80,6 +80,7 @@ class Numeral:
 def name_unit(text: str) -> str:
     r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
     shown = _DEGREE.sub("°", _BLANK.sub(" ", _MICRO.sub("µ", text)).replace(r"\%", "%"))
+    shown = drop_braces(shown)
     while (inside := _UPRIGHT.sub(r"\1", shown)) != shown:
         shown = inside
     shown = _SINGLE.sub("", shown)

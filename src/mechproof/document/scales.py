@@ -11,11 +11,13 @@ from mechproof.arithmetic import balls
 from mechproof.document.cells import Head, Numeral
 from mechproof.document.symbols import Symbols
 from mechproof.document.units import REVOLUTIONS, Unit
+from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.verdict import Verdict
-from mechproof.record import NUMBER, PrintedNumber
+from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 _DEGREE = sp.pi / 180
+_TURN = 2 * sp.pi
 _ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
 _TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
@@ -76,6 +78,11 @@ def agrees(says: PrintedNumber) -> bool:
     return decide_number(says, says.value).verdict is Verdict.PROVED
 
 
+def _has_sixty(formula: sp.Expr) -> bool:
+    """Return whether a number of a formula may have the sixty seconds of a minute as a factor."""
+    return any(not (one.p % 5 and one.q % 5) for one in formula.atoms(sp.Rational))
+
+
 def _spread(value: sp.Expr, half: sp.Expr) -> balls.Ball:
     return balls.to_ball(value - half).union(balls.to_ball(value + half))
 
@@ -95,6 +102,8 @@ class Scales:
         units = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
         self.known = {s: unit.scale for s, unit in units.items()} | {**symbols.scales}
         self.shown = {*shown, *(h.symbol for h in heads if h.unit)}
+        self.revolving = {s for s, scale in self.known.items() if scale == REVOLUTIONS}
+        self.revolving |= {s for s, unit in units.items() if unit.scale == REVOLUTIONS}
 
     def convert(self, symbol: sp.Basic | None, unit: Unit | None) -> sp.Expr:
         """Return what a unit is in that of a letter; a letter without any has it."""
@@ -112,37 +121,74 @@ class Scales:
         """Return whether all units are said by the block or by heads."""
         return {*letters} <= {*self.known, *self.shown, *self.symbols.branches}
 
-    def to_si(self, formula: sp.Expr, but: sp.Expr = sp.S.One) -> sp.Expr:
+    def to_si(self, formula: sp.Expr, angle: sp.Expr = sp.S.One) -> sp.Expr:
         """Return what a formula of numbers in the units of their letters is in units of SI.
 
-        Letters whose unit is as large as `but` are left as they are.
+        Revolutions are radians, or counted by another `angle`.
         """
-        return formula.xreplace({s: s * x for s, x in self.known.items() if x != but})
+        return formula.xreplace({s: s * self._scale(s, angle) for s in self.known})
 
-    def list_si(self, formula: sp.Expr) -> list[sp.Expr]:
-        """Return what a formula is in units of SI, also if it turns revolutions itself."""
-        turning = [self.to_si(formula, but=REVOLUTIONS)] if formula.has(sp.pi) else []
-        return list(dict.fromkeys([self.to_si(formula), *turning]))
+    def _scale(self, symbol: sp.Basic | None, angle: sp.Expr) -> sp.Expr:
+        return self.known.get(symbol, sp.S.One) / (angle if symbol in self.revolving else 1)
 
-    def list_readings(self, formula: sp.Expr, own: sp.Basic | None) -> list[tuple[sp.Expr, ...]]:
+    def list_values(
+        self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None
+    ) -> list[sp.Expr]:
+        """Return what a formula of known letters may be in a unit, else in that of its letter.
+
+        A formula with pi may turn revolutions into radians itself, or count them by the minute as
+        they stand; beside another frequency they are no radians either.
+        """
+        turns = unit.scale == REVOLUTIONS if unit else own in self.revolving
+        angles = [sp.S.One]
+        if formula.has(sp.pi) or self._has_frequency({*formula.free_symbols, own}, unit):
+            angles.append(_TURN)
+        if formula.has(sp.pi) and (_has_sixty(formula) if turns else own not in self.revolving):
+            angles.append(REVOLUTIONS)
+        scale = unit.scale if unit else self._scale(own, sp.S.One)
+        values = (self.to_si(formula, a) / scale * (a if turns else 1) for a in angles)
+        return list(dict.fromkeys(values))
+
+    def _has_frequency(self, letters: Iterable[sp.Basic | None], unit: Unit | None) -> bool:
+        """Return whether a letter, or the unit behind the number, counts what has no angle."""
+        found = [self.symbols.find_dimension(s) for s in letters if s and s not in self.revolving]
+        found += [unit.dimension] if unit and unit.scale != REVOLUTIONS else []
+        return any(one == FREQUENCY and not one.angle for one in found if one is not None)
+
+    def list_readings(
+        self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None = None
+    ) -> list[tuple[sp.Expr, ...]]:
         """Return what a formula of a letter may give, by numbers in the units of their letters.
 
-        Without a letter it is a number, or in the unit of SI. Each reading has one expression for
-        every choice of the branches.
+        It counts in the unit behind its number, else in that of the letter; without either it is a
+        number, or in the unit of SI. Each reading has one expression for every choice of the
+        branches.
         """
         readings = []
-        for turned, unit in self._read_degrees(formula, own):
-            readings.append((turned / unit, unit))
-            letters = {*turned.free_symbols, own} - {None, *self.symbols.branches}
-            if letters <= self.known.keys():
-                scale = unit * self.known.get(own, sp.S.One)
-                readings += ((value / scale, scale) for value in self.list_si(turned))
+        printed = self.convert(own, unit)
+        for turned, angle in self._read_degrees(formula, own):
+            readings.append((turned / angle / printed, angle * printed))
+            if self._has_units(turned, own):
+                scale = angle * (unit.scale if unit else self._scale(own, sp.S.One))
+                values = self.list_values(turned, own, unit)
+                readings += ((value / angle, scale) for value in values)
         choices = self.symbols.list_branches(formula.free_symbols)
         turns = self._list_turns(formula, own)
         return [
-            tuple(reading.xreplace(c) + turn / unit for c in choices for turn in turns)
-            for reading, unit in readings
+            tuple(reading.xreplace(c) + turn / scale for c in choices for turn in turns)
+            for reading, scale in readings
         ]
+
+    def _has_units(self, formula: sp.Expr, own: sp.Basic | None) -> bool:
+        """Return whether the units of letters are known, or fit if other letters are numbers."""
+        letters = {*formula.free_symbols, own} - {None, *self.symbols.branches}
+        if letters <= self.known.keys() or own not in self.known:
+            return letters <= self.known.keys()
+        told = {s: self.symbols.find_dimension(s) or NUMBER for s in letters}
+        try:
+            return infer(formula, told) == told[own]
+        except DimensionError:
+            return False
 
     def _list_turns(self, formula: sp.Expr, own: sp.Basic | None) -> list[sp.Expr]:
         """Return by how many radians an angle may differ: turns, half ones by an arc tangent."""

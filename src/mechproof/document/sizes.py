@@ -5,6 +5,7 @@ Sizes are those that the block declares, else those that the paper prints, if it
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -171,7 +172,7 @@ class Sizes:
         if used and not self._are_beside(used.values(), group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))
             return f"{OTHERS} {names}: are these meant, or others?"
-        return stated[0]
+        return min(stated, key=_find_distance)
 
     def _read(
         self, formulas: Sequence[sp.Expr], own: sp.Basic | None, unit: Unit | None
@@ -180,13 +181,14 @@ class Sizes:
         heads = (one.head for one in self.printed.values())
         scales = Scales(self.known.symbols, heads, [own] if unit and own else [])
         if own or unit is None:
-            readings = (r for formula in formulas for r in scales.list_readings(formula, own))
-            yield from (one / scales.convert(own, unit) for reading in readings for one in reading)
+            for formula in formulas:
+                for reading in scales.list_readings(formula, own, unit):
+                    yield from reading
             return
         for formula in formulas:
             if not formula.free_symbols:
                 yield formula
-            yield from (value / unit.scale for value in scales.list_si(formula))
+            yield from scales.list_values(formula, None, unit)
 
     def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
         """Return whether nothing but numbers stands between sizes and the display of a number."""
@@ -219,6 +221,12 @@ def _read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
     size = scales.size(head, Numeral(sign.number, sp.S.One))
     scale = scales.known.get(sign.letter, sp.S.One)
     return PrintedSize(size, head, scale, printed.name, printed.group)
+
+
+def _find_distance(stated: PrintedNumber) -> float:
+    """Return how far a number is from the value that is stated of it."""
+    distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
+    return float(distance) if distance.is_Float else math.inf
 
 
 def _is_sum(value: Any) -> bool:

@@ -31,7 +31,7 @@ from mechproof.proof.verdict import Place
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 
 # The unit behind a size.
-_UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?-?\d)?)+)\s*\Z")
+_UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?\{?-?\d\}?)?)+)\s*\Z")
 
 
 @dataclass(frozen=True)

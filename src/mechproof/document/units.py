@@ -35,6 +35,7 @@ _TURN, _TEN = 2 * sp.pi, sp.Integer(10)
 _DEGREE = sp.pi / 180
 # One a minute, in radians a second.
 REVOLUTIONS = _TURN / 60
+_BY_THE_MINUTE = ("rpm", "r/min", "rev/min", "U/min", "1/min", "min^-1")
 _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     LENGTH: {
         **{"m": _TEN**0, "mm": _TEN**-3, "cm": _TEN**-2, "dm": _TEN**-1, "km": _TEN**3},
@@ -68,7 +69,7 @@ _BASE: Mapping[str, Unit] = {
     # No multiple of K: its zero is another.
     "°C": Unit(Dimension(temperature=1), sp.nan),
     **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
-    **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1"), Unit(ANGLE / _TIME, REVOLUTIONS)),
+    **dict.fromkeys(_BY_THE_MINUTE, Unit(ANGLE / _TIME, REVOLUTIONS)),
     **{name: Unit(d, scale) for d, units in _SCALES.items() for name, scale in units.items()},
 }
 # Macros of siunitx, and of LaTeX itself.
@@ -79,15 +80,22 @@ _SPELLED: Mapping[str, str] = {
     **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
     **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
     **{"cubed": "^3", "kilogram": "kg", "mm": "mm", "cm": "cm", "kg": "kg", "rad": "rad"},
+    **{"min": "min"},
 }
 _PREFIXES = ("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga", "per", "mu")
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
 _FACTOR = re.compile(r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+)\}?)?\s*")
+_BRACED = re.compile(r"\^\{(-?\d+)\}")
 _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
 
 class UnitError(ValueError):
     """A unit that is not known."""
+
+
+def drop_braces(text: str) -> str:
+    """Return a unit without the braces around its exponents."""
+    return _BRACED.sub(r"^\1", text)
 
 
 def spell_unit(text: str) -> str:
@@ -106,8 +114,9 @@ def read_unit(text: str) -> Unit:
 
     Raises `UnitError` naming what is not known of it.
     """
-    if text.strip() in _BASE:
-        return _BASE[text.strip()]
+    text = drop_braces(text.strip())
+    if text in _BASE:
+        return _BASE[text]
     found, place, sign = ONE, 0, ""
     while place < len(text):
         factor = _FACTOR.match(text, place)

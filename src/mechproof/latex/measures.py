@@ -58,7 +58,7 @@ def _is_upright(parser: Parser, place: int) -> bool:
     command = _COMMAND.match(parser.source.latex, parser.tokens[place].start)
     is_word = command is not None and command[0] in (*UPRIGHT, *TEXT, *QUANTITIES, "{")
     text = parser.tokens[place].text
-    return text in (r"\%", "°") or (
+    return text in (r"\%", "°", r"\min") or (
         is_word and text.startswith("\\") and not parser.names.match(parser.tokens, place)
     )
 
