@@ -194,3 +194,41 @@ def test_revolutions_are_radians_or_counted(latex: str, outcome: str) -> None:
 def test_the_recomputed_number_is_that_of_the_nearest_reading() -> None:
     text = rf"{DRIVE}\begin{{equation}}\omega=2\pi n_1=158.1\,\mathrm{{s}}^{{-1}}\end{{equation}}"
     assert "recomputed 151.844" in check("paper.tex", text).rows[-1].reason
+
+
+SPRING = r"""%% mechproof
+%% d ; D ; s : diameters of wire and coil, deflection [mm]
+%% i : number of coils [1]
+%% G : shear modulus [N/mm^2]
+%% R : rate [N/mm]
+%% F : force [N]
+%% W : energy [N mm]
+%% w : ratio of diameters [1]
+%% sizes d=4 mm, D=30 mm, i=8, G=81500 N/mm^2, F=300 N
+%% end
+"""
+RATE = r"R=\frac{Gd^4}{8D^3i}=12.07\,\mathrm{N/mm}"
+RATIO = r"w=\frac Dd=7.5"
+ENERGY = r"W=\frac{F^2}{2R}="
+AGREES = "it agrees with the rounded numbers that are printed, R of (1); unrounded ones give 3"
+# Prints, and what becomes of the last number.
+ROUNDED = [
+    ([RATE, ENERGY + r"3727\,\mathrm{N\,mm}"], "recomputed 3726.99"),
+    ([RATE, ENERGY + r"3728\,\mathrm{N\,mm}"], AGREES),
+    ([RATE, ENERGY + r"3.728\,\mathrm{N\,m}"], AGREES),
+    ([RATE, ENERGY + r"3782\,\mathrm{N\,mm}"], "recomputed 3726.99, printed 3782"),
+    ([ENERGY + r"3728\,\mathrm{N\,mm}", RATE], "recomputed 12.0741"),
+    ([RATE.partition("=12")[0], ENERGY + "3728"], "recomputed 3726.99, printed 3728"),
+    # What is exact was not rounded.
+    ([RATIO, r"s=dw=30.2\,\mathrm{mm}"], "recomputed 30, printed 30.2"),
+    ([RATIO.replace("7.5", "7.6"), r"s=dw=30.4\,\mathrm{mm}"], "it agrees with the rounded"),
+]
+
+
+@pytest.mark.parametrize(("equations", "reason"), ROUNDED)
+def test_a_number_may_rest_on_rounded_ones(equations: list[str], reason: str) -> None:
+    shown = (rf"\begin{{equation}}{latex}\end{{equation}}" for latex in equations)
+    row = check("paper.tex", SPRING + "\n".join(shown)).rows[-1]
+    assert row.reason.startswith(reason)
+    outcome = "REFUTED" if "printed" in reason else "PROVED"
+    assert row.outcome == ("not judged" if reason.startswith("it agrees") else outcome)

@@ -13,9 +13,10 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.cells import Head, Numeral
+from mechproof.document.cells import Numeral
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
+from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
 from mechproof.document.units import Unit, read_unit
@@ -28,30 +29,25 @@ _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
+_ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
 @dataclass(frozen=True)
-class PrintedSize:
-    """A size that an equation prints, in units of its letter; of one without any, in its own."""
-
-    size: RoundedSize
-    head: Head
-    unit: sp.Expr
-    name: str
-    group: int
-
-
-@dataclass(frozen=True)
 class Sizes:
-    """The sizes of letters; `numeric` are the displays that print nothing but numbers."""
+    """The sizes of letters; `numeric` are the displays that print nothing but numbers.
+
+    `numbers` are printed of letters that have a formula, in the `order` of the equations.
+    """
 
     known: Known
     printed: Mapping[sp.Basic, PrintedSize]
     numeric: frozenset[int]
+    numbers: Mapping[sp.Basic, Sequence[PrintedSize]]
+    order: Sequence[str]
 
     def state(
-        self, sign: Sign, own: sp.Basic | None, group: int
+        self, sign: Sign, own: sp.Basic | None, printed: Printed
     ) -> PrintedNumber | Equality | str | None:
         """State what a number says: at sizes, or of letters without; or say why nothing is.
 
@@ -72,7 +68,7 @@ class Sizes:
                 return stated
         if is_constraint and not (sign.unit or is_sum) and _FEW_DIGITS.match(sign.number):
             return None
-        return self._round(sign, own, group)
+        return self._round(sign, own, printed)
 
     def tell(self, sign: Sign) -> str:
         """Say which printed sizes a number is compared at."""
@@ -129,7 +125,7 @@ class Sizes:
         return Equality(scales.to_si(value) / unit.scale, number, "member")
 
     def _round(
-        self, sign: Sign, own: sp.Basic | None, group: int
+        self, sign: Sign, own: sp.Basic | None, printed: Printed
     ) -> PrintedNumber | Equality | str:
         """Return what a number says of a formula at the sizes, or why that is not judged.
 
@@ -165,20 +161,27 @@ class Sizes:
         number = Numeral(sign.number, sp.S.One)
         if value.free_symbols and any(is_near(one, number, sizes) for one in read):
             return _NEAR
+        nearest = min(stated, key=_find_distance)
+        if names := self._name_rounded(sign, own, printed):
+            return _ROUNDED.format(names, sp.N(nearest.value, 6))
         used = self._list_used(value.free_symbols)
         units = {one.head.unit for one in used.values()}
         if unit is None and len(units) > 1 and self._infer(value) != NUMBER:
             return "it has no unit, and the sizes have several"
-        if used and not self._are_beside(used.values(), group):
+        if used and not self._are_beside(used.values(), printed.group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))
             return f"{OTHERS} {names}: are these meant, or others?"
-        return min(stated, key=_find_distance)
+        return nearest
 
     def _read(
-        self, formulas: Sequence[sp.Expr], own: sp.Basic | None, unit: Unit | None
+        self,
+        formulas: Sequence[sp.Expr],
+        own: sp.Basic | None,
+        unit: Unit | None,
+        numbers: Iterable[PrintedSize] = (),
     ) -> Iterator[sp.Expr]:
         """Yield what formulas may give, in the unit behind the number."""
-        heads = (one.head for one in self.printed.values())
+        heads = (one.head for one in (*self.printed.values(), *numbers))
         scales = Scales(self.known.symbols, heads, [own] if unit and own else [])
         if own or unit is None:
             for formula in formulas:
@@ -190,6 +193,35 @@ class Sizes:
                 yield formula
             yield from scales.list_values(formula, None, unit)
 
+    def _name_rounded(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+        """Return with which numbers before it one agrees, as far as these may have been rounded."""
+        before = self.order[: self.order.index(printed.name)]
+        last = {
+            s: one
+            for s, ones in self.numbers.items()
+            for one in ones
+            if one.name in before and s not in (sign.letter, *self.known.symbols.usual)
+        }
+        rounded = {s: one for s, one in last.items() if not self._is_exact(one)}
+        formula = self.known.settle(sign.value, stop=rounded)
+        used = {s: rounded[s] for s in sorted(formula.free_symbols & rounded.keys(), key=str)}
+        sizes = self._list_sizes() | {s: one.size for s, one in used.items()}
+        if not (used and formula.free_symbols <= sizes.keys()):
+            return ""
+        unit, number = read_unit(sign.unit) if sign.unit else None, Numeral(sign.number, sp.S.One)
+        read = self._read([formula], own, unit, used.values())
+        is_right = any(is_near(one, number, sizes) for one in read)
+        return ", ".join(f"{s} of {one.name}" for s, one in used.items()) if is_right else ""
+
+    def _is_exact(self, one: PrintedSize) -> bool:
+        """Return whether the number of a letter is that of its formula, without any rounding."""
+        letter, sizes = one.head.symbol, self._list_sizes()
+        formula = self.known.settle(letter)
+        exact = {s: size.value for s, size in sizes.items()}
+        return formula.free_symbols <= sizes.keys() and one.size.value in [
+            value.xreplace(exact) for value in self._read([formula], letter, None)
+        ]
+
     def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
         """Return whether nothing but numbers stands between sizes and the display of a number."""
         groups = {group, *(one.group for one in used)}
@@ -200,27 +232,22 @@ def collect_sizes(
     equations: Iterable[tuple[Printed, Sequence[Sign] | Left]], known: Known
 ) -> Sizes:
     """Collect the sizes that are printed; a letter that is printed with two of them has none."""
+    read = [(one, [] if isinstance(signs, Left) else signs) for one, signs in equations]
     found: dict[sp.Basic, list[PrintedSize]] = {}
+    numbers: dict[sp.Basic, list[PrintedSize]] = {}
     groups: dict[int, bool] = {}
-    for printed, signs in equations:
-        read = [] if isinstance(signs, Left) else signs
-        is_numeric = bool(read) and bool(read[-1].number)
+    for printed, signs in read:
+        is_numeric = bool(signs) and bool(signs[-1].number)
         groups[printed.group] = groups.get(printed.group, True) and is_numeric
-        for sign in read:
+        for sign in signs:
             if sign.role is Role.SIZE and sign.letter is not None and sign.number:
-                found.setdefault(sign.letter, []).append(_read_size(sign, printed, known))
+                found.setdefault(sign.letter, []).append(read_size(sign, printed, known))
+        for letter, one in list_numbers(printed, signs, known):
+            numbers.setdefault(letter, []).append(one)
     sizes = {s: {one.size.value * one.unit for one in ones} for s, ones in found.items()}
     kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
-    return Sizes(known, kept, frozenset(group for group, is_all in groups.items() if is_all))
-
-
-def _read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
-    unit = read_unit(sign.unit) if sign.unit else None
-    head = Head(sign.letter, str(sign.letter), unit)
-    scales = Scales(known.symbols, [head])
-    size = scales.size(head, Numeral(sign.number, sp.S.One))
-    scale = scales.known.get(sign.letter, sp.S.One)
-    return PrintedSize(size, head, scale, printed.name, printed.group)
+    numeric = frozenset(group for group, is_all in groups.items() if is_all)
+    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read])
 
 
 def _find_distance(stated: PrintedNumber) -> float:

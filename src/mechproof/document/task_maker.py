@@ -180,11 +180,11 @@ class TaskMaker:
         if is_number and not sign.value.has(sp.Limit):
             sign = replace(sign, role=Role.NUMBER)
         if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
-            stated = self.sizes.state(sign, own, printed.group)
+            stated = self.sizes.state(sign, own, printed)
         if sign.role is Role.SIZE:
             said = replace(sign, role=Role.NUMBER)
             formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
-            found = [(one, self.sizes.state(one, own, printed.group)) for one in formulas]
+            found = [(one, self.sizes.state(one, own, printed)) for one in formulas]
             told = [one for one in found if isinstance(one[1], PrintedNumber)]
             told += [one for one in found if str(one[1]).startswith(OTHERS)]
             sign, stated = told[0] if told else (sign, None)
