@@ -232,3 +232,21 @@ def test_a_number_may_rest_on_rounded_ones(equations: list[str], reason: str) ->
     assert row.reason.startswith(reason)
     outcome = "REFUTED" if "printed" in reason else "PROVED"
     assert row.outcome == ("not judged" if reason.startswith("it agrees") else outcome)
+
+
+# Prints, and what becomes of the last one: where decimals have points, a comma parts thousands.
+COMMAS = [
+    ([r"\frac12=0.5", r"10^3=1{,}000"], "PROVED"),
+    ([r"\frac12=0.5", r"10^3=1{,}001"], "REFUTED"),
+    ([r"1000^2=1{,}000{,}000", r"\frac{12345}{10}=1{,}234.5"], "PROVED"),
+    ([r"\frac12=0.5", r"\frac54=1{,}25"], "PROVED"),
+    ([r"\frac12=0.5", r"\frac54=1{,}250"], "REFUTED"),
+    ([r"\frac12=0{,}5", r"\frac54=1{,}250"], "PROVED"),
+    ([r"\frac12=0{,}5", r"10^3=1{,}000"], "REFUTED"),
+    ([r"2=2\quad\text{by (2.1)}", r"\frac54=1{,}250"], "PROVED"),
+]
+
+
+@pytest.mark.parametrize(("equations", "outcome"), COMMAS)
+def test_a_comma_is_decimal_or_parts_thousands(equations: list[str], outcome: str) -> None:
+    assert outcomes(*equations)[-1] == outcome

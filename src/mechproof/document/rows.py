@@ -37,6 +37,7 @@ from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
+from mechproof.document.thousands import join_thousands
 from mechproof.latex import Reader, ReadingError
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Paper
@@ -59,7 +60,7 @@ class Document:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
         self.files = source.files
         self.system = _name_system(source.files.names[0])
-        self.printed = list(find_displays(source.text))
+        self.printed = list(find_displays(join_thousands(source.text)))
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)

@@ -1,0 +1,24 @@
+"""Commas that part thousands, 1{,}000, in a text whose decimals have points."""
+
+from __future__ import annotations
+
+import re
+
+from mechproof.document.displays import find_displays
+from mechproof.document.text import LocatedText
+
+_COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
+_NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")
+_THOUSANDS = re.compile(r"[1-9]\d{0,2}(?:\{,\}\d{3})+")
+_WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
+_POINT = re.compile(r"\d\.\d")
+
+
+def join_thousands(text: LocatedText) -> LocatedText:
+    """Return a text without the commas that part thousands; where one is decimal, all may be."""
+    numbers = _NUMBER.findall(text.string)
+    if not numbers or not all(map(_THOUSANDS.fullmatch, numbers)):
+        return text
+    prints = (_WORDS.sub(" ", one.latex.string) for one in find_displays(text))
+    has_points = any(map(_POINT.search, prints))
+    return text.replace(_COMMA, lambda match: "") if has_points else text
