@@ -250,3 +250,36 @@ COMMAS = [
 @pytest.mark.parametrize(("equations", "outcome"), COMMAS)
 def test_a_comma_is_decimal_or_parts_thousands(equations: list[str], outcome: str) -> None:
     assert outcomes(*equations)[-1] == outcome
+
+
+ROD = r"""%% mechproof
+%% F : force [N]
+%% d : diameter [mm]
+%% A : area [mm^2]
+%% \sigma : stress [MPa]
+%% sizes F=20000 N, d=16 mm
+%% end
+A rod of $d=16$ mm carries $F=20$ kN.
+\begin{equation}A=\frac{\pi d^2}4=201\,\mathrm{mm^2}\end{equation}
+"""
+AREA, STRESS = r"A=\frac{\pi d^2}4={}\,\mathrm{mm^2}", r"\sigma=\frac FA={}\,\mathrm{MPa}"
+# Words, what is printed behind them, its number, and what becomes of it.
+RESTATED = [
+    ("With $d=20$ mm we have", AREA, "314", "PROVED"),
+    ("With $d=2$ cm we have", AREA, "314", "PROVED"),
+    (r"For $d=20\,\mathrm{mm}$", STRESS, "63.7", "PROVED"),
+    ("For $d=20$ mm", AREA, "341", "not judged"),
+    ("For $d=20$ mm", "A={}", "314", "PROVED"),
+    ("With $d=20$ in place of it", AREA, "314", "PROVED"),
+    ("With $d=20$ mm, but again $d=16$ mm for the old one,", AREA, "314", "REFUTED"),
+    ("With $d=16$ mm", AREA, "314", "REFUTED"),
+    ("With $D=20$ mm", AREA, "314", "REFUTED"),
+    ("With $F=40$ kN", AREA, "314", "REFUTED"),
+    ("With $F=40$ kN", STRESS, "198.9", "PROVED"),
+]
+
+
+@pytest.mark.parametrize(("words", "latex", "number", "outcome"), RESTATED)
+def test_words_may_state_a_size_anew(words: str, latex: str, number: str, outcome: str) -> None:
+    display = rf"\begin{{equation}}{latex.replace('{}', number)}\end{{equation}}"
+    assert check("paper.tex", f"{ROD}{words} {display}").rows[-1].outcome == outcome

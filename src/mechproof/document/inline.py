@@ -33,7 +33,10 @@ _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([
 
 @dataclass(frozen=True)
 class Inline:
-    """What a sentence says of a letter, the line where, and whether words tell of a position."""
+    """What a sentence says of a letter, the line where, and whether words tell of a position.
+
+    `end` is the place in the text behind it.
+    """
 
     letter: str
     value: str
@@ -41,6 +44,7 @@ class Inline:
     number: Numeral | None
     unit: str = ""
     is_case: bool = False
+    end: int = 0
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -77,7 +81,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         number = read_numeral(plain, decimal_comma="{,}" in plain)
         unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
         is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
-        yield Inline(letter, value, line, number, _MEANT.get(unit, unit), is_case)
+        yield Inline(letter, value, line, number, _MEANT.get(unit, unit), is_case, match.end())
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:

@@ -26,6 +26,7 @@ from mechproof.document.letters import (
     name_symbol,
 )
 from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
+from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.shapes import find_sizes
@@ -58,7 +59,7 @@ class Document:
 
     def __init__(self, source: Source) -> None:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
-        self.files = source.files
+        self.source, self.files = source, source.files
         self.system = _name_system(source.files.names[0])
         self.printed = list(find_displays(join_thousands(source.text)))
         self.tables = list(find_tabulars(source.text))
@@ -162,7 +163,8 @@ class Document:
         self.told = [*faults, *tables.told]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
-        sizes = collect_sizes(zip(self.printed, read, strict=True), self.known)
+        restated = RestatedSizes(self.source, self.symbols)
+        sizes = collect_sizes(zip(self.printed, read, strict=True), self.known, restated)
         maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, sizes)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):

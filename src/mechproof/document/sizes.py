@@ -17,6 +17,7 @@ from mechproof.document.cells import Numeral
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
+from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
 from mechproof.document.units import Unit, read_unit
@@ -30,6 +31,7 @@ _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
+_RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -37,7 +39,8 @@ _NEAR = "it differs from the recomputed number, but by no more than rounding exp
 class Sizes:
     """The sizes of letters; `numeric` are the displays that print nothing but numbers.
 
-    `numbers` are printed of letters that have a formula, in the `order` of the equations.
+    `numbers` are printed of letters that have a formula, in the `order` of the equations;
+    `restated` are sizes that sentences say.
     """
 
     known: Known
@@ -45,6 +48,7 @@ class Sizes:
     numeric: frozenset[int]
     numbers: Mapping[sp.Basic, Sequence[PrintedSize]]
     order: Sequence[str]
+    restated: RestatedSizes
 
     def state(
         self, sign: Sign, own: sp.Basic | None, printed: Printed
@@ -70,11 +74,22 @@ class Sizes:
             return None
         return self._round(sign, own, printed)
 
-    def tell(self, sign: Sign) -> str:
-        """Say which printed sizes a number is compared at."""
-        used = self._list_used(self.known.settle(sign.value).free_symbols)
+    def tell(self, sign: Sign, printed: Printed) -> str:
+        """Say which printed sizes a number is compared at, and which sentences state anew."""
+        letters = self.known.settle(sign.value).free_symbols
+        used = self._list_used(letters)
         sizes = (f"{s} = {one.size.value} of {one.name}" for s, one in used.items())
-        return f"At {', '.join(sizes)}." if used else ""
+        restated = self._name_restated(letters, printed)
+        anew = f"The text says {restated}." if restated else ""
+        return f"At {', '.join(sizes)}. {anew}".strip() if used else anew
+
+    def _name_restated(self, letters: Iterable[sp.Basic], printed: Printed) -> str:
+        """Name the sizes among those of letters that a sentence before an equation states anew."""
+        found = self.restated.list_before(printed)
+        return ", ".join(
+            f"{s} = {found[s].value} in line {found[s].line}"
+            for s in sorted(found.keys() & {*letters}, key=str)
+        )
 
     def _list_sizes(self) -> dict[sp.Basic, RoundedSize]:
         usual = {s: RoundedSize(value) for s, value in self.known.symbols.usual.items()}
@@ -156,8 +171,12 @@ class Sizes:
         if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
             return _SPECIAL
         stated = [PrintedNumber(sign.number, one) for one in values]
-        if found := next(filter(agrees, stated), None):
+        anew = {s: one.value for s, one in self.restated.list_before(printed).items()}
+        renewed = [PrintedNumber(sign.number, one.xreplace(exact | anew)) for one in read]
+        if found := next(filter(agrees, (*stated, *renewed)), None):
             return found
+        if names := self._name_restated(value.free_symbols, printed):
+            return _RESTATED.format(names)
         number = Numeral(sign.number, sp.S.One)
         if value.free_symbols and any(is_near(one, number, sizes) for one in read):
             return _NEAR
@@ -229,7 +248,9 @@ class Sizes:
 
 
 def collect_sizes(
-    equations: Iterable[tuple[Printed, Sequence[Sign] | Left]], known: Known
+    equations: Iterable[tuple[Printed, Sequence[Sign] | Left]],
+    known: Known,
+    restated: RestatedSizes,
 ) -> Sizes:
     """Collect the sizes that are printed; a letter that is printed with two of them has none."""
     read = [(one, [] if isinstance(signs, Left) else signs) for one, signs in equations]
@@ -247,7 +268,7 @@ def collect_sizes(
     sizes = {s: {one.size.value * one.unit for one in ones} for s, ones in found.items()}
     kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
     numeric = frozenset(group for group, is_all in groups.items() if is_all)
-    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read])
+    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
 def _find_distance(stated: PrintedNumber) -> float:

@@ -193,7 +193,7 @@ class TaskMaker:
         if stated:
             is_size = isinstance(stated, PrintedNumber)
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
-            note = f"{row.note} {self.sizes.tell(sign) if is_size else ''}".strip()
+            note = f"{row.note} {self.sizes.tell(sign, printed) if is_size else ''}".strip()
             row = replace(row, says=stated, note=note)
         row = replace(row, says=split_branches(row.statement, self.known))
         turn = look_up(printed, self.block.modulo)

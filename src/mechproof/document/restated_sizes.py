@@ -1,0 +1,75 @@
+"""Sizes that sentences state anew: "with d=20 mm we have instead" behind sizes d=16 mm."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.document.cells import Head, Numeral, find_unit
+from mechproof.document.displays import Printed
+from mechproof.document.inline import Inline, find_inline
+from mechproof.document.scales import Scales
+from mechproof.document.sources import Source
+from mechproof.document.symbols import Symbols
+from mechproof.document.units import Unit
+
+# The word behind a formula, which may be its unit.
+_NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")
+
+
+@dataclass(frozen=True)
+class Restated:
+    """A size that a sentence says of a letter, in its unit, and at which place and line."""
+
+    letter: sp.Basic
+    value: sp.Expr
+    place: int
+    line: int
+
+
+class RestatedSizes:
+    """What sentences say of letters whose sizes the block declares, in the order of the text."""
+
+    def __init__(self, source: Source, symbols: Symbols) -> None:
+        """Find the sentences; of a sum or a formula nothing is taken."""
+        self.usual = symbols.usual
+        self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
+        letters = {
+            name: v.symbol
+            for v in symbols.variables
+            for name in v.latex
+            if v.symbol in symbols.usual
+        }
+        self.found = [*_find(source, letters, symbols)]
+
+    def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
+        """Return the sizes that hold at an equation and are not those of the block."""
+        place = self.order.get(printed.latex.offsets[printed.taken], -1)
+        last = {one.letter: one for one in self.found if one.place < place}
+        return {s: one for s, one in last.items() if not _is_same(one.value, self.usual[s])}
+
+
+def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> Iterator[Restated]:
+    for one in find_inline(source, letters):
+        letter = letters.get(one.letter)
+        if letter is None or one.number is None:
+            continue
+        unit = one.number.unit or _find_behind(one, source, letter, symbols)
+        number = Numeral(one.number.digits, one.number.factor, unit)
+        size = Scales(symbols).size(Head(letter, one.letter, None), number)
+        yield Restated(letter, size.value, one.end, one.line)
+
+
+def _find_behind(one: Inline, source: Source, letter: sp.Basic, symbols: Symbols) -> Unit | None:
+    """Return the unit in the words behind a formula, if it is one of the letter's dimension."""
+    word = _NEXT.match(source.text.string, one.end)
+    unit = find_unit(word[1]) if word and word[1] != "in" else None
+    return unit if unit and unit.dimension == symbols.find_dimension(letter) else None
+
+
+def _is_same(one: sp.Expr, other: sp.Expr) -> bool:
+    """Return whether sizes are the same, or one is the other rounded, as radians are."""
+    return bool(sp.Abs(one - other) <= sp.Abs(other) / 1000)
