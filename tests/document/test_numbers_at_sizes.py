@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from small_papers import outcomes
+from small_papers import outcomes, run
 
 from mechproof.document.checking import check
 
@@ -283,3 +283,23 @@ RESTATED = [
 def test_words_may_state_a_size_anew(words: str, latex: str, number: str, outcome: str) -> None:
     display = rf"\begin{{equation}}{latex.replace('{}', number)}\end{{equation}}"
     assert check("paper.tex", f"{ROD}{words} {display}").rows[-1].outcome == outcome
+
+
+FEW = "at the sizes it is 2: a number of so few digits may be rounded, or meant for others"
+# Numbers of one digit, and what is said of them.
+DIGITS = [
+    ("k=2", "PROVED", "recomputed 2"),
+    ("k=3", "not judged", FEW),
+    ("k=3.0", "not judged", "not the value at the declared sizes: recomputed 2, printed 3.0"),
+    (r"k=\frac{\pi-\beta}\beta=3", "not judged", FEW),
+    (r"k=\frac{\pi-\beta}\beta=3.0", "REFUTED", "recomputed 2, printed 3.0"),
+]
+
+
+@pytest.mark.parametrize(("latex", "outcome", "reason"), DIGITS)
+def test_numbers_of_one_digit_are_told_the_value_at_the_sizes(
+    latex: str, outcome: str, reason: str
+) -> None:
+    equations = [r"\beta=\arccos\frac rl", r"k=\frac{\pi-\beta}\beta", latex]
+    row = run(*equations, block="%% sizes r=30 mm, l=60 mm\n").rows[-1]
+    assert (row.outcome, row.reason) == (outcome, reason)

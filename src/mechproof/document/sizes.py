@@ -27,6 +27,7 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+_FEW = "at the sizes it is {}: a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
@@ -142,7 +143,31 @@ class Sizes:
     def _round(
         self, sign: Sign, own: sp.Basic | None, printed: Printed
     ) -> PrintedNumber | Equality | str:
-        """Return what a number says of a formula at the sizes, or why that is not judged.
+        """Return what a number says of a formula at the sizes, or why that is not judged."""
+        formulas = self._find_formulas(sign)
+        if not isinstance(formulas, list):
+            return formulas
+        value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
+        if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
+            return _UNFIT
+        read = [*self._read(formulas, own, unit)]
+        exact = {s: size.value for s, size in self._list_sizes().items()}
+        anew = {s: one.value for s, one in self.restated.list_before(printed).items()}
+        stated = [PrintedNumber(sign.number, one.xreplace(exact)) for one in read]
+        renewed = [PrintedNumber(sign.number, one.xreplace(exact | anew)) for one in read]
+        nearest = min(stated, key=_find_distance)
+        is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
+        values = [one.value for one in (*stated, *renewed)]
+        if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
+            return _FEW.format(_show(nearest.value))
+        if found := next(filter(agrees, (*stated, *renewed)), None):
+            return found
+        if value.free_symbols and (reason := self._excuse(sign, own, printed, read, nearest)):
+            return reason
+        return self._doubt(value, unit, printed) or nearest
+
+    def _find_formulas(self, sign: Sign) -> list[sp.Expr] | Equality | str:
+        """Return the formulas of a number at the sizes, or why there are none.
 
         That a formula is zero says something of letters whose sizes are not known.
         """
@@ -150,39 +175,37 @@ class Sizes:
         value = self.known.settle(sign.value)
         # A letter that has a size, too, may be meant by either.
         formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
-        if missing := sorted(map(str, value.free_symbols - sizes.keys())):
-            formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
-        if missing and not formulas:
-            # A further member of its chain may have no other letters.
-            others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
-            formulas = [x for x in others if x.free_symbols <= sizes.keys()]
-            if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
-                return Equality(value, sp.S.Zero, "member")
-            if not formulas:
-                return f"it depends on sizes that are not declared: {', '.join(missing)}"
-        value = formulas[0]
-        unit = read_unit(sign.unit) if sign.unit else None
-        if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
-            return _UNFIT
-        read = [*self._read(formulas, own, unit)]
-        exact = {s: size.value for s, size in sizes.items()}
-        values = [one.xreplace(exact) for one in read]
-        is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
-        if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
-            return _SPECIAL
-        stated = [PrintedNumber(sign.number, one) for one in values]
-        anew = {s: one.value for s, one in self.restated.list_before(printed).items()}
-        renewed = [PrintedNumber(sign.number, one.xreplace(exact | anew)) for one in read]
-        if found := next(filter(agrees, (*stated, *renewed)), None):
-            return found
-        if names := self._name_restated(value.free_symbols, printed):
+        missing = sorted(map(str, value.free_symbols - sizes.keys()))
+        if not missing:
+            return formulas
+        formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
+        # A further member of its chain may have no other letters.
+        others = (self.known.settle(x) for _, x in self.known.others.get(sign.value, ()))
+        formulas = formulas or [x for x in others if x.free_symbols <= sizes.keys()]
+        if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
+            return Equality(value, sp.S.Zero, "member")
+        return formulas or f"it depends on sizes that are not declared: {', '.join(missing)}"
+
+    def _excuse(
+        self,
+        sign: Sign,
+        own: sp.Basic | None,
+        printed: Printed,
+        read: Iterable[sp.Expr],
+        nearest: PrintedNumber,
+    ) -> str:
+        """Say what may have been meant by a number that is not the one at the sizes."""
+        letters = self.known.settle(sign.value).free_symbols
+        if names := self._name_restated(letters, printed):
             return _RESTATED.format(names)
-        number = Numeral(sign.number, sp.S.One)
-        if value.free_symbols and any(is_near(one, number, sizes) for one in read):
+        number, sizes = Numeral(sign.number, sp.S.One), self._list_sizes()
+        if any(is_near(one, number, sizes) for one in read):
             return _NEAR
-        nearest = min(stated, key=_find_distance)
-        if names := self._name_rounded(sign, own, printed):
-            return _ROUNDED.format(names, sp.N(nearest.value, 6))
+        names = self._name_rounded(sign, own, printed)
+        return _ROUNDED.format(names, _show(nearest.value)) if names else ""
+
+    def _doubt(self, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
+        """Say why a number may not be meant at the sizes that are printed."""
         used = self._list_used(value.free_symbols)
         units = {one.head.unit for one in used.values()}
         if unit is None and len(units) > 1 and self._infer(value) != NUMBER:
@@ -190,7 +213,7 @@ class Sizes:
         if used and not self._are_beside(used.values(), printed.group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))
             return f"{OTHERS} {names}: are these meant, or others?"
-        return nearest
+        return ""
 
     def _read(
         self,
@@ -275,6 +298,11 @@ def _find_distance(stated: PrintedNumber) -> float:
     """Return how far a number is from the value that is stated of it."""
     distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
     return float(distance) if distance.is_Float else math.inf
+
+
+def _show(value: sp.Expr) -> str:
+    number = sp.N(value, 6)
+    return f"{float(number):g}" if number.is_real else str(number)
 
 
 def _is_sum(value: Any) -> bool:
