@@ -150,3 +150,10 @@ def test_two_numbers_are_told_apart_and_equal_ones_are_as_they_are() -> None:
     assert balls.show_apart(near[1], near[1]) == (balls.show(near[1]), balls.show(near[1]))
     wide = balls.evaluate(sp.sqrt(2), {}, 256)
     assert "the difference is" in balls.show_apart(wide, wide)[1]
+
+
+def test_a_wide_ball_without_zero_shows_its_sign() -> None:
+    shown = balls.show(balls.flint.arb(-2, 0.9))
+    assert shown == "[-2.00 +/- 0.901]"
+    assert not balls.flint.arb(shown).contains(0)
+    assert balls.show(balls.flint.arb(-2, 2.1)) == "[+/- 4.11]"

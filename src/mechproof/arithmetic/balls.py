@@ -89,8 +89,12 @@ def evaluate_until(
 
 
 def show(ball: Ball, digits: int = 12) -> str:
-    """Return the ball as text: midpoint and radius."""
-    return str(ball.str(digits))
+    """Return the ball as text: midpoint and radius.
+
+    A ball that is wide, but without zero, keeps the digits of its middle: they show its sign.
+    """
+    shown = str(ball.str(digits))
+    return str(ball.str(3, more=True)) if "[+/-" in shown and not ball.contains(0) else shown
 
 
 def show_apart(left: Ball, right: Ball) -> tuple[str, str]:
