@@ -95,6 +95,8 @@ FAMILIES = {
     r"S=\sum_{i=1}^n m_ix_i^2=2\sum_{k=1}^n m_kx_k^2": ["DEFINITION", "REFUTED"],
     r"S=\sum_{i=1}^n m_ix_i^2=\sum_{k=1}^n m_ix_k^2": ["DEFINITION", "ILL_FORMED"],
     r"S=\sum_{i=1}^n\sum_{j=1}^n c_{ij}=\sum_{k=1}^n\sum_{j=1}^n c_{kj}": ["DEFINITION", "PROVED"],
+    r"\sum_{k=0}^{n-1}\cos(\alpha+\frac{2\pi k}{n})=0": ["DEFINITION"],
+    r"S=\sum_{k=0}^{n-1}\cos(\alpha+2\pi k)=n\sin\alpha": ["DEFINITION", "REFUTED"],
     r"M=x_1+x=x+x_1": ["DEFINITION", "PROVED"],
     r"M=x_1+x=x+2x_1": ["DEFINITION", "REFUTED"],
     r"M=x_i": ["ILL_FORMED"],

@@ -22,6 +22,18 @@ def test_no_points_are_looked_for_where_slopes_cannot_be_computed() -> None:
     assert [*find_points([Y - X], {X, Y}, PLANE, 4)]
 
 
+def test_a_letter_that_counts_keeps_its_value_on_the_way_to_a_point() -> None:
+    n = sp.Symbol("n", integer=True, positive=True)
+    domain = Domain({X: sp.S.Reals, n: sp.S.Naturals}, (), {})
+    point = next(find_points([n * X - sp.sqrt(2)], {X, n}, domain, 4))
+    assert point[n].is_Integer
+    held = enclose([n * X - sp.sqrt(2)], point)
+    assert held is not None
+    assert held[n].is_exact()
+    k = sp.Symbol("k", integer=True)
+    assert not [*find_points([sp.Sum(X**k, (k, 0, n)) - 2], {X, n}, domain, 4)]
+
+
 def test_a_walk_onto_a_pole_finds_nothing_and_warns_nobody() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

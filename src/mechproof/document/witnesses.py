@@ -73,7 +73,7 @@ def find_points(
     computed, those of a floor or of a limit.
     """
     symbols = sorted(letters, key=str)
-    slopes = sp.Matrix(residuals).jacobian(symbols).tolist() if residuals and symbols else []
+    slopes = _differentiate(residuals, symbols).tolist() if residuals and symbols else []
     both = [list(residuals), slopes]
     try:
         systems = [sp.lambdify(symbols, both, name, cse=True) for name in ("math", "mpmath")]
@@ -87,6 +87,12 @@ def find_points(
             point = dict(zip(symbols, map(_to_fraction, end), strict=True)) if end else start
             if domain.allows(point):
                 yield point
+
+
+def _differentiate(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Basic]) -> sp.Matrix:
+    """Return the slopes of residuals; a letter that counts has none, so that it keeps its value."""
+    rows = [[0 if s.is_integer else one.diff(s) for s in symbols] for one in residuals]
+    return sp.Matrix(rows)
 
 
 def _list_starts(
@@ -118,7 +124,7 @@ def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.
         values = {s: balls.to_ball(value) for s, value in point.items()}
         if not residuals:
             return values
-        slopes = sp.Matrix(residuals).jacobian([*values])
+        slopes = _differentiate(residuals, [*values])
         rows, columns = _choose(slopes, values)
         own, unknown = [residuals[row] for row in rows], [[*values][n] for n in columns]
         found = _test(own, slopes.extract(rows, columns), unknown, values)
