@@ -120,3 +120,17 @@ def test_families_stand_beside_letters_and_members(latex: str) -> None:
 def test_a_scope_that_cannot_be_meant_is_refused(line: str, error: type[Exception]) -> None:
     with pytest.raises(error, match="in"):
         outcomes(AREA, block=f"%% {line}\n")
+
+
+ROOTS = [r"\sqrt{a^2}=a", r"\sqrt{b^2}=b", r"\sqrt{(b-2)^2}=2-b"]
+SAID = {
+    "{a>0} {b>0} {b<2}": ["PROVED", "PROVED", "PROVED"],
+    "{a>0}{0<b, b<2}": ["PROVED", "PROVED", "PROVED"],
+    "{a>0} {b<2}": ["PROVED", "DEFINITION", "PROVED"],
+    r"a length \frac{a}{b}": ["DEFINITION", "DEFINITION", "not judged"],
+}
+
+
+@pytest.mark.parametrize("said", SAID)
+def test_all_braces_of_a_line_hold(said: str) -> None:
+    assert outcomes(*ROOTS, block=f"%% a ; b : lengths [1] {said}\n") == SAID[said]

@@ -61,6 +61,10 @@ def test_several_conditions_hold_together(print_: str) -> None:
     assert conditions(print_) == {sp.Gt(x, 0), sp.Gt(y, 0)}
 
 
+def test_two_bounds_of_one_letter_are_no_question() -> None:
+    assert conditions(r"f=1,\ 0<x,x<1") == {sp.Lt(0, x), sp.Lt(x, 1)}
+
+
 @pytest.mark.parametrize("more", [r"y=0", r"y=\frac{\pi}{2}", r"y=-1"])
 @pytest.mark.parametrize("first", ["x=0", "x>0", "0<x<1"])
 def test_a_value_behind_a_condition_is_one(first: str, more: str) -> None:

@@ -1,6 +1,6 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
-A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
+A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1} …`, or
 begins with a word: `factor`, `function`, `where`, `let`, `claim`, `branch`, `natural`, `integer`,
 `imaginary`, `from`, `sizes`, and, of single equations, `constraint`, `identity`, `modulo 2\pi`,
 `follows`, `skip`.
@@ -20,7 +20,8 @@ _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
 _COLON = re.compile(r"\s*:(?:\s+|\Z)")
 _UNIT = re.compile(r"\[([^\[\]]*)\]")
 _INNER = r"(?:[^{}]|\{[^{}]*\})*"
-_CONDITION = re.compile(rf"(?<![^\s\]])\{{((?:[^{{}}]|\{{{_INNER}\}})*)\}}\s*\Z")
+_BRACES = re.compile(rf"\{{((?:[^{{}}]|\{{{_INNER}\}})*)\}}\s*")
+_CONDITIONS = re.compile(rf"(?<![^\s\]])(?:{_BRACES.pattern})+\Z")
 _REFERENCES = re.compile(r"(?:\([^()]*\)|display \d+)(?:, part \d+)?|[^\s,()]+")
 _PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
@@ -46,7 +47,7 @@ class Declared:
     names: tuple[str, ...]
     meaning: str = ""
     unit: str | None = None
-    condition: str = ""
+    conditions: tuple[str, ...] = ()
     shape: tuple[int, int] | None = None
     running: str = ""
     symbol: str = ""
@@ -108,12 +109,12 @@ def _read_letters(line: str) -> list[Declared]:
             + ", ".join((*_WORDS, *_TOLD, _CLAIM))
         )
     (right,) = rest
-    condition = _CONDITION.search(right)
-    right = right[: condition.start()] if condition else right
+    braces = _CONDITIONS.search(right)
+    right = right[: braces.start()] if braces else right
     found = _UNIT.search(right)
     unit = found[1].strip() if found else None
     meaning = " ".join(_UNIT.sub("", right).split())
-    said, last = condition[1] if condition else "", _SHAPE.search(left)
+    said, last = tuple(_BRACES.findall(braces[0])) if braces else (), _SHAPE.search(left)
     found_letters = []
     for text in left.split(";"):
         # What is said of the last letter is said of all that have no shape of their own.
@@ -124,7 +125,11 @@ def _read_letters(line: str) -> list[Declared]:
 
 
 def _read_letter(
-    text: str, meaning: str, unit: str | None, condition: str, shape: tuple[int, int] | None
+    text: str,
+    meaning: str,
+    unit: str | None,
+    conditions: tuple[str, ...],
+    shape: tuple[int, int] | None,
 ) -> Declared:
     text, _, symbol = text.partition(" as ")
     names = [name.strip() for name in text.split("|")]
@@ -140,11 +145,11 @@ def _read_letter(
     family = _FAMILY.match(stem) if by and len(names) == 1 else None
     if family and _list_signs(family[2]) == _list_signs(by):
         name = symbol.strip() or stem
-        return Declared((family[1],), meaning, unit, condition, symbol=name, is_family=True)
+        return Declared((family[1],), meaning, unit, conditions, symbol=name, is_family=True)
     # What depends on several is no motion.
     by = "" if "," in by else by
     names[0] = stem if by else names[0]
-    return Declared(tuple(names), meaning, unit, condition, shape, by, symbol.strip())
+    return Declared(tuple(names), meaning, unit, conditions, shape, by, symbol.strip())
 
 
 def _list_signs(index: str) -> list[str]:

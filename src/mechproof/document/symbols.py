@@ -241,7 +241,7 @@ def _make(
         return
     printed = (first, *others, *((f"{first}({letter.running})",) if letter.running else ()))
     within: sp.Set = sp.S.Reals
-    is_positive = assume and letter.condition == f"{first}>0"
+    is_positive = assume and f"{first}>0" in letter.conditions
     symbol = sp.Symbol(name, positive=True) if is_positive else sp.Symbol(name, real=True)
     if first in block.natural:
         symbol, within = sp.Symbol(name, integer=True, positive=True), sp.S.Naturals
@@ -285,7 +285,7 @@ def _find_phases(
 def _say(symbols: Symbols, block: Block) -> Symbols:
     """Put in what is said of the letters: relations, sizes, where integrals start."""
     reader = symbols.reader()
-    said = [letter.condition for letter in block.letters if letter.condition]
+    said = [condition for letter in block.letters for condition in letter.conditions]
     relations = [r for text in (*said, *block.where) for r in read_relations(text, reader)]
     variables, where = narrow(symbols.variables, relations)
     usual = {}

@@ -155,7 +155,7 @@ def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:
 
 
 def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[ChainPart]:
-    """Read x,y>0 as x>0 and y>0; refuse 0<x,y<1."""
+    """Read x,y>0 as x>0 and y>0, 0<x,x<1 as 0<x<1; refuse 0<x,y<1."""
     waiting: list[ChainPart] = []
     last: Chain | None = None
     for part in parts:
@@ -181,7 +181,8 @@ def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> N
     if last is None or not (last.relations and chain.relations):
         return
     signs = last.relations[-1], chain.relations[0]
-    inner = isinstance(last.members[-1], Letter) and isinstance(chain.members[0], Letter)
+    left, right = last.members[-1], chain.members[0]
+    inner = isinstance(left, Letter) and isinstance(right, Letter) and left.text != right.text
     outer = any(_has_letter(one) for one in (last.members[0], chain.members[-1]))
     if inner and not outer and any(set(signs) <= set(way) for way in (_UP, _DOWN)):
         raise parser.refuse(
