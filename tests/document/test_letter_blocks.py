@@ -134,3 +134,23 @@ SAID = {
 @pytest.mark.parametrize("said", SAID)
 def test_all_braces_of_a_line_hold(said: str) -> None:
     assert outcomes(*ROOTS, block=f"%% a ; b : lengths [1] {said}\n") == SAID[said]
+
+
+def test_factors_are_parted_by_commas_or_semicolons() -> None:
+    for sign in (",", " ;"):
+        assert outcomes("r=S(M+x)=M(S+x)", block=f"%% factor S{sign} M\n")[-1] == "REFUTED"
+    assert outcomes("r=S(M+x)=M(S+x)", block="%% factor S\n") == ["not read"]
+
+
+FAULTS = {
+    "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
+    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",
+    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, no condition: say constraint \(…\)",
+    "where x=y": "x=y is a value, no condition: say let x=y",
+}
+
+
+@pytest.mark.parametrize("line", FAULTS)
+def test_a_line_that_says_what_it_cannot_is_refused(line: str) -> None:
+    with pytest.raises(ValueError, match=FAULTS[line]):
+        outcomes(AREA, block=f"%% {line}\n")

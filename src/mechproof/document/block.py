@@ -23,7 +23,7 @@ _INNER = r"(?:[^{}]|\{[^{}]*\})*"
 _BRACES = re.compile(rf"\{{((?:[^{{}}]|\{{{_INNER}\}})*)\}}\s*")
 _CONDITIONS = re.compile(rf"(?<![^\s\]])(?:{_BRACES.pattern})+\Z")
 _REFERENCES = re.compile(r"(?:\([^()]*\)|display \d+)(?:, part \d+)?|[^\s,()]+")
-_PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
+_PARTS = re.compile(r"(?<!\\)[,;]\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
 _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
@@ -157,12 +157,16 @@ def _list_signs(index: str) -> list[str]:
 
 
 def _add(name: str) -> Callable[[Block, str], None]:
-    """Return what enters the parts of a line, between commas, into a list of the block."""
+    """Return what enters the parts of a line, between , or ;, into a list of the block."""
 
     def enter(block: Block, rest: str) -> None:
         if not rest:
             raise ValueError("nothing follows the word")
-        getattr(block, name).extend(part.strip() for part in _PARTS.split(rest))
+        parts = [part.strip() for part in _PARTS.split(rest)]
+        for part in parts:
+            if part.partition(" ")[0] in (*_WORDS, *_TOLD, _CLAIM):
+                raise ValueError(f"a line has one word: {part!r} needs a line of its own")
+        getattr(block, name).extend(parts)
 
     return enter
 

@@ -32,7 +32,7 @@ def narrow(
     where = []
     for relation in relations:
         if isinstance(relation, sp.Equality):
-            raise ValueError(f"{relation.lhs}={relation.rhs} is a value, no condition")
+            raise ValueError(_advise(relation))
         symbol = next(iter(relation.free_symbols), None)
         alone = len(relation.free_symbols) == 1 and symbol in sets
         found = _solve(relation, symbol) if alone else None
@@ -44,6 +44,17 @@ def narrow(
         else:
             where.append(relation)
     return tuple(replace(v, within=sets.get(v.symbol, v.within)) for v in variables), tuple(where)
+
+
+def _advise(equation: sp.Equality) -> str:
+    """Return what to write for an equation that is said to be a condition."""
+    said = f"{equation.lhs}={equation.rhs}".replace("**", "^")
+    if equation.lhs.is_Symbol:
+        return f"{said} is a value, no condition: say let {said}"
+    return (
+        f"{said} is an equation, no condition: say constraint (…) of the display that prints it, "
+        "or let for the value of one of its letters"
+    )
 
 
 def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
