@@ -137,7 +137,7 @@ CASES = {
             r"x=r(\alpha)",
             r"x=k(l+b)",
             r"s=x(1+\cos\psi)",
-            r"x=r(1-\lambda)",
+            r"x=r(1-u)",
         ],
         [
             *["DEFINITION", "PROVED", "REFUTED", "not judged"],

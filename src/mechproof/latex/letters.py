@@ -15,15 +15,14 @@ from mechproof.latex.functions import CONSTANTS
 from mechproof.latex.names import Match
 from mechproof.latex.numerals import read_number
 from mechproof.latex.signs import STAR
-from mechproof.latex.tree import Add, Bracket, Call, Constant, Letter, Node, Number, Power, Radical
+from mechproof.latex.summands import TIME, is_no_argument
+from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power
 from mechproof.latex.words import ITALICS
-from mechproof.record import NUMBER, Dimension
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _WORD = re.compile(r"[a-z]{2,}")
-_TIME = Dimension(time=1)
 _PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
@@ -45,12 +44,11 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
 def _multiplies(parser: Parser, letter: Letter) -> bool:
     r"""Return whether units tell that a bracket multiplies a letter: r(1-\cos\varphi), k(a+b).
 
-    The letter depends on nothing but time, and the bracket is a sum that is no argument: of lengths
-    and the like, or with functions or a root in it.
+    The letter depends on nothing but time, and the bracket is a sum that is no argument.
     """
     moving, known = parser.notation.moving, parser.notation.dimensions
     by = {by for one, (by, rates) in moving.items() if letter.symbol in (one, *rates)}
-    if letter.symbol not in known or any(known.get(one) != _TIME for one in by):
+    if letter.symbol not in known or any(known.get(one) != TIME for one in by):
         return False
     place, count = parser.place, len(parser.collected)
     try:
@@ -60,40 +58,8 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     finally:
         parser.place = place
         del parser.collected[count:]
-    if not (isinstance(bracket, Bracket) and isinstance(bracket.inside, Add)):
-        return False
-    running = {by for by, _ in moving.values()}
-    terms = [_walk_outside_calls(term) for _, term in bracket.inside.terms]
-    letters = [{n.symbol for n in term if isinstance(n, Letter)} for term in terms]
-    is_free = not running & set().union(*letters)
-    has_root = any(isinstance(n, Radical) for term in terms for n in term)
-    are_none = all(
-        isinstance(term[0], Number)
-        or any(isinstance(n, Call) for n in term)
-        or any(_is_extent(known.get(symbol)) for symbol in symbols)
-        for term, symbols in zip(terms, letters, strict=True)
-    )
-    has_letters = any(not isinstance(term[0], Number) for term in terms)
-    return len(terms) > 1 and is_free and has_letters and (has_root or are_none)
-
-
-def _is_extent(dimension: Dimension | None) -> bool:
-    """Return whether a unit is that of no usual argument, as numbers, angles and times are."""
-    return dimension is not None and dimension not in (NUMBER, _TIME)
-
-
-def _walk_outside_calls(node: Node) -> list[Node]:
-    """Return the nodes of a part without those within the arguments of functions."""
-    if isinstance(node, Call):
-        return [node]
-    inner = [part for value in vars(node).values() for part in _list_nodes(value)]
-    return [node, *(n for part in inner for n in _walk_outside_calls(part))]
-
-
-def _list_nodes(value: object) -> list[Node]:
-    if isinstance(value, Node):
-        return [value]
-    return [n for v in value for n in _list_nodes(v)] if isinstance(value, tuple) else []
+    inside = bracket.inside if isinstance(bracket, Bracket) else None
+    return isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
 
 
 def read_letter(parser: Parser, match: Match | None) -> Node:

@@ -1,0 +1,93 @@
+"""Sums in brackets behind letters: factors, told from the arguments of functions."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import sympy as sp
+
+from mechproof.latex.tree import (
+    Add,
+    Call,
+    Constant,
+    Degrees,
+    Letter,
+    Measure,
+    Node,
+    Power,
+    Radical,
+)
+from mechproof.record import NUMBER, Dimension, Notation
+
+TIME = Dimension(time=1)
+_ANGLES = (sp.asin, sp.acos, sp.atan, sp.atan2)
+_VALUES = (Constant, Degrees, Measure, Letter)
+
+
+def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
+    """Return whether a sum multiplies what stands before it: nobody prints such an argument.
+
+    It has a term with a function, or a root beside what is no angle and no time, or all its terms
+    are lengths and the like, or numbers with a literal one among them. It shifts no letter that
+    counts, and no time if what stands before it `moves`.
+    """
+    terms = [_walk_outside_calls(term) for _, term in bracket.terms]
+    bare = [term for term in terms if not _has_function(term)]
+    letters = set().union(*map(_list_letters, bare))
+    known = notation.dimensions
+    running = {by for by, _ in notation.moving.values()}
+    if len(terms) < 2 or any(symbol.is_integer for symbol in letters):
+        return False
+    if len(bare) < len(terms):
+        return not (moves and any(known.get(symbol) == TIME for symbol in letters))
+    if not letters or running & letters:
+        return False
+    if any(isinstance(n, Radical) for term in terms for n in term):
+        return not any(_may_shift(known.get(symbol)) for symbol in letters)
+    has_number = any(_is_literal(term) for term in terms)
+    return all(_is_literal(t) or _is_amount(t, notation, beside=has_number) for t in terms)
+
+
+def _may_shift(dimension: Dimension | None) -> bool:
+    """Return whether a unit is that of an angle or a time."""
+    return dimension is not None and (dimension.is_angle or dimension == TIME)
+
+
+def _is_literal(term: Collection[Node]) -> bool:
+    return not any(isinstance(n, _VALUES) for n in term)
+
+
+def _is_amount(term: Collection[Node], notation: Notation, *, beside: bool) -> bool:
+    """Return whether a term has the unit of no usual argument; `beside` a number it may be one."""
+    units = [notation.dimensions.get(symbol) for symbol in _list_letters(term)]
+    if any(unit not in (None, NUMBER, TIME) for unit in units):
+        return True
+    return beside and bool(units) and all(u == NUMBER and not _may_shift(u) for u in units)
+
+
+def _list_letters(term: Collection[Node]) -> set[sp.Basic]:
+    return {n.symbol for n in term if isinstance(n, Letter)}
+
+
+def _has_function(term: Collection[Node]) -> bool:
+    """Return whether a term has a function whose value is no angle, or an exponential."""
+    return any(
+        n.function.make not in _ANGLES
+        if isinstance(n, Call)
+        else isinstance(n, Power) and bool(_list_letters(_walk_outside_calls(n.exponent)))
+        for n in term
+    )
+
+
+def _walk_outside_calls(node: Node) -> list[Node]:
+    """Return the nodes of a part without those within the arguments of functions."""
+    if isinstance(node, Call):
+        return [node]
+    inner = [part for value in vars(node).values() for part in _list_nodes(value)]
+    return [node, *(n for part in inner for n in _walk_outside_calls(part))]
+
+
+def _list_nodes(value: object) -> list[Node]:
+    if isinstance(value, Node):
+        return [value]
+    return [n for v in value for n in _list_nodes(v)] if isinstance(value, tuple) else []
