@@ -154,3 +154,21 @@ FAULTS = {
 def test_a_line_that_says_what_it_cannot_is_refused(line: str) -> None:
     with pytest.raises(ValueError, match=FAULTS[line]):
         outcomes(AREA, block=f"%% {line}\n")
+
+
+ADVICE = {
+    r"\dot x=2r": "If it is a derivative, say what x depends on: x(t) : its meaning. Otherwise: ",
+    r"\ddot x_1=2r": "If it is a derivative, say what x_1 depends on: x_1(t) : its meaning. ",
+    "x=2r'": "If it is a derivative, say what r depends on: r(…) : its meaning. Otherwise: ",
+    # These depend on another letter, or are no letters.
+    r"\dot u=2r": r"Declare it in the block of letters: \dot u : its meaning",
+    r"\dot w=2r": r"Declare it in the block of letters: \dot w : its meaning",
+}
+
+
+@pytest.mark.parametrize("latex", ADVICE)
+def test_a_derivative_of_a_letter_that_depends_on_nothing_is_no_letter(latex: str) -> None:
+    found = check("paper.tex", f"{LETTERS}%% u(\\alpha) : lift [mm]\n%% end\n$${latex}$$")
+    (row,) = found.rows
+    assert row.outcome == "not read"
+    assert row.remedy.startswith(ADVICE[latex])

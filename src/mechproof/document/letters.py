@@ -27,6 +27,7 @@ REMEDIES = Remedies(
     family="Leave {0} out of the block of letters.",
     membership="Say in the block of letters natural or integer for a letter that counts; "
     "an interval is printed as a relation, 0<x<1.",
+    rate="If it is a derivative, say what {0} depends on: {0}({1}) : its meaning. Otherwise:",
 )
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
 _INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")

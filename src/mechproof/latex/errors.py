@@ -33,6 +33,7 @@ class Remedies:
     lower_limit: str
     family: str
     membership: str
+    rate: str
 
 
 MODULE = Remedies(
@@ -46,6 +47,7 @@ MODULE = Remedies(
     lower_limit="Declare Notation(lower_limit=…), and what a constant of integration is.",
     family="Declare an IndexedBase in the place of {0}.",
     membership=r"Print an interval as a relation, 0<x<1; declare the set of a letter as `within`.",
+    rate="If it is a derivative of {0}, declare that in Notation(moving=…). Otherwise:",
 )
 
 

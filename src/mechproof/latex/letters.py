@@ -158,9 +158,12 @@ def _refuse_running_index(parser: Parser, match: Match) -> None:
 
 def _refuse_continuation(parser: Parser, latex: str, place: int) -> None:
     if parser.text in _PARTS:
+        name = parser.names.find(*(t.text for t in parser.tokens[place : parser.place]))
+        rate = undeclared.advise_running(parser, name, "…") if parser.text == "'" else ""
+        declared = parser.remedies.name.format(undeclared.printed_name(parser, place))
         raise parser.refuse(
             f"{latex} is declared, but not with {_PARTS[parser.text]}",
-            parser.remedies.name.format(undeclared.printed_name(parser, place)),
+            " ".join(filter(None, (rate, declared))),
         )
 
 

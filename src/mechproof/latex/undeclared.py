@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
-from mechproof.latex.names import INDEX, find_brace
+from mechproof.latex.names import INDEX, Name, find_brace
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import SUFFIXES, Token
 from mechproof.latex.tree import Letter, Node
@@ -26,6 +26,7 @@ UNSURE = {
     "i": "The imaginary unit is not read.",
     "d": r"Print \frac{d}{dx}(…) for a derivative.",
 }
+_DOTS = (r"\dot", r"\ddot")
 # Before another letter they make one quantity of it, or a product.
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
@@ -79,9 +80,24 @@ def read_undeclared(parser: Parser) -> Node:
     printed = printed_name(parser, parser.place)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
     near = f" (declared are {', '.join(begun[:4])})" if begun else ""
-    hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "")
+    hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "") or _advise_rate(parser)
     remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
     raise parser.refuse(f"{printed} is not declared{near}", remedy)
+
+
+def _advise_rate(parser: Parser) -> str:
+    r"""Return what makes \dot x the derivative of a declared letter that depends on nothing yet."""
+    signs = [token.text for token in parser.tokens[parser.place : _find_end(parser, parser.place)]]
+    if signs[0] not in _DOTS or "}" not in signs:
+        return ""
+    close = signs.index("}")
+    return advise_running(parser, parser.names.find(*signs[2:close], *signs[close + 1 :]), "t")
+
+
+def advise_running(parser: Parser, name: Name | None, by: str) -> str:
+    """Return how to say that a declared letter depends on another one, if it does on none."""
+    is_free = name is not None and name.symbol not in parser.notation.moving
+    return parser.remedies.rate.format(name.latex, by) if name and is_free else ""
 
 
 def _refuse_unit(parser: Parser, word: str) -> None:

@@ -31,6 +31,7 @@ COMMAND = Remedies(
     family="Leave --name '{0}' out.",
     membership="Print an interval as a relation, 0<x<1; say --natural for a letter that counts "
     "from 1. Letters are real anyway.",
+    rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
 )
 NUMBER = "(pasted)"
 _WRAPPERS = (
