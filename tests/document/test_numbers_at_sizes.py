@@ -303,3 +303,34 @@ def test_numbers_of_one_digit_are_told_the_value_at_the_sizes(
     equations = [r"\beta=\arccos\frac rl", r"k=\frac{\pi-\beta}\beta", latex]
     row = run(*equations, block="%% sizes r=30 mm, l=60 mm\n").rows[-1]
     assert (row.outcome, row.reason) == (outcome, reason)
+
+
+TURNED = {
+    r"h=6.6\,\mathrm{cm}=66\,\mathrm{mm}": "PROVED",
+    r"h=66\,\mathrm{mm}=6.6\,\mathrm{cm}": "PROVED",
+    r"h=6.6\,\mathrm{cm}=66": "PROVED",
+    r"h=6.6\,\mathrm{cm}=0.66\,\mathrm{cm}": "REFUTED",
+    r"h=5\,\mathrm{cm}=5\,\mathrm{mm}": "REFUTED",
+    r"h=5\,\mathrm{cm}=5": "REFUTED",
+    r"h=5\,\mathrm{cm}=50\,\mathrm{s}": "not judged",
+    r"u=5\,\mathrm{cm}=50\,\mathrm{mm}": "PROVED",
+    r"u=5\,\mathrm{cm}=5\,\mathrm{mm}": "REFUTED",
+    r"u=5\,\mathrm{cm}=50": "not judged",
+    r"\lambda=85\,\%=0.85": "PROVED",
+    r"\lambda=0.85=85\%": "PROVED",
+    r"\lambda=85\,\%=85": "REFUTED",
+    r"u=85\,\%=0.85": "PROVED",
+    r"u=20\,\mathrm{°C}=293\,\mathrm{K}": "not judged",
+    # Rounded is what has fewer digits.
+    r"u=3000\,\mathrm{rpm}=314\,\mathrm{rad/s}": "PROVED",
+    r"u=314\,\mathrm{rad/s}=3000\,\mathrm{rpm}": "PROVED",
+    r"u=314\,\mathrm{rad/s}=3010\,\mathrm{rpm}": "REFUTED",
+    r"u=0.12\,\mathrm{kN}=0.0001234\,\mathrm{MN}": "PROVED",
+    r"\alpha=0.314\,\mathrm{rad}=18^\circ": "PROVED",
+    r"\alpha=0.314\,\mathrm{rad}=19^\circ": "REFUTED",
+}
+
+
+@pytest.mark.parametrize("latex", TURNED)
+def test_a_number_may_be_printed_in_two_units(latex: str) -> None:
+    assert outcomes(latex)[1:] == [TURNED[latex]]

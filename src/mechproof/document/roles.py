@@ -68,7 +68,8 @@ class Sign:
     """One relation sign: its role, the letter that it is about, who printed it first; its sides.
 
     `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
-    other side then. `worked_out` tells which sides are no print: derivatives, and what matrices
+    other side then; `given` are the digits and the unit of that, if it is a number with a unit,
+    too. `worked_out` tells which sides are no print: derivatives, and what matrices
     give. `printed` are the letters of both sides as they are printed, `factor`
     the digits of their only decimal, if it is a factor.
     """
@@ -80,6 +81,7 @@ class Sign:
     number: str = ""
     value: Any = None
     unit: str = ""
+    given: tuple[str, str] = ("", "")
     worked_out: tuple[bool, bool] = (False, False)
     printed: frozenset[sp.Basic] = frozenset()
     factor: str = ""

@@ -20,7 +20,7 @@ from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_siz
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.units import Unit, read_unit
+from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
 from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
@@ -61,6 +61,8 @@ class Sizes:
         """
         if not sign.number:
             return _SPECIAL
+        if sign.given[1]:
+            return self._convert(sign, own)
         is_constraint = sign.role is Role.CONSTRAINT
         letters = self.known.settle(sign.value).free_symbols
         if is_constraint and not (sign.unit or letters):
@@ -126,6 +128,33 @@ class Sizes:
             return infer(value, told) if value.free_symbols <= told.keys() else None
         except DimensionError:
             return None
+
+    def _convert(self, sign: Sign, own: sp.Basic | None) -> PrintedNumber | str:
+        """State that a number with a unit is the same in another, or in that of a letter.
+
+        Either of the two may be rounded.
+        """
+        digits, unit = sign.given[0], read_unit(sign.given[1])
+        meant = [read_unit(sign.unit)] if sign.unit else [*self._list_units(own, unit)]
+        ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
+        if not ratios or sp.nan in ratios:
+            return _UNFIT
+        value, number = sp.Rational(digits), sp.Rational(sign.number)
+        stated = [PrintedNumber(sign.number, value * ratio) for ratio in ratios]
+        stated += [PrintedNumber(digits, number / ratio) for ratio in ratios]
+        if found := next(filter(agrees, stated), None):
+            return found
+        x, printed = sp.Dummy(), Numeral(sign.number, sp.S.One)
+        size = {x: RoundedSize(value, Numeral(digits, sp.S.One).half_place)}
+        return _NEAR if any(is_near(x * r, printed, size) for r in ratios) else stated[0]
+
+    def _list_units(self, own: sp.Basic | None, unit: Unit) -> Iterator[Unit]:
+        """Yield in which units a number without any may count, beside one in this unit."""
+        dimension = self.known.symbols.find_dimension(own) if own is not None else None
+        if dimension is not None:
+            yield Unit(dimension, self.known.symbols.scales[own])
+        if unit.dimension == NUMBER:
+            yield ONE
 
     def _constrain(self, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
         """State what a number says of letters whose sizes are not all known."""

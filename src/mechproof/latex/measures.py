@@ -73,17 +73,31 @@ def _is_power(parser: Parser, place: int) -> bool:
     return parser.tokens[place].text.isdigit() and parser.tokens[place - 1].text in ("{", "-")
 
 
-def find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any, str]:
-    """Return the digits of the side that is a number, with its sign, the other side, the unit."""
-    for node, other in zip(reversed(nodes), sides, strict=True):
-        sign, inside = _split_sign(node)
-        if isinstance(inside, Number):
-            return sign + inside.text, other, ""
-        if isinstance(inside, Measure):
-            return sign + inside.number.text, other, inside.unit
-        if isinstance(inside, Degrees) and isinstance(inside.number, Number):
-            return sign + inside.number.text, other, "°"
-    return "", None, ""
+def find_number(
+    nodes: tuple[Node, ...], sides: tuple[Any, Any]
+) -> tuple[str, Any, str, tuple[str, str]]:
+    """Return the digits of the side that is a number, with its sign, the other side, the unit.
+
+    Last come the digits and the unit of the other side, if it is a number with a unit, too.
+    """
+    for node, partner, other in zip(reversed(nodes), nodes, sides, strict=True):
+        digits, unit = _read_digits(node)
+        if digits:
+            is_given = isinstance(_split_sign(partner)[1], Measure)
+            return digits, other, unit, _read_digits(partner) if is_given else ("", "")
+    return "", None, "", ("", "")
+
+
+def _read_digits(node: Node) -> tuple[str, str]:
+    """Return the digits of a number, with its sign, and its unit; nothing for what is none."""
+    sign, inside = _split_sign(node)
+    if isinstance(inside, Number):
+        return sign + inside.text, ""
+    if isinstance(inside, Measure):
+        return sign + inside.number.text, inside.unit
+    if isinstance(inside, Degrees) and isinstance(inside.number, Number):
+        return sign + inside.number.text, "°"
+    return "", ""
 
 
 def find_factor(nodes: tuple[Node, ...]) -> str:
