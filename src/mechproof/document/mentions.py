@@ -13,6 +13,7 @@ from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.letters import name_symbol
 from mechproof.document.roles import EQUAL
+from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Approach, Derivation, Extremum, Measure, Table, walk
 
@@ -26,7 +27,10 @@ def refuse_units(read: Print) -> None:
     """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
     for chain in read.chains:
         limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
-        beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
+        # A number that is turned into another unit needs no letter.
+        is_turned = chain.relations and all(is_number(node) for node in chain.members[:2])
+        first = {0 if chain.relations else -1}
+        beside = {*(() if is_turned else first), *limits, *(n + 1 for n in limits)}
         if any(isinstance(node, _NO_SIZE) for node in walk(chain.members[0])):
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):

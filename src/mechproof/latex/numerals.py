@@ -16,6 +16,7 @@ LONGEST_NUMBER = 300
 _ALONG_AXIS = re.compile(
     r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]])|[^()\[\],]*[^()\[\],\d],0,0(?=[)\]]))"
 )
+_THOUSANDS = re.compile(r"\d{1,3}(?:\\,\d{3})+(?!\d)")
 _POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 
 
@@ -30,6 +31,9 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
         if parser.start != parser.end and "." not in (parser.text, text[-1]):
             if in_list:
                 break
+            if _is_grouped(parser, start):
+                text += parser.take().text
+                continue
             raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
         text += parser.take().text
     if text[-1] == ".":
@@ -50,6 +54,12 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
             rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
         )
     return Number(text, start=start, end=parser.end)
+
+
+def _is_grouped(parser: Parser, start: int) -> bool:
+    r"""Return whether the gap here parts thousands: 60\,000."""
+    grouped = _THOUSANDS.match(parser.source.latex, start)
+    return grouped is not None and parser.start < grouped.end()
 
 
 def _is_along_axis(latex: str, place: int) -> bool:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 LEFT = r"\left."
 _BARS = ("|", r"\rvert")
-_NUMERIC = (r"\pi", r"\frac", "{", "}", "/", "-", ".", r"\cdot")
+_NUMERIC = (r"\pi", r"\frac", "{", "}", "/", "-", ".", r"\cdot", "^", r"\circ")
 
 
 def read_enclosed(parser: Parser) -> Node:
