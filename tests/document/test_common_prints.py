@@ -1,4 +1,4 @@
-"""Prints that are common on paper: parted thousands, degrees in brackets, numbers in two units."""
+"""Prints that are common on paper: parted thousands, degrees in brackets, partial derivatives."""
 
 from __future__ import annotations
 
@@ -8,6 +8,12 @@ from small_papers import outcomes
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 TURN = r"s=r\sin\psi"
+KINETIC = r"k=\frac12mr^2\dot\varphi^2"
+BY_ANGLE = r"\frac{\partial k}{\partial\varphi}"
+MOTION = (
+    rf"\frac{{d}}{{dt}}\frac{{\partial k}}{{\partial\dot\varphi}}-{BY_ANGLE}"
+    r"=-\frac{\partial u}{\partial\varphi}"
+)
 CASES = {
     "thousands are parted by thin spaces": (
         [
@@ -35,6 +41,29 @@ CASES = {
         ],
         ["PROVED", "REFUTED", "PROVED", "REFUTED", "not judged", "not read"],
     ),
+    "an energy by an angle of which it has the rate only": (
+        [KINETIC, rf"{BY_ANGLE}=0", rf"{BY_ANGLE}=1"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "what else moves may depend on the angle": (
+        [
+            r"k=mx",
+            rf"{BY_ANGLE}=0",
+            r"u=\frac12mx\dot\varphi^2",
+            r"\frac{\partial u}{\partial\varphi}=0",
+        ],
+        ["DEFINITION", "not read", "DEFINITION", "not read"],
+    ),
+    "an equation of motion and what follows from it": (
+        [
+            KINETIC,
+            r"u=mn\cos\varphi",
+            MOTION,
+            r"r^2\ddot\varphi=n\sin\varphi",
+            r"\ddot\varphi=\frac{n}{r^2}\cos\varphi",
+        ],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
 }
 
 
@@ -42,3 +71,10 @@ CASES = {
 def test_what_is_printed_so(name: str) -> None:
     equations, expected = CASES[name]
     assert outcomes(*equations, block="%% where m>0\n") == expected
+
+
+@pytest.mark.parametrize(("block", "outcome"), [("%% where m>0\n", "PROVED"), ("", "DEFINITION")])
+def test_a_mass_that_all_terms_have_is_left_out(block: str, outcome: str) -> None:
+    motion = r"mr^2\ddot\varphi-mnu\sin\varphi=0"
+    without = r"\ddot\varphi=\frac{nu}{r^2}\sin\varphi"
+    assert outcomes(motion, without, block=block) == ["DEFINITION", outcome]

@@ -19,6 +19,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
+from mechproof.proof.preparation import take_values
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
@@ -181,17 +182,26 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
     names = _name_functions((above, own_above))
     polynomials = [e.xreplace(names) for e in (above, own_above, *_circles(names))]
     generators = sorted(set().union(*(p.free_symbols for p in polynomials)), key=str)
-    try:
-        (first, *_), rest = sp.reduced(polynomials[0], polynomials[1:], *generators)
-    except (sp.PolynomialError, sp.CoercionFailed):
-        return
-    if rest.is_number and first != 0:
-        back = {name: function for function, name in names.items()}
-        yield sp.cancel(first.xreplace(back) * own_below / below), rest / below
+    back = {name: function for function, name in names.items()}
+    for shared in dict.fromkeys((sp.S.One, _find_shared(polynomials[1]))):
+        # An equation of motion is printed without the mass that all its terms have.
+        own = sp.expand(polynomials[1] / shared)
+        try:
+            (first, *_), rest = sp.reduced(polynomials[0], [own, *polynomials[2:]], *generators)
+        except (sp.PolynomialError, sp.CoercionFailed):
+            return
+        if rest.is_number and first != 0:
+            yield sp.cancel((first / shared).xreplace(back) * own_below / below), rest / below
+
+
+def _find_shared(polynomial: sp.Expr) -> sp.Expr:
+    """Return the product of letters that all terms have."""
+    factors = sp.Mul.make_args(sp.terms_gcd(polynomial))
+    return sp.Mul(*(one for one in factors if not (one.is_Add or one.is_number)))
 
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    plain = _divide_tangents(sp.expand_trig(expression))
+    plain = _divide_tangents(sp.expand_trig(take_values(expression)))
     above, below = sp.fraction(sp.together(plain))
     return sp.expand(above), below
 

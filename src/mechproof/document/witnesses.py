@@ -21,6 +21,7 @@ from flint import arb, arb_mat
 from mechproof.arithmetic import balls
 from mechproof.document.slips import TURNING
 from mechproof.proof.domain import Domain
+from mechproof.proof.preparation import take_values
 from mechproof.record import RecordError
 
 _STARTS = 16
@@ -70,14 +71,14 @@ def find_points(
     """Yield points of letters at which all residuals are zero, to many digits.
 
     As many starts as `count` says are tried of either kind. There are none where slopes cannot be
-    computed, those of a floor or of a limit.
+    computed, those of a floor, of a limit, or of a sum by its bound.
     """
     symbols = sorted(letters, key=str)
     slopes = _differentiate(residuals, symbols).tolist() if residuals and symbols else []
-    both = [list(residuals), slopes]
+    both = [[*map(take_values, residuals)], slopes]
     try:
         systems = [sp.lambdify(symbols, both, name, cse=True) for name in ("math", "mpmath")]
-    except NotImplementedError:
+    except (NotImplementedError, ValueError):
         return
     with mpmath.workdps(_DIGITS):
         for start in _list_starts(residuals, symbols, domain, count):
@@ -91,8 +92,8 @@ def find_points(
 
 def _differentiate(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Basic]) -> sp.Matrix:
     """Return the slopes of residuals; a letter that counts has none, so that it keeps its value."""
-    rows = [[0 if s.is_integer else one.diff(s) for s in symbols] for one in residuals]
-    return sp.Matrix(rows)
+    values = [take_values(one) for one in residuals]
+    return sp.Matrix([[0 if s.is_integer else one.diff(s) for s in symbols] for one in values])
 
 
 def _list_starts(

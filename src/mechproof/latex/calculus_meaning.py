@@ -9,7 +9,7 @@ import sympy as sp
 from mechproof.latex.pieces import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Repeated
-from mechproof.latex.values import depends, differentiate, make_running, settle
+from mechproof.latex.values import depends, differentiate, make_running, settle, settle_all
 from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
 
 if TYPE_CHECKING:
@@ -81,6 +81,7 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
     needed = settle(printed, meaning.values, {s: s for s in depends_on - meaning.values.keys()})
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
+    is_unknown &= not (node.is_partial and _moves_by_rates(meaning, value, variable))
     if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
         raise meaning.source.refuse(
             node.of.start,
@@ -102,6 +103,14 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
     return DerivativeWhere(value, needed)
+
+
+def _moves_by_rates(meaning: Meaning, value: sp.Expr, variable: sp.Symbol) -> bool:
+    """Return whether rates of a letter are all that moves in a value, as in a kinetic energy."""
+    _, rates = meaning.moving.get(variable, (None, ()))
+    moving = {step for one, (_, own) in meaning.moving.items() for step in (one, *own)}
+    met = moving & settle_all(value, meaning.values).free_symbols
+    return bool(met) and met <= {*rates}
 
 
 def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
