@@ -27,9 +27,9 @@ _VALUES = (Constant, Degrees, Measure, Letter)
 def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
     """Return whether a sum multiplies what stands before it: nobody prints such an argument.
 
-    It has a term with a function, or a root beside what is no angle and no time, or all its terms
-    are lengths and the like, or numbers with a literal one among them. It shifts no letter that
-    counts, and no time if what stands before it `moves`.
+    A term has a function, or a root that shifts no angle and no time; or all terms are lengths and
+    the like, or numbers with a literal one among them. No letter that counts is shifted, and no
+    time where what stands before the bracket `moves`.
     """
     terms = [_walk_outside_calls(term) for _, term in bracket.terms]
     bare = [term for term in terms if not _has_function(term)]
@@ -42,15 +42,16 @@ def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
         return not (moves and any(known.get(symbol) == TIME for symbol in letters))
     if not letters or running & letters:
         return False
-    if any(isinstance(n, Radical) for term in terms for n in term):
-        return not any(_may_shift(known.get(symbol)) for symbol in letters)
+    if roots := [n for term in terms for n in term if isinstance(n, Radical)]:
+        is_fixed = not any(_list_letters(_walk_outside_calls(root)) for root in roots)
+        return not any(_may_shift(known.get(s), angles=is_fixed) for s in letters)
     has_number = any(_is_literal(term) for term in terms)
     return all(_is_literal(t) or _is_amount(t, notation, beside=has_number) for t in terms)
 
 
-def _may_shift(dimension: Dimension | None) -> bool:
-    """Return whether a unit is that of an angle or a time."""
-    return dimension is not None and (dimension.is_angle or dimension == TIME)
+def _may_shift(dimension: Dimension | None, *, angles: bool = True) -> bool:
+    """Return whether a unit is that of a time, or of an angle if these count."""
+    return dimension is not None and ((angles and dimension.is_angle) or dimension == TIME)
 
 
 def _is_literal(term: Collection[Node]) -> bool:
