@@ -287,7 +287,7 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     tasks = open_tasks(key)
     task = tasks[number]
     given = {tasks[o].row.number: tasks[o].residual for o in others}
-    letters = {s for residual in given.values() for s in residual.free_symbols}
+    letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
     solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
     domain = Domain.of(task.paper, task.row.on)
     if met := solutions.find_met(given, domain):

@@ -99,9 +99,9 @@ def doubt_by_cases(
         if cases:
             asked.append((key, n, tuple(cases)))
     for place, answer in run_tasks(judge_without, asked, limit=limit):
-        _, n, cases = asked[place]
+        _, n, behind = asked[place]
         if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
-            names = ", ".join(tasks[m].row.number for m in cases)
+            names = ", ".join(tasks[m].row.number for m in behind)
             reason = f"it holds, but rests on {names}, which is printed later, perhaps of a case"
             yield n, make_row(tasks[n], reason)
 

@@ -43,7 +43,7 @@ def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
     says: Statement = Solutions(*sign.sides).state(dimensions)
     if sign.role is Role.STEP:
         pairs = zip(*map(_choose, sign.sides), strict=True)
-        says = Conjunction(tuple(Equality(*sides, "member") for sides in pairs))
+        says = Conjunction(tuple(Equality(one, other, "member") for one, other in pairs))
     return replace(row, says=says, read_as=write_sign(row.read_as))
 
 

@@ -61,7 +61,8 @@ def _differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
         return False
     # Of a domain in which no point is found nothing is known yet.
     with suppress(RecordError):
-        return compare(*sides, domain, _POINTS, _PRECISIONS).counterexample is not None
+        one, other = sides
+        return compare(one, other, domain, _POINTS, _PRECISIONS).counterexample is not None
     return False
 
 
