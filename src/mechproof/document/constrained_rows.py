@@ -248,10 +248,14 @@ def _is_proof(found: object) -> bool:
 
 
 def _list_later(tasks: Sequence[Task], accused: Collection[int]) -> Iterator[tuple[int, int]]:
-    """Yield rows that are accused, with what defines their letters after them."""
+    """Yield rows that are accused, with what defines their letters after them.
+
+    What says behind a display what its letters mean is no print of its own.
+    """
     for n in accused:
         used = list_used(tasks[n], tasks)
-        yield from ((n, m) for m in range(n + 1, len(tasks)) if defines(tasks[m], used))
+        behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
+        yield from ((n, m) for m in behind if defines(tasks[m], used))
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
