@@ -45,7 +45,14 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((r"x=a\pm\sqrt b",), r"x=\sqrt b\left(\frac a{\sqrt b}\pm1\right)", "PROVED"),
     # Of a chain the first sign; the others hold with both.
     ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\mp\sqrt{{b^2-4ac}}}}", "PROVED"),
-    ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\pm\sqrt{{b^2-4ac}}}}", "REFUTED"),
+    ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{b\mp\sqrt{{b^2-4ac}}}}", "REFUTED"),
+    # The other way round they are the same two values.
+    ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\pm\sqrt{{b^2-4ac}}}}", "not judged"),
+    ((r"(a-b)^2x^2=1",), r"x=\pm\frac1{a-b}=\pm\frac1{b-a}", "not judged"),
+    ((), r"q=\pm\arccos(-T)=\pi\mp\arccos T", "PROVED"),
+    ((), r"q=\pm\arccos(-T)=\pi\mp\arcsin T", "REFUTED"),
+    # What is mended may become the constraint.
+    ((r"x^2+2Tx+c=0",), r"x=T\pm\sqrt{T^2-c}", "REFUTED"),
     ((QUADRATIC,), rf"{TWO}=c", "not read"),
     ((QUADRATIC,), r"x=\frac{-b\mp\sqrt{b^2-4ac}}{2a}", "PROVED"),
     # What is no letter: a tangent of a part, or what has one value or the other.
@@ -91,3 +98,24 @@ def test_both_signs_are_judged(before: tuple[str, ...], latex: str, outcome: str
     *others, row = check("paper.tex", BLOCK + text).rows
     assert row.outcome == outcome, row.reason
     assert "REFUTED" not in {one.outcome for one in others}
+
+
+@pytest.mark.parametrize(
+    ("words", "outcome"),
+    [
+        ("Hence", "REFUTED"),
+        ("In the other case", "not judged"),
+        ("Now, measured clockwise,", "DEFINITION"),
+    ],
+)
+def test_roots_of_another_case_are_not_accused(words: str, outcome: str) -> None:
+    text = rf"$$ax^2+2bx+c=0$$ {words} $$x=\frac{{b\pm\sqrt{{b^2-ac}}}}a$$"
+    assert check("paper.tex", BLOCK + text).rows[-1].outcome == outcome
+
+
+def test_roots_do_not_rest_on_another_arrangement_behind_them() -> None:
+    text = r"$$x=\frac{b\pm\sqrt{b^2-ac}}a$$ In the second arrangement $$ax^2-2bx+c=0$$"
+    assert check("paper.tex", BLOCK + text).rows[0].outcome == "DEFINITION"
+    follows = text.replace("In the second arrangement", "and so")
+    rows = check("paper.tex", BLOCK + follows).rows
+    assert [row.outcome for row in rows] == ["DEFINITION", "PROVED"]

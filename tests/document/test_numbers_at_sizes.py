@@ -285,7 +285,7 @@ def test_words_may_state_a_size_anew(words: str, latex: str, number: str, outcom
     assert check("paper.tex", f"{ROD}{words} {display}").rows[-1].outcome == outcome
 
 
-FEW = "at the sizes it is 2: a number of so few digits may be rounded, or meant for others"
+FEW = "the value at the sizes is 2; a number of so few digits may be rounded, or meant for others"
 # Numbers of one digit, and what is said of them.
 DIGITS = [
     ("k=2", "PROVED", "recomputed 2"),

@@ -93,26 +93,25 @@ def _have_common(one: Task, other: Task) -> bool:
 def solve_constraints(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Judge again what is printed with a double sign: both may be roots.
+    """Judge again what is printed with a double sign: both may be roots of what is said before.
 
-    Of two such prints the first is none that follows from the second.
+    Of a constraint behind it, too, if no words between say anything new; of two such prints the
+    first does not rest on the second.
     """
     given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
     solved = [n for n in given if tasks[n].sign.role is Role.SOLUTIONS]
-    asked = [
-        (
-            key,
-            n,
-            tuple(
-                g for g in given if (g < n or g not in solved) and _have_common(tasks[g], tasks[n])
-            ),
-        )
-        for n in solved
-    ]
+    asked = [(key, n, tuple(g for g in given if _may_solve(g, n, tasks))) for n in solved]
     for place, found in run_tasks(judge_roots, asked, limit=limit):
         if isinstance(found, Judgement):
             number = asked[place][1]
             yield number, make_row(tasks[number], found)
+
+
+def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
+    """Return whether a constraint may be one of which a print with a double sign has the roots."""
+    one, task = tasks[given], tasks[number]
+    is_known = given < number or not (one.said.is_new or one.sign.role is Role.SOLUTIONS)
+    return given != number and is_known and may_hold_for(one, task) and _have_common(one, task)
 
 
 def find_misprints(

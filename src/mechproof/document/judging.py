@@ -20,6 +20,7 @@ from mechproof.document.slips import Entry, find_slip
 from mechproof.document.solutions import (
     SUBSTITUTION,
     Solutions,
+    are_exchanged,
     judge_angles,
     judge_signs,
     write_sign,
@@ -98,10 +99,8 @@ def judge_row(which: tuple[Key, int]) -> Judgement | str:
     """Judge a row by itself, or beside what it is said to follow from, or say why not."""
     tasks = open_tasks(which[0])
     task = tasks[which[1]]
-    if not task.follows:
-        return _judge_alone(task)
     try:
-        return judge_following(task, tasks)
+        return judge_following(task, tasks) if task.follows else _judge_alone(task)
     except (RecordError, ContradictionError) as error:
         return str(error)
 
@@ -112,6 +111,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict is Verdict.REFUTED and are_exchanged(task):
+        return "both signs give the same two values, but the other way round"
     if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
         return judge_signs(task, found)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
@@ -139,11 +140,11 @@ def _judge_alone(task: Task) -> Judgement | str:
         return replace(found, reason=reason)
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
+    if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
+        return turned
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
         beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
         return replace(found, reason=f"it is never true{beside}: {found.reason}")
-    if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
-        return turned
     return _take_as_given(task, found)
 
 
@@ -282,7 +283,7 @@ def _list_accelerations(task: Task) -> set[sp.Basic]:
 
 
 def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
-    """Judge a letter with a double sign beside constraints: None if neither is shown."""
+    """Judge a print with a double sign beside constraints: None if nothing is shown."""
     key, number, others = which
     tasks = open_tasks(key)
     task = tasks[number]
@@ -293,6 +294,8 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     if met := solutions.find_met(given, domain):
         reason = "both signs give {} of {}, taken as given".format(*met)
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
+    if task.is_case:
+        return None
     if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
         reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
         return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))

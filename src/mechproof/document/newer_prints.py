@@ -88,7 +88,7 @@ def _choose(
 def doubt_by_cases(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Prove no row by what is said of a case behind it, unless it holds without."""
+    """Leave open what is proved only by a definition that is printed later, perhaps of a case."""
     asked = []
     for n, task in enumerate(tasks):
         found = rows[n].judgement

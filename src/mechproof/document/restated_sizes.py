@@ -60,7 +60,9 @@ def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> 
         unit = one.number.unit or _find_behind(one, source, letter, symbols)
         number = Numeral(one.number.digits, one.number.factor, unit)
         size = Scales(symbols).size(Head(letter, one.letter, None), number)
-        yield Restated(letter, size.value, one.end, one.line)
+        # Degrees of temperature have no scale.
+        if size.value.is_finite:
+            yield Restated(letter, size.value, one.end, one.line)
 
 
 def _find_behind(one: Inline, source: Source, letter: sp.Basic, symbols: Symbols) -> Unit | None:

@@ -59,9 +59,10 @@ class Document:
 
     def __init__(self, source: Source) -> None:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
+        source = replace(source, text=join_thousands(source.text))
         self.source, self.files = source, source.files
         self.system = _name_system(source.files.names[0])
-        self.printed = list(find_displays(join_thousands(source.text)))
+        self.printed = list(find_displays(source.text))
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)

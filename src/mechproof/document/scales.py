@@ -79,8 +79,8 @@ def agrees(says: PrintedNumber) -> bool:
 
 
 def _has_sixty(formula: sp.Expr) -> bool:
-    """Return whether a number of a formula may have the sixty seconds of a minute as a factor."""
-    return any(not (one.p % 5 and one.q % 5) for one in formula.atoms(sp.Rational))
+    """Return whether a number of a formula may have half a minute's seconds as a factor."""
+    return any(not (one.p % 15 and one.q % 15) for one in formula.atoms(sp.Rational))
 
 
 def _spread(value: sp.Expr, half: sp.Expr) -> balls.Ball:
@@ -140,10 +140,12 @@ class Scales:
         they stand; beside another frequency they are no radians either.
         """
         turns = unit.scale == REVOLUTIONS if unit else own in self.revolving
-        angles = [sp.S.One]
-        if formula.has(sp.pi) or self._has_frequency({*formula.free_symbols, own}, unit):
+        has_pi = formula.has(sp.pi)
+        counts = self._has_frequency({*formula.free_symbols, own}, unit)
+        angles = [sp.S.One] if has_pi or not counts else []
+        if has_pi or counts:
             angles.append(_TURN)
-        if formula.has(sp.pi) and (_has_sixty(formula) if turns else own not in self.revolving):
+        if has_pi and _has_sixty(formula):
             angles.append(REVOLUTIONS)
         scale = unit.scale if unit else self._scale(own, sp.S.One)
         values = (self.to_si(formula, a) / scale * (a if turns else 1) for a in angles)

@@ -27,7 +27,7 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
-_FEW = "at the sizes it is {}: a number of so few digits may be rounded, or meant for others"
+_FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"

@@ -42,9 +42,33 @@ def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
     """State of a row that it has one of two values, or of a step that it holds with both signs."""
     says: Statement = Solutions(*sign.sides).state(dimensions)
     if sign.role is Role.STEP:
-        pairs = zip(*map(_choose, sign.sides), strict=True)
-        says = Conjunction(tuple(Equality(one, other, "member") for one, other in pairs))
+        left, right = map(_choose, sign.sides)
+        says = _state_step(left, right, dimensions)
     return replace(row, says=says, read_as=write_sign(row.read_as))
+
+
+def _state_step(
+    left: Sequence[sp.Expr], right: Sequence[sp.Expr], dimensions: Dimensions
+) -> Conjunction:
+    """State that values of sides are equal one by one, angles up to whole turns."""
+    pairs = [Equality(a, b, "member") for a, b in zip(left, right, strict=True)]
+    if is_angle((*left, *right), dimensions):
+        return Conjunction(tuple(part for pair in pairs for part in state_angles(pair).parts))
+    return Conjunction(tuple(pairs))
+
+
+def are_exchanged(task: Task) -> bool:
+    """Return whether the values of a step with double signs are equal the other way round."""
+    sides = task.sign.sides
+    if task.sign.role is not Role.STEP or not all(isinstance(s, sp.Expr) for s in sides):
+        return False
+    if not any(side.has(SIGN) for side in sides):
+        return False
+    domain = Domain.of(task.paper, task.row.on)
+    left, right = map(_choose, sides)
+    return (
+        decide(_state_step(left, right[::-1], domain.dimensions), domain).verdict is Verdict.PROVED
+    )
 
 
 def judge_angles(task: Task) -> Judgement | None:
@@ -72,7 +96,7 @@ def judge_signs(task: Task, found: Judgement) -> Judgement | str:
 
 def write_sign(text: str) -> str:
     """Return the text of an expression with SIGN for a factor as it is printed."""
-    return text.replace("+ ±*", "± ").replace("±*", "±")
+    return text.replace("+ ±*", "± ").replace("- ±*", "∓ ").replace("±*", "±")
 
 
 @dataclass(frozen=True)
@@ -134,7 +158,8 @@ class Solutions:
             return says.printed, says.rebuilt
 
         entry = Entry((self.left, self.value), (not self.left.is_Symbol, True))
-        return find_misprint(entry, given, domain, printed, state=state)
+        # To become the constraint that it solves is what a print is mended for.
+        return find_misprint(entry, given, domain, printed, may_repeat=True, state=state)
 
 
 def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:

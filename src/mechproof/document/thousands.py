@@ -11,7 +11,8 @@ _COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
 _NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")
 _THOUSANDS = re.compile(r"[1-9]\d{0,2}(?:\{,\}\d{3})+")
 _WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
-_POINT = re.compile(r"\d\.\d")
+# A point may part thousands, too: 1.500.
+_POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
 
 
 def join_thousands(text: LocatedText) -> LocatedText:

@@ -23,7 +23,7 @@ from mechproof.proof.verdict import Verdict
 from mechproof.tools.processes import WorkerError, run_tasks
 
 _COUNT = 4
-# What a singular value is to the largest where a letter is free to move.
+# What a singular value is to the largest slope where a letter is free to move.
 _FREE = 1e-9
 
 
@@ -49,15 +49,15 @@ def doubt_by_motion(
             continue
         for n, task in asked:
             if met := sorted(list_compared(task, tasks) & angles, key=str):
-                yield n, make_row(task, _tell(met, [tasks[g] for g in group if g != n]))
+                yield n, make_row(task, _tell(met, [tasks[g] for g in group]))
 
 
 def _tell(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:
     names = ", ".join(one.row.number for one in group)
-    which = " ; ".join(f"{letter}(t)" for letter in letters)
+    which = ", ".join(f"{letter}(t)" for letter in letters)
     return (
-        f"by {names} nothing moves unless further letters do; if these depend on time, say so in "
-        f"the block of letters: {which}"
+        f"beside {names} nothing moves unless further letters do; if these depend on time, say so "
+        f"in the block of letters: {which}"
     )
 
 
@@ -111,5 +111,6 @@ def leave_none_free(which: tuple[Key, tuple[int, ...], tuple[str, ...]]) -> bool
     slopes = sp.Matrix(residuals).jacobian(moving)
     for point in find_points(residuals, letters, domain, _COUNT):
         there = np.array(slopes.xreplace(point).evalf().tolist(), dtype=float)
-        return bool(np.linalg.matrix_rank(there, tol=_FREE) == len(moving))
+        least = _FREE * np.abs(there).max()
+        return bool(np.linalg.matrix_rank(there, tol=least) == len(moving))
     return False
