@@ -104,6 +104,8 @@ def test_both_signs_are_judged(before: tuple[str, ...], latex: str, outcome: str
     ("words", "outcome"),
     [
         ("Hence", "REFUTED"),
+        ("It has the roots", "REFUTED"),
+        ("Its two solutions are, for any c,", "REFUTED"),
         ("In the other case", "not judged"),
         ("Now, measured clockwise,", "DEFINITION"),
     ],

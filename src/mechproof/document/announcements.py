@@ -15,6 +15,10 @@ _ALTERNATIVE = re.compile(
     re.IGNORECASE,
 )
 _NEAR = 200
+# Of these the words that are not those of two roots, either.
+_OTHER = re.compile(
+    r"\b(?:other|otherwise|another|alternative(?:ly)?|second|else)\b", re.IGNORECASE
+)
 # What holds nearly, or for some motions only.
 _SPECIAL = re.compile(
     r"\b(?:neglect|small|approximat|lineari[sz]|first[- ]order|uniform|constant)"
@@ -103,7 +107,8 @@ class Announced:
 
     `is_clause` tells that the sentence goes on and says what letters mean, `is_position` that it
     may hold at a special position only, or while something is held, `is_equating` that letters
-    that differ elsewhere may be equal there, `is_general` that it holds in all cases.
+    that differ elsewhere may be equal there, `is_general` that it holds in all cases, `is_other`
+    that it is another case than the one before, and no root of the same.
 
     `passage` counts the passages of prose so far; `scope` is the last one that says something new
     or may be special; `turns` counts those with words that turn the sense in which something is
@@ -117,6 +122,7 @@ class Announced:
     is_position: bool = False
     is_equating: bool = False
     is_general: bool = False
+    is_other: bool = False
     passage: int = 0
     scope: int = 0
     turns: int = 0
@@ -147,6 +153,7 @@ class Announced:
             is_position=is_position,
             is_equating=is_equating,
             is_general=is_general,
+            is_other=bool(_OTHER.search(near)),
             passage=self.passage + 1,
             scope=self.passage + 1 if is_new or is_equating or is_general else self.scope,
             turns=turns,

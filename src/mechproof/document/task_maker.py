@@ -218,7 +218,9 @@ class TaskMaker:
         rates = () if residual is None else tuple(list_rates(residual, self.known))
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
-        is_case = printed.announced.is_case or is_listed(printed, block.constraints)
+        words = printed.announced
+        is_case = words.is_other if sign.role is Role.SOLUTIONS else words.is_case
+        is_case |= is_listed(printed, block.constraints)
         return Task(
             row,
             place,
