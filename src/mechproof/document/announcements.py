@@ -8,17 +8,16 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-# Words that may tell of another case, and how far before a display they are looked for.
+# Words that tell of another case, not of the two roots of one; words that may tell of either, and
+# how far before a display they are looked for.
+_OTHERS = r"other|otherwise|another|alternative(?:ly)?|second|else"
+_OTHER = re.compile(rf"\b(?:{_OTHERS})\b", re.IGNORECASE)
 _ALTERNATIVE = re.compile(
-    r"\b(?:or|oder|ou|или|other|otherwise|second|another|alternative(?:ly)?|respectively|elbow|"
-    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when|for|else)\b",
+    rf"\b(?:{_OTHERS}|or|oder|ou|или|respectively|elbow|"
+    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when|for)\b",
     re.IGNORECASE,
 )
 _NEAR = 200
-# Of these the words that are not those of two roots, either.
-_OTHER = re.compile(
-    r"\b(?:other|otherwise|another|alternative(?:ly)?|second|else)\b", re.IGNORECASE
-)
 # What holds nearly, or for some motions only.
 _SPECIAL = re.compile(
     r"\b(?:neglect|small|approximat|lineari[sz]|first[- ]order|uniform|constant)"

@@ -39,7 +39,7 @@ def doubt_by_motion(
     groups = [(group, angles) for group, angles in groups if angles]
     if not groups:
         return
-    rates = {rate for _, steps in symbols.moving.values() for rate in steps}
+    rates = _list_rates(symbols)
     asked = [(n, one) for n, one in enumerate(tasks) if _has_rates(one, rows[n], rates)]
     moving = tuple(map(str, symbols.moving))
     held = [(key, group, moving) for group, _ in groups] if asked else []
@@ -87,8 +87,11 @@ def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]
     if not (found and found.rung == GIVEN and task.residual is not None) or task.said.is_equating:
         return set()
     letters = task.residual.free_symbols
-    rates = {rate for _, steps in symbols.moving.values() for rate in steps}
-    return set() if letters & rates else letters & symbols.moving.keys()
+    return set() if letters & _list_rates(symbols) else letters & symbols.moving.keys()
+
+
+def _list_rates(symbols: Symbols) -> set[sp.Basic]:
+    return {rate for _, steps in symbols.moving.values() for rate in steps}
 
 
 def _list_angles(group: Sequence[int], tasks: Sequence[Task], symbols: Symbols) -> set[sp.Basic]:
