@@ -22,6 +22,10 @@ LONGEST = (
     *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
+# Of the cases of a slow test always the same eighth is run with the others, unless what takes long
+# is done for all of them `together`.
+SHOWN = 8
+
 # What a derivation is made of.
 DERIVED = (".py", ".tex", ".json")
 
@@ -58,6 +62,8 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Keep the tests of a file in one worker, which loads and compiles what they share once."""
+    for item in _list_shown(items):
+        item.own_markers = [mark for mark in item.own_markers if mark.name != "slow"]
     groups = {item: _find_group(item) for item in items}
     for item, group in groups.items():
         item.add_marker(pytest.mark.xdist_group(group))
@@ -67,14 +73,32 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
 def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what other parts of the tests have: by a digest of their names."""
+    """Leave out what other parts of the tests have."""
     count = config.getoption("one_in")
     if count == 1:
         return
-    names = {item: f"{item.path.name} {item.name}" for item in items}
-    kept = {*sorted(items, key=lambda item: crc32(names[item].encode()))[::count]}
+    kept = {*_take_share(items, count)}
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
+
+
+def _list_shown(items: list[pytest.Item]) -> Iterator[pytest.Item]:
+    """List what is marked slow and is not run with the slow tests."""
+    slow: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("thorough"):
+            yield item
+        elif (mark := item.get_closest_marker("slow")) and not mark.kwargs.get("together"):
+            slow.setdefault(item.nodeid.split("[")[0], []).append(item)
+    for cases in slow.values():
+        if len(cases) >= SHOWN:
+            yield from _take_share(cases, SHOWN)
+
+
+def _take_share(items: list[pytest.Item], count: int) -> list[pytest.Item]:
+    """Take one in so many tests, the same ones each time: by a digest of their names."""
+    names = {item: f"{item.path.name} {item.name}" for item in items}
+    return sorted(items, key=lambda item: crc32(names[item].encode()))[::count]
 
 
 def _share_papers() -> None:

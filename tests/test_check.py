@@ -112,6 +112,7 @@ def test_the_answer_says_where_it_is_judged(tmp_path: Path) -> None:
     assert "where y > 0 and x>y" in done.output
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("judged_here")
 @pytest.mark.parametrize(("arguments", "verdicts"), CHECKED, ids=[c[0][0] for c in CHECKED])
 def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_path: Path) -> None:
@@ -207,6 +208,7 @@ def test_what_is_left_open_says_why_in_a_sentence(latex: str, told: str) -> None
     assert "Error" not in done.output
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("judged_here")
 @pytest.mark.parametrize(("arguments", "told"), REFUSED, ids=[" ".join(r[0]) for r in REFUSED])
 def test_what_cannot_be_read_without_a_guess_is_refused(arguments: list[str], told: str) -> None:

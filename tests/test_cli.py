@@ -41,6 +41,7 @@ def test_the_rule_stands_in_the_help() -> None:
         assert "else those that come with the package" in " ".join(run(*arguments).output.split())
 
 
+@pytest.mark.slow
 def test_the_module_runs_and_tells_its_version() -> None:
     done = in_process("--version")
     assert (done.returncode, done.stderr) == (0, "")
@@ -126,6 +127,7 @@ def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> 
     assert "--name goes with --error" in whole.output
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 @pytest.mark.parametrize(
     ("streams", "said"),
@@ -150,6 +152,7 @@ def test_what_cannot_be_said_is_a_sentence_and_status_1(
     assert done.stderr.removeprefix("judging the equation\n") == said
 
 
+@pytest.mark.slow
 def test_a_reader_that_has_enough_is_no_error() -> None:
     command = f"{sys.executable} -m mechproof --help | head -c 1"
     done = subprocess.run(command, shell=True, capture_output=True, text=True)

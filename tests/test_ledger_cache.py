@@ -80,6 +80,7 @@ def test_what_has_not_changed_is_not_loaded_again(folder: Folder) -> None:
     assert said[0].startswith("loading")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "text", "use"),
     [

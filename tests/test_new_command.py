@@ -31,6 +31,7 @@ def assert_verified(said: str) -> None:
     assert totals == {"PROVED": "1", "DEFINITION": "2"}
 
 
+@pytest.mark.slow
 def test_a_paper_and_the_derivation_of_it_verify(folder: Path) -> None:
     run_in(folder, "new", "crank.tex")
     assert_verified(run_in(folder, "verify", "crank.tex"))
@@ -40,6 +41,7 @@ def test_a_paper_and_the_derivation_of_it_verify(folder: Path) -> None:
     assert_verified(run_in(folder, "verify", "crank.py"))
 
 
+@pytest.mark.slow
 def test_a_derivation_of_its_own_is_proved_and_its_kernel_written(folder: Path) -> None:
     run_in(folder, "new", "derivations/slider_crank.py")
     output = run_in(folder, "regenerate")

@@ -51,6 +51,7 @@ def load(file: Path) -> ModuleType:
     return module
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
     run_in(workshop, "verify", "--json", "rows.json")
@@ -62,12 +63,14 @@ def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
     assert verdicts["kernel ratio_printed"] == "REFUTED"
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_the_folder_is_as_regenerated_from_elsewhere(workshop: Path, tmp_path: Path) -> None:
     run_in(tmp_path, "regenerate", "--check", "--derivations", str(workshop / "derivations"))
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_the_kernels_keep_their_digits(workshop: Path) -> None:
     kernels = load(workshop / "generated" / "universal_joint.py")
@@ -87,6 +90,7 @@ def test_the_kernels_keep_their_digits(workshop: Path) -> None:
             assert abs(mp.mpf(float(kernels.ratio(theta, beta))) - ratio) <= 16 * EPS * ratio
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     measured = workshop / "generated" / "measured" / "quick"
@@ -102,6 +106,7 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_a_kernel_is_tailored_to_sizes_and_written_in_c(workshop: Path) -> None:
     place = workshop / "derivations"
@@ -129,6 +134,7 @@ def test_without_a_derivation_or_its_kernels_nothing_is_tailored(
         tailor("universal_joint.ratio", error=1e-6, derivations=folder, beta=0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("workshop")
 def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(workshop: Path) -> None:
     run_in(workshop, "report")

@@ -56,6 +56,7 @@ def list_installed(tree: Path) -> dict[str, str]:
     return found
 
 
+@pytest.mark.slow
 def test_a_wheel_has_every_package_and_its_data(tree: Path) -> None:
     (wheel,) = (tree / "built" / "wheel").iterdir()
     names = {name for name in ZipFile(wheel).namelist() if ".dist-info/" not in name}
@@ -63,6 +64,7 @@ def test_a_wheel_has_every_package_and_its_data(tree: Path) -> None:
     assert "mechproof/derivations/new_paper/parts/rows.py" in names
 
 
+@pytest.mark.slow
 def test_the_sources_have_all_that_is_installed(tree: Path) -> None:
     (archive,) = (tree / "built" / "sdist").iterdir()
     with tarfile.open(archive) as found:

@@ -33,6 +33,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("pieces")
 def test_the_misprints_are_found(workshop: Path) -> None:
     run_in(workshop, "verify", "--json", "rows.json")
@@ -54,6 +55,7 @@ def test_the_derivations_begin_as_new_writes_them(tmp_path: Path) -> None:
     run_in(tmp_path, "verify", "cam.py")
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("pieces")
 @pytest.mark.parametrize("compiled", [False, True])
 def test_both_branches_close_the_loop(workshop: Path, compiled: bool) -> None:
@@ -70,6 +72,7 @@ def test_both_branches_close_the_loop(workshop: Path, compiled: bool) -> None:
     assert math.isnan(kernels.rocker(1.0, 200.0, *SIZES[1:], 1.0))
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("pieces")
 @pytest.mark.parametrize("compiled", [False, True])
 def test_each_piece_of_a_law_is_taken(workshop: Path, compiled: bool) -> None:
@@ -85,6 +88,7 @@ def test_each_piece_of_a_law_is_taken(workshop: Path, compiled: bool) -> None:
     assert np.isnan(kernels.lift(np.full(2, 6.0), -h)).all()
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("pieces")
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 def test_the_same_in_c(workshop: Path) -> None:
@@ -149,6 +153,7 @@ def test_compiled_kernels_are_kept_whoever_compiles_them_first(
     assert list((tmp_path / "generated" / "compiled" / "__pycache__").glob("cam*.nbc"))
 
 
+@pytest.mark.slow
 def test_what_has_no_operation_is_a_row_of_verify(tmp_path: Path) -> None:
     text = (OTHERS / "four_bar.py").read_text()
     shutil.copy(OTHERS / "four_bar.tex", tmp_path)
@@ -186,6 +191,7 @@ PAPER = Paper("steps", "my notes", (Variable(x, "a number"),), (), quantities=(%
 """
 
 
+@pytest.mark.slow
 def test_ceilings_and_steps_have_kernels(tmp_path: Path) -> None:
     (tmp_path / "derivations").mkdir()
     derived = (

@@ -56,6 +56,7 @@ def invalidate(*arguments: object, **named: object) -> None:
     raise ValidationError("another value")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("stage", "fault", "said"),
     [

@@ -46,6 +46,7 @@ def misbehave(task: str) -> str:
     return task
 
 
+@pytest.mark.slow
 @for_each_start
 def test_every_task_is_answered_once(start: str) -> None:
     numbers = list(range(20))
@@ -177,6 +178,7 @@ def is_alive(process: int) -> bool:
     return state != "Z"
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize(
     ("start", "work"), [("fork", "Python"), ("fork", "C"), ("spawn", "Python")]

@@ -33,6 +33,7 @@ COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
 MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]
 
 
+@pytest.mark.slow(together=True)
 @pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if blocks])
 def test_examples_print_what_they_show(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -46,6 +47,7 @@ def test_examples_print_what_they_show(
     assert result.failed == 0
 
 
+@pytest.mark.slow
 def test_the_example_of_jax_prints_what_its_comments_say() -> None:
     (block,) = (block for block in BLOCKS["docs/export.md"] if "import jax" in block)
     command = [sys.executable, "-c", block]
@@ -83,6 +85,7 @@ def test_a_task_takes_less_than_ten_lines(name: str) -> None:
     assert 0 < len(typed) < 10
 
 
+@pytest.mark.slow
 def test_the_paper_shown_has_the_outcomes_shown() -> None:
     page = PAGES["docs/check.md"]
     (paper,) = re.findall(r"```latex\n(.*?)```", page, re.DOTALL)

@@ -43,6 +43,7 @@ def solve(mean: float, size: float) -> mp.mpf:
         return mp.findroot(lambda z: z - mp.mpf(size) * mp.sin(z) - mp.mpf(mean), mean)
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("roots")
 def test_that_the_steps_converge_is_a_row(workshop: Path) -> None:
     run_in(workshop, "verify", "--json", "rows.json")
@@ -57,6 +58,7 @@ def test_that_the_steps_converge_is_a_row(workshop: Path) -> None:
     assert all("Newton's method in balls" in rung for rung in rungs.values())
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("roots")
 @pytest.mark.parametrize("compiled", [False, True])
 def test_the_kernels_are_right(workshop: Path, compiled: bool) -> None:
@@ -75,6 +77,7 @@ def test_the_kernels_are_right(workshop: Path, compiled: bool) -> None:
     assert np.isnan(involute.pressure_angle([-0.1, 0.6, np.nan])).all()
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("roots")
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 def test_the_same_in_c(workshop: Path) -> None:
@@ -119,6 +122,7 @@ WRONG = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_root_is_not_shipped(tmp_path: Path, name: str) -> None:
     right, wrong, told = WRONG[name]

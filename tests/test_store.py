@@ -107,6 +107,7 @@ def reached(*starts: str) -> set[str]:
     return {module for module in found if not module.startswith(finding)}
 
 
+@pytest.mark.slow
 def test_what_passed_rests_on_all_that_validates() -> None:
     modules = reached("mechproof.lab.validation", "mechproof.lab.subject")
     assert {module.partition(".")[0] for module in modules} <= set(validation.LAYERS)

@@ -84,6 +84,7 @@ def test_a_kernel_that_is_not_proved_is_not_shipped(
     assert [path.name for path in tmp_path.iterdir()] == ["derivations"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(ACCEPTED))
 def test_what_is_proved_is_shipped(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -32,6 +32,7 @@ def test_every_system_has_a_table() -> None:
     assert {file.stem for file in EXPECTED.glob("*.tsv")} == set(SYSTEMS)
 
 
+@pytest.mark.slow
 @for_each_system
 def test_every_row_has_its_verdict_and_rung(system: str) -> None:
     lines = (EXPECTED / f"{system}.tsv").read_text(encoding="utf-8").splitlines()

@@ -35,6 +35,7 @@ def file(tmp_path: Path) -> Path:
     return tmp_path / "mine.py"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", STARTS)
 def test_processes_change_nothing(file: Path, start: str) -> None:
     (ledger,) = judge_derivations([file], use_cache=False, processes=3, start=start)
@@ -45,6 +46,7 @@ def test_processes_change_nothing(file: Path, start: str) -> None:
     assert verdicts == [Verdict.REFUTED if n == 3 else Verdict.PROVED for n in range(1, 6)]
 
 
+@pytest.mark.slow
 def test_a_derivation_that_changes_while_it_is_judged_is_an_error(file: Path) -> None:
     """Each process that reads the file meets other rows."""
     count = "READ = Path(__file__).with_name('read')\nREAD.open('a').write('x')\n"

@@ -69,6 +69,7 @@ def test_a_derivation_that_fails_is_named(
     assert message in result.output
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loop", ["while True: pass", "import time; time.sleep(600)"])
 def test_a_derivation_that_loops_is_stopped_by_the_limit(tmp_path: Path, loop: str) -> None:
     file = tmp_path / "loops.py"
@@ -154,6 +155,7 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
     assert "--json /dev/full: No space left on device\n" in result.output
 
 
+@pytest.mark.slow
 def test_piped_text_is_full(tmp_path: Path) -> None:
     note = "a note that is longer than any terminal is wide, " * 8
     file = write(tmp_path, PROVED.replace("S.One)", f"S.One), note={note!r}"))
@@ -166,6 +168,7 @@ def test_piped_text_is_full(tmp_path: Path) -> None:
     assert line.endswith("trigonometric field")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "variables", first_of([{"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONUTF8": "0"}])
 )

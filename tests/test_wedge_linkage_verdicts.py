@@ -230,6 +230,7 @@ def test_a_wrong_step_is_refuted(step: sp.Symbol) -> None:
     assert judge_form(dataclasses.replace(paper, variables=variables)) is Verdict.REFUTED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "size", first_of([symbols.l_BC, symbols.l_KL, symbols.l_LM, symbols.alpha_DE]), ids=str
 )

@@ -70,6 +70,7 @@ def compute(text: str, name: str, **how: Any) -> Any:
 
 
 # All of them keep the bounds on the strict library.
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "system",
     [
@@ -84,6 +85,7 @@ def test_compiled_formulas_keep_the_bounds_of_the_kernels(system: str) -> None:
             assert worst(name, compute(text, name)) <= bound_of(name), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_what_is_refused_says_why_and_what_else_there_is(system: str) -> None:
     _, refused = render_scripts(paper_of(system), "array_api")

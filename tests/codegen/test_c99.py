@@ -88,6 +88,7 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
     return call
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
     """Both compute the same operations, each rounded once: no bit may differ."""
@@ -112,6 +113,7 @@ def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", first_of(["elliptic_planetary.position", "oval_planetary.acceleration"])
 )
@@ -140,6 +142,7 @@ def test_bounds_hold_where_a_compiler_contracts(
         assert any(differ)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(sorted(KERNELS, key=lambda n: n not in FIRST), 3))
 @pytest.mark.parametrize("single", [False, True])
 def test_bounds_hold_without_a_fused_multiply_add(
@@ -164,6 +167,7 @@ def test_bounds_hold_without_a_fused_multiply_add(
     assert 0 <= heights.max() <= subject.quantity.accuracy.ulp
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_floats_keep_the_bounds_and_are_what_is_searched(
     name: str, libraries: Callable[..., ctypes.CDLL]
@@ -186,6 +190,7 @@ def test_floats_keep_the_bounds_and_are_what_is_searched(
     assert heights.max() <= subject.quantity.accuracy.ulp
 
 
+@pytest.mark.slow
 def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.CDLL]) -> None:
     function = libraries("elliptic_planetary", False).elliptic_planetary_position_array
     real = ctypes.c_double
@@ -201,6 +206,7 @@ def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.
     assert np.isnan(out).all()
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("compiled track_wheel")
 def test_sums_take_pointers_and_the_number_of_terms(
     libraries: Callable[..., ctypes.CDLL],
@@ -246,6 +252,7 @@ def test_the_header_names_the_system_and_its_precision(single: bool) -> None:
     assert "elliptic_planetary_single in" not in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "points", "parameters"),
     [
@@ -267,6 +274,7 @@ def test_results_may_take_the_place_of_points(
     assert np.array_equal(points, apart)
 
 
+@pytest.mark.slow
 def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
     runner = CliRunner()
     done = runner.invoke(app, ["emit", "c", "track_wheel", "--out", str(tmp_path)])
@@ -292,6 +300,7 @@ def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
     assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1
 
 
+@pytest.mark.slow
 def test_derivatives_are_written_where_they_are_asked_for(tmp_path: Path) -> None:
     command = ["emit", "c", "--derivatives", "--out", str(tmp_path)]
     done = CliRunner().invoke(app, [*command, "track_wheel"])
@@ -312,6 +321,7 @@ def test_derivatives_are_written_where_they_are_asked_for(tmp_path: Path) -> Non
     assert (done.exit_code, "no kernel whose derivatives" in done.output) == (1, True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["elliptic_planetary.position", "track_wheel.radius"])
 @pytest.mark.parametrize("e", [0.3, 0.75])
 def test_blocks_with_angles_far_out_have_the_bits_of_points(

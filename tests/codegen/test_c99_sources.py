@@ -33,6 +33,7 @@ def compile_only(folder: Path, *command: str) -> subprocess.CompletedProcess[str
     return subprocess.run(whole, cwd=folder, capture_output=True, text=True, check=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiler", first_of(COMPILERS))
 @pytest.mark.parametrize(("system", "single"), first_of(SOURCES))
 def test_no_compiler_warns(compiler: str, system: str, single: bool, tmp_path: Path) -> None:

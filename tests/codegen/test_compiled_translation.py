@@ -20,6 +20,7 @@ from mechproof.codegen.reading import TranslationError
 from mechproof.programs.scalar import list_scalars
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong"),
     first_of(
@@ -42,6 +43,7 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
         check_translation(source.replace(right, wrong, 1), kernels, PAPER.one_pass)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
@@ -122,6 +124,7 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
         check_translation(source.replace(right, wrong, 1), kernels, PAPER.one_pass)
 
 
+@pytest.mark.slow
 def test_any_sum_is_compiled(tmp_path: Path) -> None:
     """Names that the loops use themselves, numbers and functions of large angles in a term."""
     total, low = sp.IndexedBase("total", real=True), sp.IndexedBase("low", real=True)

@@ -75,6 +75,7 @@ def count(program: Program, *kinds: str) -> int:
     return sum(step.kind in kinds for step in program.operations)
 
 
+@pytest.mark.slow
 def test_there_are_programs_to_test() -> None:
     assert len(list_changed()) > 8
 

@@ -42,11 +42,13 @@ FITTED = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("form", "target", "fitted"), FITTED)
 def test_an_approximation_is_off_by_less_than_what_rounding_makes(form, target, fitted) -> None:
     assert enclose(target, fitted) <= 0.51 * form.eps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("form", "target", "fitted"), FITTED)
 def test_a_changed_coefficient_has_a_larger_bound(form, target, fitted) -> None:
     above = (fitted.above[0] * (1 + 64 * form.eps), *fitted.above[1:])
@@ -162,6 +164,7 @@ CASES = {
 COMPILER = shutil.which("cc")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 @pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
 def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
@@ -212,6 +215,7 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
                 assert function(x) == pytest.approx(wanted, rel=2 * bound * form.eps, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
 @pytest.mark.parametrize("kind", CASES)
 def test_a_function_is_within_few_eps_where_reductions_fail(kind: str, form: Format) -> None:

@@ -83,6 +83,7 @@ def read_words(text: str) -> str:
     return "".join(text.split())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", first_of(HOSTILE))
 def test_python_holds_a_text_as_it_is(text: str, tmp_path: Path) -> None:
     paper = hostile_paper(text)

@@ -205,6 +205,7 @@ def _evaluate(text: str, scope: dict[str, Any], known: dict[str, Any]) -> Any:
     return eval(compile(ast.parse(python, mode="eval"), "", "eval"), known, scope)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", SCRIPTS)
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_formulas_keep_the_bounds_of_the_kernels(
@@ -330,6 +331,7 @@ def test_numbers_are_read_back_exactly(number: float, language: str) -> None:
     assert (language != "structured_text") or text.startswith("LREAL#") != in_single
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "system", first_of(["tooth_thickness", "elliptic_planetary", "oval_planetary"])
 )

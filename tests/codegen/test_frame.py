@@ -53,6 +53,7 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
         read_module(source.replace(right, wrong, 1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [

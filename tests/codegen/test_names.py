@@ -79,6 +79,7 @@ def list_names(source: str) -> Iterator[str]:
             yield node.asname or node.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_what_is_no_name_of_the_paper_has_an_underscore(system: str) -> None:
     paper = derived_paper(system)
@@ -129,6 +130,7 @@ def test_arguments_are_called_like_all_that_modules_have(tmp_path: Path) -> None
         np.testing.assert_allclose(compiled(*given), plain(*given), rtol=1e-14)
 
 
+@pytest.mark.slow
 def test_kernels_are_called_like_all_that_modules_have(tmp_path: Path) -> None:
     (quantity,) = paper_of(quantity_of(A_NUMBER**2, A_NUMBER)).quantities
     names = ("R", "r", "range", "fill_of_r", "x", "x_1", "prepare_of_r")

@@ -80,6 +80,7 @@ def correlated() -> Kernel:
     return next(kernel for kernel in kernels if kernel.name == "error_sum_correlated")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("factor", "proved"), [("scatters", True), ("sensitivities", False)])
 def test_the_proof_sees_what_a_quadratic_form_is_of(factor: str, proved: bool) -> None:
     kernel = correlated()

@@ -178,6 +178,7 @@ def test_a_printer_that_forgets_a_bracket_is_caught(monkeypatch: pytest.MonkeyPa
         form_rows(paper)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [

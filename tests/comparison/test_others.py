@@ -45,6 +45,7 @@ def test_scripts_have_each_step_with_its_rounding() -> None:
     assert "float64 v1 in [0 - 1 / 1, 3 / 1];" in task
 
 
+@pytest.mark.slow
 @needs_gappa
 def test_gappa_proves_what_is_proved_here_and_refuses_less() -> None:
     for name in ("rigidBody1", "himmilbeau"):

@@ -44,6 +44,7 @@ def draw_arcs(count: int) -> tuple[Array, ...]:
     return p, q, np.where(other, square, one), np.where(other, one, square)
 
 
+@pytest.mark.slow
 def test_one_panel_is_as_good_as_sixty() -> None:
     arcs = draw_arcs(4000)
     error = np.abs(integrate_arc(*arcs) / integrate_finely(*arcs) - 1)
@@ -66,6 +67,7 @@ def test_every_decay_that_fills_a_panel(length: float) -> None:
         assert np.max(error) < 1e-13
 
 
+@pytest.mark.slow
 def test_the_comparison_sees_too_few_nodes(monkeypatch: pytest.MonkeyPatch) -> None:
     arcs = draw_arcs(500)
     exact = integrate_finely(*arcs)

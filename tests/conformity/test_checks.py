@@ -111,6 +111,7 @@ def test_widths_beyond_the_range_are_refused(width: float) -> None:
             make()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", [1e150, 1e100, 1e6, 1e-6, 1e-100, 1e-150])
 @pytest.mark.parametrize("whole", [1e150, 1.0, 1e-150])
 def test_the_shares_add_up_to_one(whole: float, part: float, find: Any) -> None:

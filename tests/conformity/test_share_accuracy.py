@@ -22,12 +22,14 @@ from mechproof.conformity import (
 from mechproof.conformity.quadrature import law_masses
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HARD)
 def test_every_share_is_relatively_accurate(name: str, find: Find) -> None:
     case = HARD[name]
     assert max(relative_errors(four(case.shares(find)), case)) < BAR
 
 
+@pytest.mark.slow
 def test_random_sets_are_relatively_accurate_where_no_share_underflows(find: Find) -> None:
     rng = np.random.default_rng(7)
     cases = [
@@ -44,6 +46,7 @@ def test_the_comparison_rejects_a_cancelling_formula() -> None:
     assert relative_errors(got, case)[1] > BAR
 
 
+@pytest.mark.slow
 def test_arc_integrals_and_panel_quadrature_agree(find: Find) -> None:
     true, error, tolerance, acceptance = random_sets(1, 300)
     got = four(find(true, error, tolerance, acceptance))
@@ -107,6 +110,7 @@ def random_law(rng: np.random.Generator, kind: type, at: float) -> Any:
     return kind(*places.get(kind, (mean, half, mean - half, mean + half / 2)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kinds", [*product((Normal, Uniform, TruncatedNormal), repeat=2)])
 @pytest.mark.parametrize(("place", "bias"), [(1e3, 0.0), (1e8, 0.0), (0.0, 1e8), (1e8, -(2.0**26))])
 def test_a_common_offset_costs_no_digits(

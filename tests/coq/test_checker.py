@@ -289,6 +289,7 @@ def proved(planted: tuple[Path, dict[str, str]]) -> set[str]:
     return set(re.findall(r"^(\w+)\.all_parts\n", told.stdout, re.MULTILINE))
 
 
+@pytest.mark.slow(together=True)
 @needs_coq
 @pytest.mark.parametrize("name", PAIRS)
 def test_coq_accepts_the_true_and_refuses_the_wrong(name: str, proved: set[str]) -> None:
@@ -296,6 +297,7 @@ def test_coq_accepts_the_true_and_refuses_the_wrong(name: str, proved: set[str])
     assert {f"{module}_true", f"{module}_wrong"} & proved == {f"{module}_true"}
 
 
+@pytest.mark.slow
 @needs_coq
 def test_an_axiom_is_seen(planted: tuple[Path, dict[str, str]]) -> None:
     assert planted[1] == {AXIOM: "assumes axiom.wrong"}

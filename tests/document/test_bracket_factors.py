@@ -47,6 +47,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_a_bracket_behind_a_letter(name: str) -> None:
     equations, expected = CASES[name]

@@ -245,6 +245,7 @@ SAID = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_every_row_has_its_outcome(case: str) -> None:
     equations, expected = CASES[case]

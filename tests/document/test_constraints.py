@@ -247,6 +247,7 @@ FOLLOWING = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latex", FOLLOWING)
 def test_equations_follow_from_constraints_together(latex: str) -> None:
     letters = "%% r ; l : lengths\n%% x(t) : position\n%% \\varphi(t) ; \\alpha(t) : angles\n"
@@ -280,6 +281,7 @@ SAID = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_rows_beside_constraints_have_their_outcome(case: str) -> None:
     equations, expected = CASES[case]

@@ -168,6 +168,7 @@ def test_what_a_display_cites_is_no_part_of_it() -> None:
     assert (third.cites, third.latex.string) == (("S6",), "c=3")
 
 
+@pytest.mark.slow
 def test_macros_in_a_circle_are_told() -> None:
     (one,) = find(r"\newcommand{\x}{\x+1}" + E % r"a=\x")
     assert "circle" in one.fault

@@ -92,6 +92,7 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("before", "latex", "outcome"), CASES)
 def test_both_signs_are_judged(before: tuple[str, ...], latex: str, outcome: str) -> None:
     text = "".join(f"$${one}$$\n" for one in (*before, latex))
@@ -100,6 +101,7 @@ def test_both_signs_are_judged(before: tuple[str, ...], latex: str, outcome: str
     assert "REFUTED" not in {one.outcome for one in others}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "outcome"),
     [
@@ -115,6 +117,7 @@ def test_roots_of_another_case_are_not_accused(words: str, outcome: str) -> None
     assert check("paper.tex", BLOCK + text).rows[-1].outcome == outcome
 
 
+@pytest.mark.slow
 def test_roots_do_not_rest_on_another_arrangement_behind_them() -> None:
     text = r"$$x=\frac{b\pm\sqrt{b^2-ac}}a$$ In the second arrangement $$ax^2-2bx+c=0$$"
     assert check("paper.tex", BLOCK + text).rows[0].outcome == "DEFINITION"

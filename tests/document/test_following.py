@@ -26,6 +26,7 @@ def judge(result: str, block: str = BLOCK) -> tuple[str, str]:
     return row.outcome, row.reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "result",
     [

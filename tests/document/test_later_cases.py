@@ -86,6 +86,7 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_rows_beside_later_cases_have_their_outcome(name: str) -> None:
     parts, expected = PAPERS[name]
@@ -95,6 +96,7 @@ def test_rows_beside_later_cases_have_their_outcome(name: str) -> None:
 judge_speed = partial(judge_parts, BLOCK.replace("@", ""), *LOOP)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wrong", ["", r"\cos\beta"])
 def test_what_has_to_move_and_is_not_said_to_is_named(wrong: str) -> None:
     speed = SPEED.replace(r"\tan\beta", wrong or r"\tan\beta")

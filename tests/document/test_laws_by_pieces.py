@@ -133,6 +133,7 @@ SAID = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_rows_of_laws_have_their_outcome(case: str) -> None:
     equations, expected = CASES[case]

@@ -180,6 +180,7 @@ PAPERS |= {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_equations_become_what_they_are(name: str) -> None:
     text, block, expected = PAPERS[name]

@@ -174,6 +174,7 @@ SPECIAL: dict[str, tuple[tuple[str, ...], int, str]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SPECIAL)
 def test_a_case_says_nothing_of_others(name: str) -> None:
     parts, place, expected = SPECIAL[name]
@@ -183,6 +184,7 @@ def test_a_case_says_nothing_of_others(name: str) -> None:
 judge = partial(judge_parts, BLOCK)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_no_verdict_rests_on_the_first_print_alone(name: str) -> None:
     parts, expected = PAPERS[name]

@@ -123,6 +123,7 @@ TANGENTS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("equations", "expected"), TANGENTS)
 def test_a_size_is_compared_with_what_else_is_printed(
     equations: list[str], expected: list[str]
@@ -331,6 +332,7 @@ TURNED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latex", TURNED)
 def test_a_number_may_be_printed_in_two_units(latex: str) -> None:
     assert outcomes(latex)[1:] == [TURNED[latex]]

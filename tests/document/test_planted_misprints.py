@@ -207,6 +207,7 @@ def judge(equations: tuple[str, ...], words: str = "", block: str = "") -> Check
     return check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_a_true_print_is_not_accused(name: str) -> None:
     before, right, _ = PAPERS[name]
@@ -214,6 +215,7 @@ def test_a_true_print_is_not_accused(name: str) -> None:
     assert row.outcome in ("PROVED", "DEFINITION", "not judged"), row.reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "wrong"), [(name, one) for name, paper in PAPERS.items() for one in paper[2]]
 )
@@ -223,6 +225,7 @@ def test_a_misprint_is_refuted_where_all_else_holds(name: str, wrong: str) -> No
     assert row.judgement.evidence[0].at
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CONTRADICTIONS)
 def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) -> None:
     equations, pair = CONTRADICTIONS[name]
@@ -235,12 +238,14 @@ def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) 
         assert rows[name].reason.startswith(f"it and {other} contradict")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EXCUSED)
 def test_what_may_be_meant_is_not_accused(name: str) -> None:
     row = judge(*EXCUSED[name])
     assert row.outcome in ("DEFINITION", "not judged"), row.reason
 
 
+@pytest.mark.slow
 def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[Any] = []
 
@@ -260,6 +265,7 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     assert "contradict each other" in row.reason
 
 
+@pytest.mark.slow
 def test_what_defines_a_letter_may_have_the_misprint() -> None:
     circle = (r"(x-l_1\cos\alpha)^2+(y-l_1\sin\alpha)^2=l_2^2", r"m=-2l_1x", r"n=-2l_1y")
     row = judge((*circle, "u=x^2+y^2+l_1^2-l_2^2", r"m\cos\alpha+n\sin\alpha+u=0"))
@@ -269,6 +275,7 @@ def test_what_defines_a_letter_may_have_the_misprint() -> None:
     assert "in what defines u" in row.reason
 
 
+@pytest.mark.slow
 def test_a_misprint_is_told_with_what_mends_it() -> None:
     before, _, (wrong, *_) = PAPERS["a determinant"]
     assert judge((*before, wrong)).reason == (
@@ -292,6 +299,7 @@ MINUS = STEPS[3].replace(r"x=r", r"x=-r")
 WRONG_STEP = STEPS[2].replace(r"\sin^2", r"\cos^2")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("equations", "words", "refuted", "contested"),
     [

@@ -69,6 +69,7 @@ def find_inner(letter: str, text: str) -> list[str]:
     return re.findall(rf"(?<![\\A-Za-z{{}}]){name}|\bd2?{name}", text)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("letter", LETTERS)
 @pytest.mark.parametrize("name", PAPERS)
 def test_answers_show_a_letter_as_it_is_printed(name: str, letter: str) -> None:

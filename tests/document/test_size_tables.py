@@ -187,6 +187,7 @@ TABLES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", TABLES)
 def test_every_result_has_its_outcome(case: str) -> None:
     table, expected = TABLES[case]

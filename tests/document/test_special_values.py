@@ -172,6 +172,7 @@ PHASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latex", PHASES)
 def test_a_function_takes_the_letters_whose_product_is_an_angle(latex: str) -> None:
     rows = check("paper.tex", f"{TURNS}$${latex}$$").rows
@@ -187,6 +188,7 @@ def test_without_units_a_count_before_a_letter_is_not_read_as_the_whole_argument
     assert "part of the argument" in row.reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latex", CASES)
 def test_special_values_have_their_outcome(latex: str) -> None:
     rows = check("paper.tex", f"{LETTERS}$${latex}$$").rows[2:]
@@ -254,6 +256,7 @@ NUMBERS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latex", NUMBERS)
 def test_numbers_are_compared_in_the_unit_that_is_printed(latex: str) -> None:
     *_, row = check("paper.tex", f"{SIZES}$${latex}$$").rows

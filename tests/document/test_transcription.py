@@ -206,6 +206,7 @@ def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:
     assert sorted(numbers) == ["(1)", "(2), as meant", "(3)", "(5)"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("row", "numbers"),
     [

@@ -166,6 +166,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_vectors_without_a_block(name: str) -> None:
     equations, expected = CASES[name]

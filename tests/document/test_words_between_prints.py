@@ -46,6 +46,7 @@ WORDS = {
 judge = partial(judge_parts, BLOCK)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", WORDS)
 def test_only_a_consequence_is_accused(words: str) -> None:
     accused = "REFUTED" if WORDS[words] else "not judged"
@@ -226,6 +227,7 @@ CASES: dict[str, tuple[list[str], list[str]]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_words_tell_of_other_cases(case: str) -> None:
     parts, expected = CASES[case]

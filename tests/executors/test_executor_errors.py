@@ -72,6 +72,7 @@ def make_lambda(task: int) -> Any:
     return lambda: task
 
 
+@pytest.mark.slow
 def test_a_subject_made_by_hand_is_not_taken_for_another() -> None:
     (subject,) = find_subjects(("track_wheel.planar_error",))
     changed = dataclasses.replace(subject, peers=())

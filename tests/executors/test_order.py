@@ -109,6 +109,7 @@ def test_warnings_are_handled_as_they_are_here() -> None:
             next(results)
 
 
+@pytest.mark.slow
 def test_times_are_taken_when_nothing_is_under_way(monkeypatch: pytest.MonkeyPatch) -> None:
     held, seen = Held(), []
     monkeypatch.setattr(measuring, "time_subject", lambda *given: seen.append(held.under_way) or ())

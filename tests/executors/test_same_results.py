@@ -58,6 +58,7 @@ def to_bytes(result: Any) -> Any:
     return result.tobytes() if isinstance(result, np.ndarray | np.generic) else repr(result)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("executor", "job"), CASES, indirect=["executor"])
 def test_results_are_the_same_to_the_last_bit(
     executor: Executor, job: Callable[[Executor | None], Any]
@@ -71,6 +72,7 @@ def test_the_comparison_sees_one_bit() -> None:
     assert to_bytes([np.array([1.0])]) != to_bytes([np.array([np.nextafter(1.0, 2.0)])])
 
 
+@pytest.mark.slow
 def test_what_only_a_cluster_can_send_is_sent(client: Client) -> None:
     result = corner_range(
         lambda x, s: x * s, [1.0], {"s": Size(2, 1, -1)}, executor=client.get_executor()
@@ -78,6 +80,7 @@ def test_what_only_a_cluster_can_send_is_sent(client: Client) -> None:
     assert (result.lower, result.upper) == (1, 3)
 
 
+@pytest.mark.slow
 def test_a_cluster_recovers_from_a_lost_worker(client: Client, tmp_path: Path) -> None:
     mark = tmp_path / "died once"
 

@@ -141,6 +141,7 @@ def test_tables_are_read_back_exactly(tmp_path: Path) -> None:
     assert np.array_equal(np.array(outline[:-1], float), wanted)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["drive.gif", "drive.html"])
 def test_wheels_move(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("mechproof.exports.animation.FRAMES", 3)
@@ -155,6 +156,7 @@ def test_wheels_move(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         assert path.read_text().count("data:image/png") == 3
 
 
+@pytest.mark.slow
 def test_teeth_are_cut_for_our_law(tmp_path: Path) -> None:
     """The centre distance that ncgears finds of the law alone is that of the mechanism."""
     pair = cut_teeth(ELLIPTIC, 16, tmp_path, samples=1024)
@@ -163,6 +165,7 @@ def test_teeth_are_cut_for_our_law(tmp_path: Path) -> None:
     assert pair.maximum_transmission_error < 1e-4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "more", "message"),
     [

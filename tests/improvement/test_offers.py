@@ -75,6 +75,7 @@ def run_in(folder: Path, *arguments: str) -> str:
     return done.output
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIRST_TRIES)
 def test_what_is_typed_first_gets_its_digits_back(name: str, subjects: dict[str, Subject]) -> None:
     lost, rewrite = FIRST_TRIES[name]

@@ -34,6 +34,7 @@ NOT_FOUND = {"wedge_linkage.roller_lever_angle"}
 SHORT = {"tooth_thickness.height_change", "wedge_linkage.rod_displacement"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [n if n in SHORT else make_thorough(n) for n in TEN])
 def test_the_form_is_found_again(name: str) -> None:
     (subject,) = find_subjects((name,))

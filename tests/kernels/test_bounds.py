@@ -293,6 +293,7 @@ def is_rejected(system: str, name: str, function: Callable[..., Any]) -> bool:
     return any(error > limit for error in list_errors(system, name, function))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("system", "name"), POINTS, ids=map("-".join, POINTS))
 def test_bound(system: str, name: str) -> None:
     accuracy = accuracy_of(find_quantity(system, name))
@@ -355,6 +356,7 @@ def test_bound_in_single_precision(name: str) -> None:
             assert oracle.worst(kernel, point, float(np.finfo(np.float32).eps)) <= accuracy.ulp
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ratio", "position", "acceleration"])
 def test_the_measure_sees_the_low_word(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     for part in ("_product_rest", "_quotient_rest"):

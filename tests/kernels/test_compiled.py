@@ -57,11 +57,13 @@ def test_the_bound_of_the_kernel_holds(name: str, rounds: int) -> None:
     assert found <= bound
 
 
+@pytest.mark.slow
 def test_a_kernel_that_is_off_by_more_than_its_bound_is_seen() -> None:
     found, bound = search("elliptic_planetary.ratio", 0, 2.0**-48)
     assert found > bound
 
 
+@pytest.mark.slow
 def test_shapes_broadcast_as_in_numpy() -> None:
     e = np.array([0.1, 0.475, 0.7])
     for phi, sizes in (
@@ -168,6 +170,7 @@ def test_what_is_no_number_is_refused(arguments: tuple[Any, ...], message: str) 
         elliptic_planetary.position(*arguments)
 
 
+@pytest.mark.slow
 def test_arrays_of_float32_are_computed_in_doubles() -> None:
     sizes = (np.linspace(0, 100, 500), *(np.full(500, size) for size in (41.5, 3.75, 7)))
     single = tuple(np.float32(size) for size in sizes)
@@ -176,6 +179,7 @@ def test_arrays_of_float32_are_computed_in_doubles() -> None:
     assert np.array_equal(found, np.float32(wanted))
 
 
+@pytest.mark.slow
 def test_dead_centres_are_reached_as_in_numpy() -> None:
     """Where both products of a radicand are equal, their difference has to vanish."""
     from mechproof.kernels import wedge_linkage as plain_linkage
@@ -261,6 +265,7 @@ def test_kernels_are_called_inside_compiled_functions() -> None:
     assert travel(10) == pytest.approx(wanted, rel=40 * EPS)
 
 
+@pytest.mark.slow
 def test_arrays_are_taken_inside_compiled_functions() -> None:
     import numba
 

@@ -64,11 +64,13 @@ def run(code: str, *arguments: str, **variables: str) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="nothing is forked here")
 def test_a_forked_child_has_threads_of_its_own() -> None:
     run(FORKED)
 
 
+@pytest.mark.slow
 def test_kept_code_is_that_of_the_module(tmp_path: Path) -> None:
     """One file under two names, and copied with what was kept beside it."""
     source = Path(str(kernels.__file__)).with_name("compiled") / "elliptic_planetary.py"

@@ -10,7 +10,10 @@ from weights import first_of, make_thorough
 
 from mechproof.kernels.compiled import track_wheel
 
-pytestmark = pytest.mark.xdist_group("compiled track_wheel")
+pytestmark = [
+    pytest.mark.xdist_group("compiled track_wheel"),
+    pytest.mark.slow(together=True),
+]
 EPS = float(np.finfo(float).eps)
 SEVEN = np.random.default_rng(20265).uniform(0.5, 2, (3, 4, 7))
 MATRIX = np.where(np.eye(7), 1, 0.25)

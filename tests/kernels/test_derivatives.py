@@ -144,6 +144,7 @@ def worst_of(subject: Subject) -> tuple[float, int]:
     return worst, decided
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(subjects()))
 def test_derivatives_keep_their_bound(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(slopes, "BITS", 400)
@@ -174,6 +175,7 @@ LOST = {
 FEW = ("elliptic_planetary.position", "track_wheel.radius", "oval_planetary.ratio")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", first_of([*FEW, *sorted(subjects().keys() - {*FEW})], count=len(FEW) + 1)
 )

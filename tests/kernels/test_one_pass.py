@@ -32,6 +32,7 @@ def test_all_that_is_computed_in_one_pass_is_tested_here() -> None:
     assert found == TOGETHER
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "place"), first_of(product((float, np.float32), (1, 0, 2))))
 @pytest.mark.parametrize("name", grouped(TOGETHER))
 def test_one_pass_gives_the_bits_of_each_kernel(

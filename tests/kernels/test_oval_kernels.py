@@ -97,6 +97,7 @@ def measure(name: str, function: Callable[..., Any]) -> float:
     return worst
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(QUANTITIES))
 def test_bound(name: str) -> None:
     accuracy = QUANTITIES[name].accuracy
@@ -118,6 +119,7 @@ def one_pair_position(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
     return kernels.position(phi1, e1, e2) + 0 * mount
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "wrong"), first_of([("ratio", direct_ratio), ("position", one_pair_position)])
 )

@@ -70,6 +70,7 @@ def shape_of(name: str) -> tuple[int, ...]:
     return () if rows is None else (rows,) if columns == [1] else (rows, *columns)
 
 
+@pytest.mark.slow
 @for_each_kernel
 def test_scalars_and_types(name: str) -> None:
     arguments, shape = usual_call(name), shape_of(name)
@@ -87,6 +88,7 @@ def test_scalars_and_types(name: str) -> None:
     assert call(name, mixed).dtype == (np.float64 if strong else np.float32)
 
 
+@pytest.mark.slow
 @for_each_kernel
 def test_broadcasting_equals_separate_calls(name: str) -> None:
     arguments, shape = usual_call(name), shape_of(name)
@@ -100,6 +102,7 @@ def test_broadcasting_equals_separate_calls(name: str) -> None:
         assert call(name, (first, *arguments[1:-1], last)).shape == (3, 2, *shape)
 
 
+@pytest.mark.slow
 @for_each_kernel
 def test_nan_in_gives_nan_out(name: str) -> None:
     arguments = usual_call(name)
@@ -109,6 +112,7 @@ def test_nan_in_gives_nan_out(name: str) -> None:
         assert np.isnan(result).any()
 
 
+@pytest.mark.slow
 @for_each_kernel
 def test_out_without_axes_is_returned(name: str) -> None:
     found = call(name, usual_call(name))

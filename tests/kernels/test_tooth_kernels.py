@@ -106,6 +106,7 @@ def test_every_quantity_has_points() -> None:
     assert set(QUANTITIES) == set(POINTS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", POINTS)
 def test_accuracy(name: str) -> None:
     assert measure(name, getattr(kernels, name)) <= accuracy_of(name).ulp

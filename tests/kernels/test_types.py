@@ -107,15 +107,18 @@ def shorten(line: str) -> str:
     return name.replace("numpy.", "")
 
 
+@pytest.mark.slow
 def test_checkers_see_what_numbers_and_arrays_give(found: list[str]) -> None:
     assert list(map(shorten, found[: len(REVEALED)])) == list(REVEALED.values())
 
 
+@pytest.mark.slow
 def test_another_stub_would_be_seen(found: list[str]) -> None:
     (line,) = found[len(REVEALED) : len(REVEALED) + 1]
     assert [shorten(line)] != list(REVEALED_OF_CHANGED.values())
 
 
+@pytest.mark.slow
 def test_checkers_refuse_other_arguments_and_wrong_use_of_results(found: list[str]) -> None:
     rest = found[len(REVEALED) + len(REVEALED_OF_CHANGED) :]
     assert all("error:" in line for line in rest)

@@ -52,6 +52,7 @@ def call_usually(subject: Subject) -> Iterator[Arguments]:
         yield tuple(a[0] if np.ndim(a) and len(a) == 8 else a for a in many)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_evaluation")
 @pytest.mark.parametrize("name", KERNELS)
 def test_no_warning_outside_the_domain(name: str) -> None:

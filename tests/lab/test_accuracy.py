@@ -39,6 +39,7 @@ def as_points(row: dict[str, object]) -> Arguments:
     return tuple(np.array([value]) for value in row["at"])  # type: ignore[attr-defined]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BOUNDED)
 def test_worst_inputs_stay_within_the_bound(name: str) -> None:
     subject = find_subject(name)

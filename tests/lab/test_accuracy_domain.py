@@ -37,6 +37,7 @@ def mark_point(subject: Subject, point: tuple[object, ...]) -> Array:
     return mark_accuracy_domain(subject, tuple(np.array([value]) for value in point))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BOUNDED)
 def test_worst_points_of_records_lie_where_the_bound_is_stated(name: str) -> None:
     record = read_record(MEASURED / f"{name}.json")

@@ -89,6 +89,7 @@ def bound_in(row: Bounded) -> float:
     return bound
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", BOUNDED, ids=lambda row: f"{row.quantity}, {row.way}, {row.box}")
 def test_approximations_stay_within_their_proved_bounds(row: Bounded) -> None:
     bound, worst = bound_in(row), sum_up(row.quantity, row.way, row.arguments).worst_absolute

@@ -41,6 +41,7 @@ BRANCHES: tuple[tuple[str, Arguments, dict[str, tuple[int, int]]], ...] = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("quantity", "arguments", "ways"), first_of(BRANCHES))
 def test_points_off_by_whole_periods(
     quantity: str, arguments: Arguments, ways: dict[str, tuple[int, int]]
@@ -50,6 +51,7 @@ def test_points_off_by_whole_periods(
         assert least <= sum_up(quantity, name, arguments).wrong_branch <= most, name
 
 
+@pytest.mark.slow
 def test_the_solver_and_the_samples_drift() -> None:
     """The tolerance of 1e-12 is met locally and not kept."""
     rows = (

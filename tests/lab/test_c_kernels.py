@@ -48,6 +48,7 @@ CALLS: tuple[tuple[str, tuple[Any, ...]], ...] = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("find", FINDERS)
 @pytest.mark.parametrize(("name", "arguments"), CALLS)
 def test_it_computes_the_bits_of_the_compiled_kernel(
@@ -62,6 +63,7 @@ def test_it_computes_the_bits_of_the_compiled_kernel(
     assert np.array_equal(found, wanted, equal_nan=True)
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_it_is_one_of_the_ways_and_not_chosen_for_python(tmp_path: Path) -> None:
     (way,) = (way for way in find_subject("track_wheel.radius").ways if way.name == IN_C)

@@ -89,6 +89,7 @@ def residual_of(mechanism: Mechanism, targets: Array, found: Array) -> Array:
     return np.asarray(residual / np.maximum(limit, TINIEST))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_residual_within_the_conditioning(name: str) -> None:
     assert measure_residual(name, draw_targets(name, 20240901)).max() <= ALLOWED
@@ -121,6 +122,7 @@ def draw_ladder_targets(mechanism: Mechanism) -> Array:
     return np.concatenate([mechanism.position(phi1), around])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("e", LADDER, ids=repr)
 @pytest.mark.parametrize("sizes", [(66.0, 16.0), (50.3, 50.2), (1.0, 4e15)], ids=str)
 def test_the_bound_holds_up_to_e_1(sizes: tuple[float, float], e: float) -> None:

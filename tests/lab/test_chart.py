@@ -64,6 +64,7 @@ def drawn(axes: object) -> set[tuple[float, float]]:
     return {(float(line.get_xdata()[0]), float(line.get_ydata()[0])) for line in lines}
 
 
+@pytest.mark.slow
 def test_every_way_is_drawn_where_the_record_says(record: Record, figure: Figure) -> None:
     workload, count = list_workloads(record)[0]
     times = {t.way: t.median for t in record.times if (t.workload, t.count) == (workload, count)}

@@ -52,6 +52,7 @@ def test_long_doubles_tell_what_balls_tell(name: str) -> None:
     assert compared >= POINTS
 
 
+@pytest.mark.slow
 def test_a_search_led_by_long_doubles_finds_more(monkeypatch: pytest.MonkeyPatch) -> None:
     subject = find_subject("elliptic_planetary.acceleration")
     more = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)

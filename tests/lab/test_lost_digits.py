@@ -86,6 +86,7 @@ LOSSES = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LOSSES)
 def test_digits_go_step_by_step(name: str) -> None:
     row = LOSSES[name]
@@ -121,6 +122,7 @@ LOST = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("quantity", "way", "name", "eps"), LOST)
 def test_digits_are_lost_on_a_set(quantity: str, way: str, name: str, eps: float) -> None:
     arguments = draw_set(quantity, name, 0.1)

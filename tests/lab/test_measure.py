@@ -44,6 +44,7 @@ def record() -> Record:
     return measure(subject, quick=True)
 
 
+@pytest.mark.slow
 def test_record_says_what_was_measured(record: Record) -> None:
     assert record.quick is True
     kernel, naive = (record.errors_of(name) for name in ("kernel", "printed (17)"))
@@ -97,6 +98,7 @@ def test_measure_from_the_command_line(tmp_path: Path) -> None:
     assert "0 undecided" in " ".join(done.output.split())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
@@ -201,6 +203,7 @@ def bare_subject() -> Subject:
     return Subject(paper, quantity, tuple, (module, None))
 
 
+@pytest.mark.slow
 def test_modules_of_a_folder_are_found_by_their_names(tmp_path: Path) -> None:
     """Code that numba keeps names its module, and is read by the next process."""
     source = Path(__file__).parents[2]
@@ -217,6 +220,7 @@ def render_tables(folder: Path) -> str:
     return "\n".join(list_lines(read_records(folder)))
 
 
+@pytest.mark.slow
 def test_a_quantity_without_an_accuracy_bound_is_measured_like_any_other(tmp_path: Path) -> None:
     record = measure(bare_subject(), quick=True)
     assert (record.bound, record.scale, record.error_unit) == (None, "", "ulp of the value")

@@ -127,6 +127,7 @@ def test_a_wrong_definition_is_seen() -> None:
 DECIDED = ("elliptic_planetary.ratio", "oval_planetary.position", "track_wheel.displacement")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of([*DECIDED, "track_wheel.error_sum_thermal"]))
 def test_every_point_of_the_sets_is_decided(name: str) -> None:
     for point_set in list_sets(subject(name), 0.2):
@@ -135,6 +136,7 @@ def test_every_point_of_the_sets_is_decided(name: str) -> None:
             assert find_truth(subject(name), points).undecided == 0, point_set.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["track_wheel.radius", "track_wheel.track"])
 def test_only_the_pole_itself_is_undecided(name: str) -> None:
     """The circle goes through the pole where A = R: a sum of opposites that is 0 exactly."""

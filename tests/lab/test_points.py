@@ -111,6 +111,7 @@ def test_points_lie_on_both_sides_and_at_all_distances() -> None:
     assert np.sum(np.abs(away) < 2.5 * np.finfo(float).eps) > 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SETS)
 def test_points_lie_in_the_domain(name: str) -> None:
     phi, r1, r2, eccentricity = draw_points(SETS[name], REPORT)
@@ -131,6 +132,7 @@ def test_limits_and_their_combinations_are_drawn() -> None:
     assert {66.0, 66.1, 65.8} <= set(r1.tolist())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(SETS, 3))
 def test_a_seed_makes_the_same_points_again_and_another_others(name: str) -> None:
     first, again, other = (draw_points(SETS[name], seed) for seed in (REPORT, REPORT, TUNE))

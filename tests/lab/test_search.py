@@ -20,6 +20,7 @@ def test_the_search_climbs() -> None:
     assert later.scaled > start.scaled
 
 
+@pytest.mark.slow
 def test_the_search_finds_a_planted_fault() -> None:
     subject = find_subject("track_wheel.radius")
 

@@ -78,6 +78,7 @@ def integrate_independently(name: str, row: tuple[float, ...]) -> mp.mpf:
     return total
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(NAMES))
 @pytest.mark.parametrize(
     "row",

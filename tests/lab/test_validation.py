@@ -42,10 +42,12 @@ def with_modules(subject: Subject, kernels: Any = None, forms: Any = None) -> Su
     return replace(subject, modules=(kernels or subject.modules[0], forms or subject.modules[1]))
 
 
+@pytest.mark.slow
 def test_the_shipped_kernels_pass(position: Subject) -> None:
     validate(iter([position]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(["_product_rest", "_quotient_rest", "_small_tangent"]))
 @pytest.mark.parametrize("factor", [0.0, 2.0, -1.0], ids=["dropped", "doubled", "turned"])
 def test_a_wrong_low_word_stops_it(position: Subject, name: str, factor: float) -> None:
@@ -88,6 +90,7 @@ def test_a_wrong_function_of_the_support_stops_it(position: Subject) -> None:
         validate(iter([with_modules(position, kernels=changed(module, _tangent_quotient=wrong))]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["together", "alone", "in rows"])
 def test_a_fault_in_one_compiled_loop_stops_it(position: Subject, way: str) -> None:
     right = position.load_compiled().position

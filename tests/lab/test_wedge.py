@@ -114,6 +114,7 @@ def condition_of_slope(index: int, point: list[mp.mpf]) -> mp.mpf:
 # Where rivals fail
 
 
+@pytest.mark.slow
 def test_the_printed_lever_is_off_by_pi_past_the_right_angle() -> None:
     arguments = OVER, *map(np.array, SHORT[:3])
     exact = truth_of("wedge_linkage.lever_angle", arguments).high
@@ -125,6 +126,7 @@ def test_the_printed_lever_is_off_by_pi_past_the_right_angle() -> None:
         assert np.max(errors("lever_angle", name, arguments).absolute) < 1e-13
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("quantity", "rest", "ways"),
     [
@@ -295,6 +297,7 @@ def check_bound(name: str, arguments: Arguments) -> None:
     assert np.max(found.scaled[held]) <= subject.quantity.accuracy.ulp
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["lever_angle", "roller_lever_angle"])
 def test_the_bound_holds_up_to_the_ends_of_its_range(name: str) -> None:
     rng = np.random.default_rng(20261)

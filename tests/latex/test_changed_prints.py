@@ -278,6 +278,7 @@ def attack(change: Any, count: int, seed: int) -> dict[str, list[str]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", first_of([change_print, change_expression]))
 def test_nothing_changed_is_accepted(change: Any) -> None:
     found = attack(change, COUNT * len(SYSTEMS), seed=20240611)

@@ -63,6 +63,7 @@ def read(latex: str) -> sp.Expr:
     return found.meaning().of(found.chains[0].members[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("batch", range(4))
 def test_a_printed_expression_is_read_as_it_was(batch: int) -> None:
     for expression in generated()[batch::4]:
@@ -91,6 +92,7 @@ def prints(system: str) -> tuple[Paper, tuple[Row, ...]]:
     return paper, tuple(row for row in paper.rows if row.read_as)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_a_changed_character_changes_what_is_read(system: str) -> None:
     paper, rows = prints(system)

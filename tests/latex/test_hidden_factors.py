@@ -47,6 +47,7 @@ def unread(number: str) -> Equation:
     return row
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", COORDINATES)
 def test_no_element_that_is_zero_hides_a_factor(number: str) -> None:
     row = COORDINATES[number]

@@ -110,6 +110,7 @@ def test_a_number_is_read(latex: str, value: sp.Expr) -> None:
     assert sp.simplify(read(latex) - value) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "value"), MATRICES)
 def test_a_matrix_is_read(latex: str, value: sp.Matrix) -> None:
     assert sp.simplify(sp.Matrix(read(latex)) - value).is_zero_matrix

@@ -40,6 +40,7 @@ def judge_print(latex: str, **declared: Any) -> list[Verdict]:
     return [judge(row, paper).verdict for row in paper.rows]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("latex", "verdict"),
     [

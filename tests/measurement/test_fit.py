@@ -43,6 +43,7 @@ def test_parameters_are_found_from_no_start(
     assert found.degrees_of_freedom == count - 4
 
 
+@pytest.mark.slow
 def test_the_covariance_is_that_of_repeated_readings() -> None:
     phi1, _ = read(3.0, 0.3, (0.0, 0.0), 2, 40)
     exact, rng = elliptic.position(phi1, 3.0, 1.0, 0.3), np.random.default_rng(5)

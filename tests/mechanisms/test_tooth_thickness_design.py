@@ -85,6 +85,7 @@ def test_a_limit_on_one_side_stays_alone() -> None:
     assert wider.consumer_risk() == pytest.approx(0.001, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "risk"),
     [
@@ -106,6 +107,7 @@ def test_the_largest_gauge_has_the_risk_and_no_smaller_one_a_larger(name: str, r
     assert getattr(inspect(larger), name)() > risk
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("gauge", "tip"),
     [
@@ -125,6 +127,7 @@ def test_gauges_of_other_laws(gauge: Law, tip: Law) -> None:
         assert getattr(inspection, name)(limits) == pytest.approx(risk / 2, abs=2e-8)
 
 
+@pytest.mark.slow
 def test_the_consumers_risk_falls_again_and_the_least_gauge_counts() -> None:
     # With a gauge a million times as bad nothing is accepted at all.
     found = GAUGE.scale_gauge(consumer_risk=0.0014)

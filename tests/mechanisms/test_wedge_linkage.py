@@ -78,6 +78,7 @@ def worst_error(quantity: Quantity, function: Callable[..., Any]) -> float:
     return worst
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", BARRED, ids=lambda q: q.name)
 def test_bars(quantity: Quantity) -> None:
     assert quantity.accuracy is not None

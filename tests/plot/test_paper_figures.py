@@ -32,6 +32,7 @@ from mechproof.plot.figures import find_figures, render_svg, write_files, write_
 ALL = [(system, name) for system, names in NAMES.items() for name in names]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
 def test_text_can_be_read(pair: tuple[str, str]) -> None:
     written = boxes(*pair)
@@ -52,6 +53,7 @@ def test_figures_of_a_paper_are_found_in_its_folder() -> None:
     assert tuple(figure.name for figure in found) == NAMES["tooth_thickness"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
 def test_figure_says_what_it_is(pair: tuple[str, str]) -> None:
     system, name = pair
@@ -100,6 +102,7 @@ def read_words(svg: str) -> str:
     return " ".join("".join(ET.fromstring(svg).itertext()).split())
 
 
+@pytest.mark.slow
 def test_files_have_the_caption_below_the_drawing(tmp_path: Path) -> None:
     figure = figures("tooth_thickness")["fig-4"]
     write_png(figure, tmp_path / "bare.png")
@@ -180,6 +183,7 @@ SAID = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("system", "name", "numbers"), SAID)
 def test_numbers_are_marked(system: str, name: str, numbers: tuple[str, ...]) -> None:
     for number in numbers:

@@ -254,6 +254,7 @@ def run(code: str) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 def test_pyplot_and_sympy_are_not_loaded() -> None:
     code = (
         "import sys\nfrom mechproof import EllipticPlanetary, plot\n"

@@ -43,6 +43,7 @@ def test_a_true_inequality_is_proved(name):
     assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_neighbour_is_not_proved(name):
     relation, where = WRONG[name]

@@ -207,6 +207,7 @@ def test_a_corrupt_cache_is_ignored_and_rewritten(
     assert json.loads(file.read_text()) == good
 
 
+@pytest.mark.slow
 def test_derivatives_are_kept_by_what_they_are_made_from(
     judged: Callable[..., list[str]],
 ) -> None:

@@ -61,6 +61,7 @@ def test_a_derivative_is_what_it_is_where_the_function_has_values(printed: str) 
     assert judge(printed)[0] is Verdict.PROVED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "printed",
     [

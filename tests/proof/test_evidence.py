@@ -366,6 +366,7 @@ def test_the_ledger_shows_what_every_proved_equation_was_compared_with() -> None
     assert shown == [r["number"] for r in proved]
 
 
+@pytest.mark.slow
 def test_the_verdict_sees_sizes_and_letters() -> None:
     found = opened("elliptic_planetary")
     assert found.domain.published == found.paper.published

@@ -115,6 +115,7 @@ def test_what_cannot_be_compared_is_refused(part: object) -> None:
         key(part)
 
 
+@pytest.mark.slow
 def test_the_key_is_the_same_in_every_process() -> None:
     code = (
         "import sympy as sp; from mechproof.proof.fingerprint import Fingerprint;"

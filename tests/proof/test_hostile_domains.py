@@ -120,6 +120,7 @@ def spared(cases: list[Any]) -> list[Any]:
     return [make_thorough(case) if case[0] in LONG else case for case in cases]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "where", "natural"), spared(TRUE + MEANT))
 def test_a_true_statement_is_not_refuted_outside_its_domain(
     latex: str, where: tuple[str, ...], natural: tuple[str, ...]
@@ -127,6 +128,7 @@ def test_a_true_statement_is_not_refuted_outside_its_domain(
     assert judge(latex, where, natural) is not Verdict.REFUTED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "where", "natural"), FALSE + FAR)
 def test_a_false_statement_is_refuted_inside_its_domain(
     latex: str, where: tuple[str, ...], natural: tuple[str, ...]

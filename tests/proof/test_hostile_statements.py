@@ -255,6 +255,7 @@ def judge_what(state: Callable[[], object]) -> None:
     judge(stated if isinstance(stated, Row) else Claim("c", "print", stated), PAPER)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FALSE)
 def test_what_is_false_is_not_proved(name: str) -> None:
     judgement = judge(Claim("c", "print", FALSE[name]), PAPER)
@@ -298,6 +299,7 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TAUGHT)
 def test_what_is_left_open_says_what_is_not_shown(name: str) -> None:
     statement, reason = TAUGHT[name]

@@ -57,6 +57,7 @@ TABLES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rung", "printed", "twin", "where"), list_rows(TABLES))
 def test_an_inequality_is_proved_and_its_neighbour_not_accepted(
     rung: str, printed: str, twin: str, where: str
@@ -64,6 +65,7 @@ def test_an_inequality_is_proved_and_its_neighbour_not_accepted(
     check_twins(rung, printed, twin, where)
 
 
+@pytest.mark.slow
 def test_a_chain_of_bounds_of_a_rate_is_proved() -> None:
     rate, where = r"\frac{\cos\beta}{1-\sin^2\beta\cos^2\varphi}", r"0\le\beta<\frac\pi2"
     for bound in (r"\cos\beta\le" + rate, rate + r"\le\frac1{\cos\beta}"):

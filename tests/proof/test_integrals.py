@@ -59,6 +59,7 @@ TRUE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TRUE)
 def test_a_true_integral_is_proved(name: str) -> None:
     answer = decide(Equality(*TRUE[name]), DOMAIN)
@@ -66,6 +67,7 @@ def test_a_true_integral_is_proved(name: str) -> None:
     assert integrals.RUNG in answer.rung
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TRUE)
 def test_its_wrong_neighbour_is_refuted(name: str) -> None:
     left, right = TRUE[name]

@@ -82,6 +82,7 @@ TABLES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rung", "printed", "twin", "where"), list_rows(TABLES))
 def test_a_range_is_kept_and_its_neighbour_not_accepted(
     rung: str, printed: str, twin: str, where: str

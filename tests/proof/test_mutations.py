@@ -196,6 +196,7 @@ def list_batches():
     return batches
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("batch", first_of(range(BATCHES)))
 def test_no_wrong_neighbour_is_proved(batch):
     equivalent = []
@@ -209,6 +210,7 @@ def test_no_wrong_neighbour_is_proved(batch):
     assert len(equivalent) <= MOST_EQUIVALENT, equivalent
 
 
+@pytest.mark.slow
 def test_there_are_many_mutants():
     assert len(collect_mutants()) >= LEAST
     assert len({name for name, *_ in collect_mutants()}) >= LEAST_ROWS

@@ -36,6 +36,7 @@ def between(low: str, high: str) -> sp.Interval:
     return sp.Interval(sp.Rational(low), sp.Rational(high))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("root", "within"),
     [

@@ -163,6 +163,7 @@ def test_a_quotient_has_no_list_of_factors_and_none_is_by_zero() -> None:
         cancel(1 / sp.Add(x * (c + 1), -c * x, -x, evaluate=False))
 
 
+@pytest.mark.slow
 def test_fractions_are_written_whatever_numbers_sympy_computes_with() -> None:
     told = (
         "import sympy as sp; from mechproof.arithmetic.polynomials import cancel;"

@@ -82,6 +82,7 @@ def at(side: sp.Expr, values: dict[sp.Basic, sp.Rational]) -> sp.Expr:
     return side.subs(n, values[n])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", first_of(range(3)))
 def test_what_is_proved_of_a_sign_holds_everywhere(seed: int) -> None:
     draw = random.Random(seed)
@@ -94,6 +95,7 @@ def test_what_is_proved_of_a_sign_holds_everywhere(seed: int) -> None:
             assert truth(relation, values) is not False, (relation, values)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", first_of(range(3)))
 def test_what_is_proved_equal_is_equal_everywhere(seed: int) -> None:
     draw = random.Random(seed)

@@ -69,6 +69,7 @@ def list_documented() -> list[list[str]]:
     return [[cell.replace("`", "").strip() for cell in line] for line in lines]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "printed", "where", "rung"), list_documented())
 def test_what_is_documented_is_proved_by_the_rung(
     kind: str, printed: str, where: str, rung: str

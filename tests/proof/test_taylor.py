@@ -41,6 +41,7 @@ def test_a_bound_is_proved_by_its_series(relation: sp.Basic, reach: sp.Expr) -> 
     assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("relation", "reach"),
     [

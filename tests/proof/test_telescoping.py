@@ -80,6 +80,7 @@ TABLES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rung", "printed", "twin", "where"), list_rows(TABLES))
 def test_a_sum_is_proved_and_its_neighbour_not_accepted(
     rung: str, printed: str, twin: str, where: str

@@ -30,6 +30,7 @@ def test_a_hundred_identities_are_listed() -> None:
     assert len(ROWS) >= 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("number", "printed", "twin", "where"), first_of(ROWS, 40))
 def test_an_identity_is_not_convicted_and_its_twin_not_accepted(
     number: str, printed: str, twin: str, where: str

@@ -198,6 +198,7 @@ def verdict_of(statement: Statement) -> Verdict:
     return judge(Claim("c", "print", statement), PAPER).verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROVED)
 def test_it_is_proved(name: str) -> None:
     assert verdict_of(PROVED[name]) is Verdict.PROVED
@@ -207,6 +208,7 @@ def test_it_is_proved(name: str) -> None:
 SLOW = ("integral of a root", "integral of the absolute value", "length of a parabola")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [make_thorough(n) if n in SLOW else n for n in NOT_CONVICTED])
 def test_it_is_not_convicted(name: str) -> None:
     assert verdict_of(NOT_CONVICTED[name]) not in CONVICTED

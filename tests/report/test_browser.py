@@ -11,6 +11,7 @@ from weights import first_of
 
 pytestmark = [
     pytest.mark.xdist_group("report"),
+    pytest.mark.slow(together=True),
     pytest.mark.skipif(find_browser() is None, reason="there is no Chromium on this machine"),
 ]
 # A page of each kind, and that of a paper that would run scripts.

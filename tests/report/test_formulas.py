@@ -32,6 +32,7 @@ def shape(latex: str) -> str:
     return "".join(f"<{e.tag.removeprefix(MATH)}>{e.text or ''}" for e in root.iter())
 
 
+@pytest.mark.slow
 def test_every_formula_of_the_papers_is_converted() -> None:
     known = prints()
     assert len(known) > 500

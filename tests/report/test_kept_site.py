@@ -115,12 +115,14 @@ def test_other_papers_beside_one_are_on_its_pages(pair: list[Path]) -> None:
     assert "second.html" in write_report(pair)[0]["papers/first.html"]
 
 
+@pytest.mark.slow
 def test_a_site_is_built_once(place: Path) -> None:
     assert builds(place)
     assert not builds(place)
     assert builds(place, "--no-cache")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["slider_crank/figures.tex", "slider_crank/__init__.py", "../generated/coq.json"]
 )

@@ -63,6 +63,7 @@ def test_nothing_of_a_paper_is_markup() -> None:
     assert "<script" not in show(hostile)
 
 
+@pytest.mark.slow
 def test_without_the_extra_there_is_the_plain_text() -> None:
     code = (
         "import sys; sys.modules['jinja2'] = None; import mechproof;"
@@ -72,6 +73,7 @@ def test_without_the_extra_there_is_the_plain_text() -> None:
     assert done.stdout.strip() == "None"
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("report")
 def test_the_tour_runs_from_top_to_bottom() -> None:
     tour = nbformat.read(TOUR, as_version=4)

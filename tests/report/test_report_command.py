@@ -56,6 +56,7 @@ def test_a_derivation_that_fails_is_status_1(tmp_path: Path, text: str, fault: s
     assert not (tmp_path / "pages").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("drawing", "fault"),
     [

@@ -46,6 +46,7 @@ def test_pages_are_whole_and_links_resolve(site: Path) -> None:
     assert find_faults(site) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("old", "new", "fault"),
     [
@@ -305,6 +306,7 @@ def test_the_same_papers_give_the_same_bytes(papers: list[Path]) -> None:
     assert len(seen) == 1
 
 
+@pytest.mark.slow
 def test_charts_are_the_same_each_time() -> None:
     record = read_record(find_files()["elliptic_planetary.largest_ratio"])
     ((workload, count),) = list_workloads(record)
@@ -346,6 +348,7 @@ def test_pale_text_is_seen() -> None:
     assert find_pale({**read_colours(read_stylesheet()), "soft": "#3a3d41"})
 
 
+@pytest.mark.slow
 def test_a_picture_is_drawn_once_and_anew_when_it_shows_something_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -25,6 +25,7 @@ def with_terms() -> list[ComputedStage]:
     return [s for s in found if s.scale and s.scale.terms]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(["guide_radicand", "roller_offset", "lever_angle"]))
 def test_the_terms_add_up_to_the_scale(name: str) -> None:
     subject = next(s for s in with_terms() if s.kernel.name == name)

@@ -44,6 +44,7 @@ def bound_of(program: BoxedProgram, tolerance: float = COARSE, parts: int = 20_0
     return bound_largest(program.bound, program.box, tolerance, parts)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_bounds_are_as_tight_as_those_of_others_and_nothing_exceeds_them(name: str) -> None:
     for convention, other in zip((DOUBLES, REAL), QUICK[name], strict=True):
@@ -78,6 +79,7 @@ def test_inputs_that_are_not_rounded_are_exceeded_by_real_ones() -> None:
     assert all(float(value) != value for value in worst.at.values())
 
 
+@pytest.mark.slow
 def test_relative_errors_are_bounded_where_the_value_does_not_vanish() -> None:
     program = program_of("predatorPrey", RELATIVE)
     worst = find_worst_input(program, (program.box,))

@@ -59,6 +59,7 @@ def compiled() -> tuple[RoundingClaim, ComputedStage]:
     return find_plain(WAY)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "claim", first_of(sorted(claims(), key=lambda c: c.way != "by polynomials")), ids=name_claim
 )
@@ -212,6 +213,7 @@ def test_every_rounding_counts() -> None:
         assert other.bound(region, boxes) < whole
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
 def test_no_part_of_a_box_has_a_larger_bound(claim: RoundingClaim) -> None:
     """What holds on a box holds on its parts, at ends where something vanishes or has a pole."""

@@ -229,6 +229,7 @@ PLACED = sorted(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "form"), PLACED)
 def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
     """Wherever a stage is taken and its text holds some chart has the arguments, and only there."""

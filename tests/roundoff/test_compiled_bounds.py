@@ -92,6 +92,7 @@ def measure_apart(
     return np.linalg.norm(one - other, axis=-1), scale * point + shift
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(NAMES, 1))
 def test_what_is_proved_is_what_runs(name: str) -> None:
     """The steps in doubles have the bits of the kernels that numba compiles."""
@@ -112,6 +113,7 @@ def claims(system: str) -> tuple[RoundingClaim, ...]:
     return certificate.claims
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(NAMES))
 def test_both_kernels_differ_by_no_more_than_both_bounds(name: str) -> None:
     """On drawn points, and some ulps around those that are off most in any way."""
@@ -145,6 +147,7 @@ def shake(value: float, rng: np.random.Generator) -> np.ndarray:
     return moved
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(["track_wheel.rotation", "elliptic_planetary.position"]))
 def test_a_bound_lowered_by_a_tenth_is_refused(name: str) -> None:
     system, _, quantity = name.partition(".")

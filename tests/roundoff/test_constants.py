@@ -42,6 +42,7 @@ def is_shown(subject: ComputedStage, bound: float) -> bool:
     return all(cover.open is None for _, cover in cover_all(subject, bound, 200))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("expression", "rounded"),
     [

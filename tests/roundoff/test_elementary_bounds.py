@@ -82,6 +82,7 @@ def test_the_steepest_quotients_have_a_bound() -> None:
     assert np.all(found <= prove("arctan_quotient").most)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", TRUTH)
 def test_a_wrong_coefficient_has_a_larger_bound(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     low = max(

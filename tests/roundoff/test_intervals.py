@@ -88,6 +88,7 @@ def miss_operations(kind: str, *, mixed: bool) -> int:
     return missed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mixed", [True, False])
 @pytest.mark.parametrize("kind", OPERATIONS)
 def test_operations_hold_all_exact_results(kind: str, mixed: bool) -> None:

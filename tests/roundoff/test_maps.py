@@ -87,6 +87,7 @@ def test_the_scale_is_the_norm_of_the_matrix() -> None:
     assert sp.simplify(sp.expand(halved)) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", first_of(["NumPy's functions", "compiled"]))
 def test_roundings_of_the_entries_and_of_the_sums_count(way: str) -> None:
     subject = displacement(way)

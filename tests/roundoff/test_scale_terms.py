@@ -112,6 +112,7 @@ def test_a_kernel_with_a_rounding_more_is_above_the_bound() -> None:
         assert not is_shown(worse, 0.6)
 
 
+@pytest.mark.slow
 def test_a_scale_without_a_term_has_no_bound() -> None:
     """Where a**2 is left out, an error of it is compared with nothing at b = 0 and a = b."""
     for subject in write_squares(2 * b**2 + sp.Abs(a**2 - b**2) + b**3):
@@ -132,6 +133,7 @@ def test_a_function_that_vanishes_cancels_beside_itself() -> None:
         assert is_shown(first, 1.6) == bounded
 
 
+@pytest.mark.slow
 def test_what_a_maximum_is_at_least_bounds_a_difference() -> None:
     chart = Chart("", {a: a, b: b}, dict.fromkeys((a, b), sp.Interval(0, 1)))
     for subject in write_subjects(a - b * b, sp.Max(a, b * b), chart, (a, b)):

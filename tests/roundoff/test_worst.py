@@ -60,6 +60,7 @@ def test_long_doubles_tell_what_balls_tell(claim: RoundingClaim) -> None:
     np.testing.assert_allclose(roughly, exactly, rtol=0, atol=0.01)
 
 
+@pytest.mark.slow
 @needs_long_doubles
 @pytest.mark.parametrize("quantity", ["position", "displacement"])
 def test_a_search_climbs_and_leaves_no_chart(

@@ -56,6 +56,7 @@ def points() -> Any:
     return np.concatenate([near, *beside, far, ends])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_it_is_called_like_a_kernel(backend: str) -> None:
     kernel = tailored(backend)
@@ -188,6 +189,7 @@ def test_a_name_that_c_does_not_have_is_refused(name: Any, message: str, tmp_pat
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_the_command_emits_it(tmp_path: Path) -> None:
     sizes = [f"--let={name}={value}" for name, value in SIZES.items()]
     arguments = ["emit", "c", NAME, "--error", "1e-6", *sizes, "--out", str(tmp_path)]
@@ -248,6 +250,7 @@ def test_missing_arguments_are_named() -> None:
         mechproof.tailor("wedge_linkage.lever_angle", error=1e-6, **sizes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ends", "least"),
     first_of([((-1000, 3000), 1e-12), (None, 1e-15)]),

@@ -98,6 +98,7 @@ def find_worst(request: Request, kernel: Tailored, more: Array | None = None) ->
     return worst
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("error", first_of((1e-12, 1e-3, 1e-6, 1e-9)))
 @pytest.mark.parametrize("name", CASES)
 def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None:
@@ -110,6 +111,7 @@ def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None
 STEEP = [(1e-2, 1.0), (5e-3, 1.0), (1e-3, 0.1), (1e-4, 0.1)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("gap", "error"), STEEP)
 def test_a_steep_turn_is_within_the_bound(gap: float, error: float) -> None:
     sizes = {"R1": 66, "R2": 16, "e": 1 - gap}
@@ -118,6 +120,7 @@ def test_a_steep_turn_is_within_the_bound(gap: float, error: float) -> None:
     assert find_worst(request, kernel, np.linspace(-3 * gap, 3 * gap, 301)) <= kernel.bound
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "sizes"),
     first_of(
@@ -156,6 +159,7 @@ def test_other_quantities_and_ranges_are_within_their_bounds(case: str) -> None:
     assert find_worst(request, kernel) <= kernel.bound <= 1e-7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_bounds_are_no_wider_than_twice_what_is_found(name: str) -> None:
     # 2: the roundings at the ends of the range, which no point meets in full, are a quarter.
@@ -185,6 +189,7 @@ def change_pieces(model: Model) -> Iterator[Model]:
             yield replace(model, pieces=replace(pieces, pieces=tuple(others)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", first_of(CASES))
 def test_a_changed_coefficient_is_refused(name: str) -> None:
     request, built = prepare(name, 1e-9)
@@ -194,6 +199,7 @@ def test_a_changed_coefficient_is_refused(name: str) -> None:
             check(request, model, 1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_a_lower_degree_and_a_lower_bound_are_refused(name: str) -> None:
     request, built = prepare(name, 1e-6)
@@ -205,6 +211,7 @@ def test_a_lower_degree_and_a_lower_bound_are_refused(name: str) -> None:
         check(request, built.model, 0.9 * built.bound.error)
 
 
+@pytest.mark.slow
 def test_a_moved_edge_and_a_moved_centre_are_refused() -> None:
     request, built = prepare("elliptic_planetary.position", 1e-9)
     pieces = built.model.pieces
@@ -245,6 +252,7 @@ def test_a_jump_is_told() -> None:
         build(request)
 
 
+@pytest.mark.slow
 def test_tracked_roundings_hold_what_doubles_do() -> None:
     request, built = prepare("elliptic_planetary.position", 1e-12)
     program = built.model.part()

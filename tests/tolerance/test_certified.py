@@ -83,6 +83,7 @@ def test_random_sizes_stay_inside() -> None:
     assert (values <= result.upper + 1e-10).all()
 
 
+@pytest.mark.slow
 def test_sizes_without_influence_are_proved_so() -> None:
     result = certified_range("wedge_linkage", "position", -30.0, SIZES | IDLE)
     assert result.without_influence == ("l_EF", "l_IK", "l_MN")
