@@ -33,6 +33,10 @@ SLOPE = r"s'=\frac h2\sin\theta"
 CAGE = ("#A fault is met with", r"f=n_i-n_k=\frac12(n_i-n_a)(1+\frac dD)")
 AT_REST = ("#With the outer ring at rest,", r"n_k=\frac{n_i}2-\frac{n_id}{2D}")
 PULLEY = ("#A fixed pulley turns a force, so that", "F=G")
+RETURN = r"s'=-\frac h2\sin\theta"
+PISTON = ("#The pin moves along", r"x=r\cos\varphi")
+OTHER_SPEED = r"\dot x=-r\dot\varphi\cos\varphi"
+PARABOLIC = ("#The parabolic law is", r"s=h\theta^2", "#with")
 OPEN = "not judged"
 # Displays, with # words before them, and the outcomes of all.
 PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
@@ -61,6 +65,50 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "what is not read may say anew": (
         (HARMONIC, "#The other law is", UNREAD, "#with", SLOPE),
         ("DEFINITION", "not read", OPEN),
+    ),
+    "a derivative of another law": (
+        ("#The harmonic law is", HARMONIC, "#The parabolic law has the velocity", r"s'=2h\theta"),
+        ("DEFINITION", OPEN),
+    ),
+    "a derivative of the law": (
+        ("#The harmonic law is", HARMONIC, "#This law has the velocity", r"s'=2h\theta"),
+        ("DEFINITION", "REFUTED"),
+    ),
+    "a derivative of the law before": (
+        ("#The harmonic law is", HARMONIC, *PARABOLIC, r"s'=2h\theta"),
+        ("DEFINITION", OPEN, "PROVED"),
+    ),
+    "a wrong derivative of the law before": (
+        ("#The harmonic law is", HARMONIC, *PARABOLIC, r"s'=h\theta"),
+        ("DEFINITION", OPEN, "REFUTED"),
+    ),
+    "the velocity of another": (
+        (*PISTON, "#The velocity of the second pin is", OTHER_SPEED),
+        ("DEFINITION", OPEN),
+    ),
+    "a second derivative is of no other": (
+        (
+            *PISTON,
+            "#The second derivative is",
+            r"\ddot x=r\dot\varphi^2\cos\varphi-r\ddot\varphi\sin\varphi",
+        ),
+        ("DEFINITION", "REFUTED"),
+    ),
+    "a derivative printed anew": (
+        (HARMONIC, "#The velocity", SLOPE, "#and the return has", RETURN),
+        ("DEFINITION", "PROVED", OPEN),
+    ),
+    "a derivative that follows": (
+        (HARMONIC, "#The velocity", SLOPE, "#and therefore", RETURN),
+        ("DEFINITION", "PROVED", "REFUTED"),
+    ),
+    "a case first, then all": (
+        ("#First let it stand in the middle,", r"a=\frac l2", "#In general", *BEAM[1:], WRONG),
+        ("DEFINITION", "DEFINITION", "DEFINITION", OPEN),
+    ),
+    "a case to the end": (
+        ("#Let it stand in the middle,", r"a=\frac l2", *BEAM, WRONG),
+        ("DEFINITION", "DEFINITION", "DEFINITION", "PROVED"),
     ),
     "nothing is said anew": ((HARMONIC, "#with", SLOPE), ("DEFINITION", "PROVED")),
     "what is not read is of another letter": (

@@ -10,7 +10,9 @@ from dataclasses import dataclass, replace
 
 # Words that tell of another case, not of the two roots of one; words that may tell of either, and
 # how far before a display they are looked for.
-_OTHERS = r"other|otherwise|another|alternative(?:ly)?|second|else"
+_OTHERS = (
+    r"other|otherwise|another|alternative(?:ly)?|second(?! (?:derivative|time|order|law)\b)|else"
+)
 _OTHER = re.compile(rf"\b(?:{_OTHERS})\b", re.IGNORECASE)
 _ALTERNATIVE = re.compile(
     rf"\b(?:{_OTHERS}|or|oder|ou|или|respectively|elbow|"
@@ -40,7 +42,7 @@ _POSITION = re.compile(
 # What may make letters equal that are not equal elsewhere.
 _EQUATING = re.compile(
     r"\bfor an? \w+|\b(?:coincide|vanish|aligned|collinear|in line)\b|\bare equal\b(?! to\b)"
-    r"|\bin an? \w+ (?:one|case|impact|collision)\b"
+    r"|\bin an? \w+ (?:one|case|impact|collision)\b|\blet (?:it|them|(?:the|both|all) \w+)\b"
     r"|\bf\xfcr (?:ein|eine|einen)\b|\b(?:zusammenfallen|fallen zusammen|sind gleich|fluchten)\b"
     r"|\bpour une?\b|\bco\xefncident|совпадают",
     re.IGNORECASE,
@@ -86,6 +88,13 @@ _CONTRAST = re.compile(
     r"|\b(?:dagegen|hingegen|anstelle)\b|\ben revanche\b|\bв отличие\b",
     re.IGNORECASE,
 )
+# A law of its own name: the cycloidal law, not the velocity law of the one before.
+_LAW = re.compile(
+    r"\b(?!(?:the|an?|this|that|these|its|same|such|our|of|and|each|every|any|above|basic|general"
+    r"|motion|displacement|position|lift|velocity|speed|acceleration|follower|cam)\b)"
+    r"([^\W\d_]{3,}) (?:laws?|curves?|profiles?|motions?|programs?|programmes?)\b",
+    re.IGNORECASE,
+)
 # What is said of all cases.
 _GENERAL = re.compile(
     r"\b(?:in general|generally|in every case|in all cases|otherwise|elsewhere)\b"
@@ -111,7 +120,9 @@ class Announced:
 
     `passage` counts the passages of prose so far; `scope` is the last one that says something new
     or may be special; `turns` counts those with words that turn the sense in which something is
-    counted or go on to another arrangement, `subjects` those that go on to something else.
+    counted or go on to another arrangement, `subjects` those that go on to something else. `law`
+    is the name of the law that was spoken of last, `general` the last passage that tells of all
+    cases.
     """
 
     is_case: bool = False
@@ -126,6 +137,8 @@ class Announced:
     scope: int = 0
     turns: int = 0
     subjects: int = 0
+    law: str = ""
+    general: int = 0
 
     def is_apart(self, other: Announced) -> bool:
         """Return whether words stand between that go on to something else, or turn a sense."""
@@ -136,7 +149,9 @@ class Announced:
         said = _WHERE.match(words) if self.passage else None
         turns = self.turns + bool(_TURNING.search(words, said.end() if said else 0))
         is_other = bool(_HEADING.search(words))
-        subjects = self.subjects + (is_other or bool(_CONTRAST.search(words)))
+        laws = [name.lower() for name in _LAW.findall(words)]
+        is_next = bool(self.law and laws and laws[-1] != self.law)
+        subjects = self.subjects + (is_other or is_next or bool(_CONTRAST.search(words)))
         if not _has_prose(words):
             return replace(self, turns=turns, subjects=subjects)
         near = words[-_NEAR:]
@@ -157,6 +172,8 @@ class Announced:
             scope=self.passage + 1 if is_new or is_equating or is_general else self.scope,
             turns=turns,
             subjects=subjects,
+            law=laws[-1] if laws else self.law,
+            general=self.passage + 1 if is_general else self.general,
         )
 
 

@@ -18,6 +18,7 @@ from mechproof.document.constrained_rows import (
 from mechproof.document.doubts import (
     doubt_by_letters,
     doubt_by_positions,
+    doubt_by_rates,
     doubt_by_unread,
     find_contradictions,
 )
@@ -149,6 +150,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
+        rows |= dict(doubt_by_rates(tasks, rows))
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))

@@ -36,6 +36,30 @@ def find_contradictions(
             yield m, make_row(tasks[m], tell_contradiction(task.row.number))
 
 
+def doubt_by_rates(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Refute no derivative that is printed anew behind words that say something new."""
+    rates = [n for n, task in enumerate(tasks) if task.sign.role is Role.DERIVATIVE]
+    for n in rates:
+        task = tasks[n]
+        if not (_is_refuted(rows[n]) and task.said.is_new):
+            continue
+        before = [
+            tasks[m].row.number
+            for m in rates
+            if m < n
+            and rows[m].outcome == Verdict.PROVED.value
+            and tasks[m].sign.letter == task.sign.letter
+            and tasks[m].said.passage != task.said.passage
+        ]
+        if before:
+            reason = (
+                f"it differs from {before[-1]}, which has the same derivative: of another case?"
+            )
+            yield n, make_row(task, reason)
+
+
 def doubt_by_letters(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
@@ -160,6 +184,12 @@ def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
     may_tell = said.is_new and (said.is_case or said.is_equating)
     is_behind = said.passage > task.said.passage and not said.is_clause
     return defines(one, used) and may_tell and is_behind
+
+
+def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
+    """Return whether a row defines one of some letters in a case, and all are spoken of since."""
+    is_before = one.said.passage < task.said.general
+    return defines(one, used) and one.said.is_equating and is_before
 
 
 def tell_contradiction(names: str) -> str:

@@ -13,9 +13,10 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.announcements import Announced
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import FOLLOWING
-from mechproof.document.doubts import is_later_case, list_used
+from mechproof.document.doubts import is_later_case, is_left_case, list_used
 from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
@@ -76,8 +77,10 @@ def _choose(
     if is_same or (found and found.verdict == row.outcome):
         return None
     names = ", ".join(one.row.number for one in newer)
-    goes_on = not task.said.is_new or task.said.passage == newer[-1].said.passage
-    if found and found.verdict is Verdict.PROVED and goes_on:
+    last, said = newer[-1].said, task.said
+    goes_on = not said.is_new or said.passage == last.passage
+    is_proof = found is not None and found.verdict is Verdict.PROVED and goes_on
+    if found and (is_proof or _is_convicted(task, row, found, last)):
         return replace(found, reason=f"{found.reason}, by {names}")
     if row.judgement is None:
         return None
@@ -85,10 +88,18 @@ def _choose(
     return f"{first} with the first definition of what {names} defines anew: which one is meant?"
 
 
+def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
+    """Return whether a derivative differs from what is printed just before it of the same case."""
+    is_open = row.judgement is None and found.verdict is Verdict.REFUTED
+    is_beside = task.said.is_clause or not task.said.is_new
+    is_rate = task.sign.role is Role.DERIVATIVE
+    return is_open and is_rate and is_beside and not last.is_apart(task.said)
+
+
 def doubt_by_cases(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Leave open what is proved only by a definition that is printed later, perhaps of a case."""
+    """Leave open what is proved only by a definition that may be of another case."""
     asked = []
     for n, task in enumerate(tasks):
         found = rows[n].judgement
@@ -96,13 +107,15 @@ def doubt_by_cases(
         is_said = task.is_claimed or task.follows or task.sign.role is Role.RELATION
         used = list_used(task, tasks) if is_proved and not is_said else ()
         cases = [m for m in range(n + 1, len(tasks)) if is_later_case(tasks[m], task, used)]
+        cases += [m for m in range(n) if is_left_case(tasks[m], task, used)]
         if cases:
             asked.append((key, n, tuple(cases)))
     for place, answer in run_tasks(judge_without, asked, limit=limit):
-        _, n, behind = asked[place]
+        _, n, others = asked[place]
         if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
-            names = ", ".join(tasks[m].row.number for m in behind)
-            reason = f"it holds, but rests on {names}, which is printed later, perhaps of a case"
+            names = ", ".join(tasks[m].row.number for m in others)
+            why = "printed later, perhaps of a case" if others[0] > n else "perhaps said of a case"
+            reason = f"it holds, but rests on {names}, which is {why}"
             yield n, make_row(tasks[n], reason)
 
 

@@ -18,6 +18,8 @@ from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 _DEGREE = sp.pi / 180
 _TURN = 2 * sp.pi
+# No count of parts, halves or quarters: 60 seconds, 1000 mm.
+_FACTOR = 10
 _ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
 _TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
@@ -81,6 +83,12 @@ def agrees(says: PrintedNumber) -> bool:
 def _has_sixty(formula: sp.Expr) -> bool:
     """Return whether a number of a formula may have half a minute's seconds as a factor."""
     return any(not (one.p % 15 and one.q % 15) for one in formula.atoms(sp.Rational))
+
+
+def may_turn_units(formula: sp.Expr) -> bool:
+    """Return whether a formula may turn units itself, by a number that no count of parts is."""
+    numbers = formula.atoms(sp.Number)
+    return any(one.is_Float or max(abs(one.p), one.q) >= _FACTOR for one in numbers)
 
 
 def _spread(value: sp.Expr, half: sp.Expr) -> balls.Ball:
@@ -168,8 +176,10 @@ class Scales:
         """
         readings = []
         printed = self.convert(own, unit)
+        is_bare = may_turn_units(formula) or not self._fits(formula, own, unit)
         for turned, angle in self._read_degrees(formula, own):
-            readings.append((turned / angle / printed, angle * printed))
+            if is_bare:
+                readings.append((turned / angle / printed, angle * printed))
             if self._has_units(turned, own):
                 scale = angle * (unit.scale if unit else self._scale(own, sp.S.One))
                 values = self.list_values(turned, own, unit)
@@ -180,6 +190,18 @@ class Scales:
             tuple(reading.xreplace(c) + turn / scale for c in choices for turn in turns)
             for reading, scale in readings
         ]
+
+    def _fits(self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None) -> bool:
+        """Return whether letters in their units give what is counted in a unit, or in its own."""
+        wanted = unit.dimension if unit else self.symbols.find_dimension(own) if own else None
+        letters = formula.free_symbols | ({own} if own and not unit else set())
+        if wanted in (None, NUMBER) or not letters <= self.known.keys():
+            return False
+        told = {s: self.symbols.find_dimension(s) or NUMBER for s in formula.free_symbols}
+        try:
+            return infer(formula, told) == wanted
+        except DimensionError:
+            return False
 
     def _has_units(self, formula: sp.Expr, own: sp.Basic | None) -> bool:
         """Return whether the units of letters are known, or fit if other letters are numbers."""

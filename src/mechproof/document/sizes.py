@@ -19,7 +19,7 @@ from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
+from mechproof.document.scales import RoundedSize, Scales, agrees, is_near, may_turn_units
 from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
@@ -263,6 +263,8 @@ class Sizes:
             if not formula.free_symbols:
                 yield formula
             yield from scales.list_values(formula, None, unit)
+            if may_turn_units(formula):
+                yield formula
 
     def _name_rounded(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
         """Return with which numbers before it one agrees, as far as these may have been rounded."""

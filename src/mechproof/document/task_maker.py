@@ -250,7 +250,7 @@ class TaskMaker:
         if first is not None and first.announced.is_apart(said):
             return True
         if sign.letter is None or self.known.is_derived(sign.letter):
-            return said.is_special
+            return said.is_special or (said.is_new and said.is_other)
         is_beside = first is not None and first.group == printed.group
         is_behind = first is None or first.announced.passage != said.passage
         return is_beside or (is_behind and (said.is_case or said.is_new))
