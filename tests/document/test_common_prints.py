@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from small_papers import outcomes
+from small_papers import judge_parts, outcomes
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -79,3 +79,12 @@ def test_a_mass_that_all_terms_have_is_left_out(block: str, outcome: str) -> Non
     motion = r"mr^2\ddot\varphi-mnu\sin\varphi=0"
     without = r"\ddot\varphi=\frac{nu}{r^2}\sin\varphi"
     assert outcomes(motion, without, block=block) == ["DEFINITION", outcome]
+
+
+@pytest.mark.parametrize(
+    ("number", "outcome"),
+    [("254", "not judged"), ("3{,}6", "not judged"), ("0.28", "not judged"), ("192", "ILL_FORMED")],
+)
+def test_a_number_that_may_have_a_unit_accuses_no_dimensions(number: str, outcome: str) -> None:
+    block = "%% mechproof\n%% s : distance [m]\n%% v : speed [km/h]\n%% f : friction [1]\n%% end\n"
+    assert judge_parts(block, rf"s=\frac{{v^2}}{{{number}f}}") == [outcome]

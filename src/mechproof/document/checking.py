@@ -16,6 +16,7 @@ from mechproof.document.constrained_rows import (
     solve_constraints,
 )
 from mechproof.document.doubts import (
+    doubt_by_factors,
     doubt_by_letters,
     doubt_by_positions,
     doubt_by_rates,
@@ -151,6 +152,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
         rows |= dict(doubt_by_rates(tasks, rows))
+        rows |= dict(doubt_by_factors(tasks, rows))
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))

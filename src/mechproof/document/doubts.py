@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
@@ -13,7 +14,12 @@ from mechproof.document.letters import name_symbol
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Left, State, Verdict
+from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition
+
+_NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
+# Strengths and stiffnesses have factors such as 64, 192 or 384.
+_LARGE, _PRIME = 100, 5
 
 
 def find_contradictions(
@@ -58,6 +64,30 @@ def doubt_by_rates(
                 f"it differs from {before[-1]}, which has the same derivative: of another case?"
             )
             yield n, make_row(task, reason)
+
+
+def doubt_by_factors(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse no equation of its dimensions if a number of it may turn units, as 254 does.
+
+    In an equation of numerical values, letters are numbers in units of their own.
+    """
+    for n, task in enumerate(tasks):
+        found = rows[n].judgement
+        if found is None or found.rung != DIMENSIONS or found.verdict is not Verdict.ILL_FORMED:
+            continue
+        numbers = _NUMBER.findall(task.row.printed_latex)
+        if odd := next(filter(_is_odd, numbers), None):
+            shown = odd.replace("{,}", ",")
+            yield n, make_row(task, f"{found.reason}: does {shown} have a unit?")
+
+
+def _is_odd(number: str) -> bool:
+    """Return whether a number is a decimal, or of three digits and more with a prime beyond 5."""
+    if not number.isdigit():
+        return True
+    return int(number) >= _LARGE and max(sp.primefactors(int(number))) > _PRIME
 
 
 def doubt_by_letters(

@@ -37,6 +37,8 @@ from mechproof.record import (
 )
 from mechproof.record.parts import find_free, find_parts, has_parts
 
+# The rung of terms of unlike dimension.
+DIMENSIONS = "dimensions"
 # As from metres to millimetres.
 UNIT_CHANGE = 1000
 UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
@@ -147,7 +149,7 @@ def _find_mixture(
         infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
         witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
-        return Fault("dimensions", str(error), witness) if witness else None
+        return Fault(DIMENSIONS, str(error), witness) if witness else None
     return None
 
 
