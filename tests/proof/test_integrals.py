@@ -22,6 +22,8 @@ def integral(integrand: sp.Expr, lower: sp.Expr, upper: sp.Expr) -> sp.Integral:
 
 TRUE = {
     "power": (integral(x**2, 0, 1), sp.Rational(1, 3)),
+    "power of any exponent": (integral(x ** (1 + e), 1, 2), (2 ** (2 + e) - 1) / (2 + e)),
+    "quotient to any power": (integral((e / x) ** (1 + e), e, 1), 1 - e**e),
     "square of a sine": (integral(sp.sin(x) ** 2, 0, TURN), sp.pi),
     "logarithm": (integral(1 / x, 1, 2), sp.log(2)),
     "quarter of a circle": (integral(sp.sqrt(1 - x**2), 0, 1), sp.pi / 4),

@@ -55,7 +55,7 @@ def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
         return is_shown_there(Slack(node.args[1], True), domain)
     if isinstance(node, _WHERE_DEFINED) or (isinstance(node, sp.Pow) and node.exp.is_Rational):
         return all(is_shown_there(need, domain) for need in list_needs(node))
-    return False
+    return isinstance(node, sp.Pow) and is_shown_there(Slack(node.base, True), domain)
 
 
 def _find_break_of_integral(

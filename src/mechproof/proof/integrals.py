@@ -23,6 +23,7 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
+from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.refutation import compare
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import find_bound, find_parts
@@ -116,7 +117,8 @@ def _find_by_antiderivative(
         moved = _put(candidate, variable, place)
         if find_break(moved, variable, inside) is not None:
             continue
-        if decide_equal(sp.diff(moved, variable), running * slope, inside) is None:
+        sides = (sp.diff(moved, variable), running * slope, inside)
+        if decide_equal(*sides) is None and decide_by_logarithms(*sides) is None:
             continue
         low, high = (_find_end(moved, variable, end, run, domain) for end in (run.start, run.end))
         if low is not None and high is not None:
