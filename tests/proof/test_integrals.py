@@ -24,6 +24,8 @@ TRUE = {
     "power": (integral(x**2, 0, 1), sp.Rational(1, 3)),
     "power of any exponent": (integral(x ** (1 + e), 1, 2), (2 ** (2 + e) - 1) / (2 + e)),
     "quotient to any power": (integral((e / x) ** (1 + e), e, 1), 1 - e**e),
+    "power of a base that vanishes": (integral(x ** (1 + e), 0, 1), 1 / (2 + e)),
+    "root of a base that vanishes": (integral(x ** sp.Rational(4, 3), 0, 1), sp.Rational(3, 7)),
     "square of a sine": (integral(sp.sin(x) ** 2, 0, TURN), sp.pi),
     "logarithm": (integral(1 / x, 1, 2), sp.log(2)),
     "quarter of a circle": (integral(sp.sqrt(1 - x**2), 0, 1), sp.pi / 4),

@@ -176,7 +176,17 @@ def _integrate(
     def integrand(point: Ball, analytic: bool) -> Ball:
         return acb(layout.run({**values, variable: point, _ANALYTIC: analytic})[-1])
 
+    if not all(integrand(_widen(*two), False).is_finite() for two in ((start, end), (end, start))):
+        return NOT_FINITE
     return take_real_part(acb.integral(integrand, start, end))
+
+
+def _widen(end: Ball, other: Ball) -> Ball:
+    """Return an end and what is next to it on the way to the other.
+
+    Whatever has no finite enclosure there has none over the whole way, however often it is halved.
+    """
+    return acb(end.real.union(end.real + (other - end).real * arb(2) ** (-2 * flint.ctx.prec)))
 
 
 def _take_apart(ball: Ball) -> _Parts:

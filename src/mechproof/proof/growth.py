@@ -44,8 +44,8 @@ class _Order:
     """c*exp(rate*y)*y**power*(ln y)**logs up to a factor that goes to one; bounded c for None."""
 
     rate: sp.Expr
-    power: sp.Rational
-    logs: sp.Rational
+    power: sp.Expr
+    logs: sp.Expr
     factor: sp.Expr | None
 
     def times(self, other: _Order) -> _Order:
@@ -56,7 +56,7 @@ class _Order:
         return _Order(rate, power, logs, self.factor * other.factor)
 
     @property
-    def size(self) -> tuple[sp.Expr, sp.Rational, sp.Rational]:
+    def size(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         return self.rate, self.power, self.logs
 
 
@@ -216,7 +216,7 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
         return reduce(_Order.times, orders) if orders else None
     if isinstance(node, sp.Add):
         return _find_order_of_sum(node, domain, depth - 1)
-    if isinstance(node, sp.Pow) and node.exp.is_Rational:
+    if isinstance(node, sp.Pow) and not node.exp.has(_Y):
         base = _find_order(node.base, domain, depth - 1)
         return None if base is None else _raise(base, node.exp, domain)
     if isinstance(node, sp.exp):
@@ -245,8 +245,8 @@ def _constant(factor: sp.Expr | None) -> _Order:
     return _Order(sp.S.Zero, sp.S.Zero, sp.S.Zero, factor)
 
 
-def _raise(base: _Order, exponent: sp.Rational, domain: Domain) -> _Order | None:
-    if base.factor is None and exponent < 0:
+def _raise(base: _Order, exponent: sp.Expr, domain: Domain) -> _Order | None:
+    if base.factor is None and exponent.is_negative:
         return None
     if not exponent.is_Integer and (base.factor is None or _direction(base.factor, domain) != 1):
         return None

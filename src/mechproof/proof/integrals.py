@@ -63,7 +63,8 @@ def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
 
 def settle_improper(expression: Any, domain: Domain) -> Any:
     """Put the values of improper integrals in their places, as far as they are shown."""
-    improper = filter(_is_improper, _list_free(expression))
+    free = _list_free(expression)
+    improper = (node for node in free if _is_improper(node) or _has_power_of_zero(node))
     values = ((node, _find_value(node, domain)) for node in improper)
     return expression.xreplace({node: value for node, value in values if value is not None})
 
@@ -84,6 +85,16 @@ def _is_improper(integral: sp.Integral) -> bool:
     return any(limit.is_infinite for limit in limits) or any(
         value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there
     )
+
+
+def _has_power_of_zero(integral: sp.Integral) -> bool:
+    """Tell whether a base vanishes at a limit whose exponent is no whole number.
+
+    What is computed of such a power has the logarithm of zero.
+    """
+    powers = [power for power in integral.function.atoms(sp.Pow) if not power.exp.is_integer]
+    variable, *limits = integral.limits[0]
+    return any(power.base.subs(variable, end) == 0 for power in powers for end in limits)
 
 
 def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
