@@ -110,6 +110,20 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("#Let it stand in the middle,", r"a=\frac l2", *BEAM, WRONG),
         ("DEFINITION", "DEFINITION", "DEFINITION", "PROVED"),
     ),
+    "an item of a list may be another case": (
+        ("k=k_1+k_2", r"#\item[(b)]", r"k=\frac{k_1k_2}{k_1+k_2}"),
+        ("DEFINITION", OPEN),
+    ),
+    "a number before a display": (
+        ("k=k_1+k_2", "#\n2.\n", r"k=\frac{k_1k_2}{k_1+k_2}"),
+        ("DEFINITION", OPEN),
+    ),
+    "no words": (("k=k_1+k_2", r"k=\frac{k_1k_2}{k_1+k_2}"), ("DEFINITION", "REFUTED")),
+    "the condition of a case that is not declared": (
+        ("A=FD", "#It slips if", "a<0"),
+        ("DEFINITION", OPEN),
+    ),
+    "a condition that is said of all": (("A=FD", "#Here", "a<0"), ("DEFINITION", "REFUTED")),
     "nothing is said anew": ((HARMONIC, "#with", SLOPE), ("DEFINITION", "PROVED")),
     "what is not read is of another letter": (
         (HARMONIC, UNREAD.replace("s=", "A="), "#with", SLOPE),

@@ -95,6 +95,10 @@ _LAW = re.compile(
     r"([^\W\d_]{3,}) (?:laws?|curves?|profiles?|motions?|programs?|programmes?)\b",
     re.IGNORECASE,
 )
+# A further item of a list, which may have no words: \item[(b)], or 2. in Markdown.
+_ITEM = re.compile(
+    r"\\item(?![A-Za-z])|^[ \t]*(?:\(?[A-Za-z\d]{1,2}[.)]|[-*])[ \t]*$", re.MULTILINE
+)
 # What is said of all cases.
 _GENERAL = re.compile(
     r"\b(?:in general|generally|in every case|in all cases|otherwise|elsewhere)\b"
@@ -152,7 +156,7 @@ class Announced:
         laws = [name.lower() for name in _LAW.findall(words)]
         is_next = bool(self.law and laws and laws[-1] != self.law)
         subjects = self.subjects + (is_other or is_next or bool(_CONTRAST.search(words)))
-        if not _has_prose(words):
+        if not (_has_prose(words) or _ITEM.search(words)):
             return replace(self, turns=turns, subjects=subjects)
         near = words[-_NEAR:]
         is_new = is_other or not _follows(words)

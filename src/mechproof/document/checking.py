@@ -21,6 +21,7 @@ from mechproof.document.doubts import (
     doubt_by_positions,
     doubt_by_rates,
     doubt_by_unread,
+    doubt_conditions,
     find_contradictions,
 )
 from mechproof.document.judging import (
@@ -153,6 +154,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= misprints
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
+        rows |= dict(doubt_conditions(tasks, rows))
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))

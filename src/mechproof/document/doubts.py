@@ -66,6 +66,16 @@ def doubt_by_rates(
             yield n, make_row(task, reason)
 
 
+def doubt_conditions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Refute no condition of a case, which may lie where the letters of the paper do not."""
+    for n, task in enumerate(tasks):
+        if task.sign.role is Role.RELATION and task.said.is_case and _is_refuted(rows[n]):
+            reason = "it is never true where the letters lie: is it the condition of another case?"
+            yield n, make_row(task, reason)
+
+
 def doubt_by_factors(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -18,6 +19,8 @@ from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 _DEGREE = sp.pi / 180
 _TURN = 2 * sp.pi
+# By their names revolutions are counted, n, or are angular velocities.
+_COUNTED = re.compile(r"[nN](?![A-Za-z])")
 # No count of parts, halves or quarters: 60 seconds, 1000 mm.
 _FACTOR = 10
 _ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
@@ -149,7 +152,8 @@ class Scales:
         """
         turns = unit.scale == REVOLUTIONS if unit else own in self.revolving
         has_pi = formula.has(sp.pi)
-        counts = self._has_frequency({*formula.free_symbols, own}, unit)
+        letters = {*formula.free_symbols, own}
+        counts = self._has_frequency(letters, unit) or self._are_counted(letters)
         angles = [sp.S.One] if has_pi or not counts else []
         if has_pi or counts:
             angles.append(_TURN)
@@ -158,6 +162,11 @@ class Scales:
         scale = unit.scale if unit else self._scale(own, sp.S.One)
         values = (self.to_si(formula, a) / scale * (a if turns else 1) for a in angles)
         return list(dict.fromkeys(values))
+
+    def _are_counted(self, letters: Iterable[sp.Basic | None]) -> bool:
+        """Return whether letters count revolutions by their names."""
+        revolving = self.revolving.intersection(letters)
+        return bool(revolving) and all(_COUNTED.match(str(s)) for s in revolving)
 
     def _has_frequency(self, letters: Iterable[sp.Basic | None], unit: Unit | None) -> bool:
         """Return whether a letter, or the unit behind the number, counts what has no angle."""

@@ -20,10 +20,10 @@ from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_siz
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near, may_turn_units
-from mechproof.document.units import ONE, Unit, read_unit
+from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
-from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
+from mechproof.record import FREQUENCY, NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
@@ -33,6 +33,7 @@ _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
+_BARE = "it holds for the numbers as they stand, but not in the units of their letters"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -137,6 +138,7 @@ class Sizes:
         digits, unit = sign.given[0], read_unit(sign.given[1])
         meant = [read_unit(sign.unit)] if sign.unit else [*self._list_units(own, unit)]
         ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
+        ratios += [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant)]
         if not ratios or sp.nan in ratios:
             return _UNFIT
         value, number = sp.Rational(digits), sp.Rational(sign.number)
@@ -177,7 +179,7 @@ class Sizes:
         if not isinstance(formulas, list):
             return formulas
         value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
-        if own is None and unit and value.free_symbols and self._infer(value) != unit.dimension:
+        if unit and value.free_symbols and not self._fits(value, own, unit):
             return _UNFIT
         read = [*self._read(formulas, own, unit)]
         exact = {s: size.value for s, size in self._list_sizes().items()}
@@ -191,9 +193,18 @@ class Sizes:
             return _FEW.format(_show(nearest.value))
         if found := next(filter(agrees, (*stated, *renewed)), None):
             return found
+        if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
+            return _BARE
         if value.free_symbols and (reason := self._excuse(sign, own, printed, read, nearest)):
             return reason
         return self._doubt(value, unit, printed) or nearest
+
+    def _fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
+        """Return whether a formula may be counted in a unit; with a letter as far as is known."""
+        found = self._infer(value)
+        return found == unit.dimension or (
+            own is not None and (found is None or may_turn_units(value))
+        )
 
     def _find_formulas(self, sign: Sign) -> list[sp.Expr] | Equality | str:
         """Return the formulas of a number at the sizes, or why there are none.
@@ -260,7 +271,7 @@ class Sizes:
                     yield from reading
             return
         for formula in formulas:
-            if not formula.free_symbols:
+            if not (formula.free_symbols or is_share(unit)):
                 yield formula
             yield from scales.list_values(formula, None, unit)
             if may_turn_units(formula):
@@ -334,6 +345,14 @@ def _find_distance(stated: PrintedNumber) -> float:
 def _show(value: sp.Expr) -> str:
     number = sp.N(value, 6)
     return f"{float(number):g}" if number.is_real else str(number)
+
+
+def _list_turns(unit: Unit, others: Sequence[Unit]) -> list[sp.Expr]:
+    """Return what revolutions are besides radians where they are counted: 60/min is 1/s."""
+    revolving = unit.scale == REVOLUTIONS, *(one.scale == REVOLUTIONS for one in others)
+    if unit.dimension != FREQUENCY or all(revolving) or not any(revolving):
+        return []
+    return [1 / (2 * sp.pi) if revolving[0] else 2 * sp.pi]
 
 
 def _is_sum(value: Any) -> bool:

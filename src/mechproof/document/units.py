@@ -42,6 +42,7 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
         **{"um": _TEN**-6, "µm": _TEN**-6, "μm": _TEN**-6, "nm": _TEN**-9},
         **{"in": sp.Rational("0.0254"), "ft": sp.Rational("0.3048")},
     },
+    LENGTH**3: {"l": _TEN**-3, "L": _TEN**-3, "ml": _TEN**-6},
     _TIME: {
         **{"s": _TEN**0, "ms": _TEN**-3, "us": _TEN**-6, "µs": _TEN**-6},
         **{"min": sp.Integer(60), "h": sp.Integer(3600)},
@@ -91,6 +92,11 @@ _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
 class UnitError(ValueError):
     """A unit that is not known."""
+
+
+def is_share(unit: Unit) -> bool:
+    """Return whether a unit is the percent sign."""
+    return unit == _BASE["%"]
 
 
 def drop_braces(text: str) -> str:
