@@ -41,6 +41,13 @@ def first_turn(e: Symbol) -> tuple[Place, ...]:
     return list_places(e, Rational(22, 7), Rational(1, 2), UP_TO_HALF)
 
 
+def first_turn_of_jerk(e: Symbol) -> tuple[Place, ...]:
+    """List the same places with narrower ranges next to e = 1, where it grows with 1/d**3."""
+    narrow = Rational(1, 8)
+    left = {ANGLE_X: Interval(0, Rational(3, 4)), D: Interval(narrow, Rational(1, 2))}
+    return (*list_places(e, Rational(22, 7), narrow, UP_TO_HALF), (ANGLE_X, 1 - D, left))
+
+
 def below_pi(e: Symbol) -> tuple[Place, ...]:
     """List the places that end before half a turn."""
     return list_places(e, sp.Integer(3), Rational(3, 8), UP_TO_LARGE)
@@ -62,9 +69,10 @@ def on_branch(form: Expr, whole: Expr, place: Mapping[Symbol, Expr], turns: Symb
     return Equality(form.xreplace({count: turns}).subs(place), whole.subs(place))
 
 
-def jerk_terms(e: Symbol, x: Expr, eps_x: Expr) -> Expr:
+def jerk_terms(factor: Expr, e: Symbol, x: Expr, eps_x: Expr) -> Expr:
     """Return the larger term of a jerk, with 1 for cos(x), and what eps*x makes of both."""
-    spread = 1 + e**2 - 2 * e * sp.cos(x)
+    spread = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
     sine, cosine = sp.Abs(sp.sin(x)), sp.Abs(sp.cos(x))
     slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
-    return sp.Max(spread, 4 * e * sp.sin(x) ** 2) / spread**3 + eps_x * sine * slope / spread**4
+    larger = sp.Max(factor / spread**2, 4 * factor * e * sp.sin(x) ** 2 / spread**3)
+    return larger + factor * eps_x * sine * slope / spread**4

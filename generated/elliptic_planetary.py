@@ -31,9 +31,10 @@ What errors are relative to:
         e**2 - 2*e*cos(x))**2| + e*k**2*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
 
     the larger of the two terms, with 1 for cos(x), and what eps*x makes of them (jerk) =
-        2*e*k**3*(1 - e**2)*(Max(4*e*sin(x)**2, 1 + e**2 - 2*e*cos(x))/(1 + e**2 -
-        2*e*cos(x))**3 + (24*e**2*sin(x)**2 + 12*e*(1 + e**2 - 2*e*cos(x))*|cos(x)| + (1 +
-        e**2 - 2*e*cos(x))**2)*|x|*|sin(x)|/(2**52*(1 + e**2 - 2*e*cos(x))**4))
+        e*k**3*(1 - e**2)*(24*e**2*sin(x)**2 + 12*e*(4*e*sin(x/2)**2 + (1 - e)**2)*|cos(x)|
+        + (4*e*sin(x/2)**2 + (1 - e)**2)**2)*|x|*|sin(x)|/(2**51*(4*e*sin(x/2)**2 + (1 -
+        e)**2)**4) + Max(2*e*k**3*(1 - e**2)/(4*e*sin(x/2)**2 + (1 - e)**2)**2,
+        8*e**2*k**3*(1 - e**2)*sin(x)**2/(4*e*sin(x/2)**2 + (1 - e)**2)**3)
 
     the value and what the rounding of 10*e - square makes of it (angle_of_largest_jerk) =
         Piecewise((pi, 10*e <= square), (2*atan2(sqrt((10*e + square)*(root_jerk + 2*square
@@ -646,6 +647,10 @@ def jerk(
     Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
     makes of them, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and
     1e-300 <= R2 and R1 <= 1e90*R2 and (e = 0 or 1e-100 <= e).
+
+    Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
+    at most 33 eps with np.tan within 1 ulp, found 15.05; at most 40.25 eps compiled, found
+    16.39.
 
     Source: second derivative of Prikhodko et al. 2024, equation (8).
 

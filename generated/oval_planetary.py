@@ -69,10 +69,11 @@ What errors are relative to:
         swing*(both + less)) + 16*(|less + y| + |rise - shift*t|)*|Z*(rise*t - shift)|/S)/S
 
     the larger of the two terms, with 1 for cos(x), and what eps*x makes of them
-        (jerk_cylindrical) = 8*e2*k**3*(1 - e2**2)*(Max(4*e2*sin(x)**2, 1 + e2**2 -
-        2*e2*cos(x))/(1 + e2**2 - 2*e2*cos(x))**3 + (24*e2**2*sin(x)**2 + 12*e2*(1 + e2**2 -
-        2*e2*cos(x))*|cos(x)| + (1 + e2**2 - 2*e2*cos(x))**2)*|x|*|sin(x)|/(2**52*(1 + e2**2
-        - 2*e2*cos(x))**4))
+        (jerk_cylindrical) = e2*k**3*(1 - e2**2)*(24*e2**2*sin(x)**2 +
+        12*e2*(4*e2*sin(x/2)**2 + (1 - e2)**2)*|cos(x)| + (4*e2*sin(x/2)**2 + (1 -
+        e2)**2)**2)*|x|*|sin(x)|/(2**49*(4*e2*sin(x/2)**2 + (1 - e2)**2)**4) +
+        Max(8*e2*k**3*(1 - e2**2)/(4*e2*sin(x/2)**2 + (1 - e2)**2)**2, 32*e2**2*k**3*(1 -
+        e2**2)*sin(x)**2/(4*e2*sin(x/2)**2 + (1 - e2)**2)**3)
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

@@ -16,6 +16,7 @@ from .._eccentric import (
     Z,
     below_pi,
     first_turn,
+    first_turn_of_jerk,
     next_to_pi,
 )
 from .symbols import (
@@ -48,6 +49,7 @@ def chart(text: str, x: Expr, there: Expr, within: Ranges, rest: Expr | None = N
     return Chart(text, arguments, {**FREE, **within}, None if rest is None else ANGLE_X, rest)
 
 
+OF_JERK = tuple(chart(WITHIN_TURN, *place) for place in first_turn_of_jerk(e))
 *ECCENTRIC, ROUNDER = (chart(WITHIN_TURN, *place) for place in first_turn(e))
 # Beyond half a turn the low word is no share of what is left of x: next to whole turns so much is
 # left out of e.

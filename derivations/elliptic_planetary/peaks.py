@@ -40,8 +40,20 @@ from mechproof.record import (
 
 from .._eccentric import jerk_terms
 from . import kernels
-from .charts import BY_SIZES
-from .symbols import R1, R2, c, e, k, peak_acceleration, root_acceleration, root_jerk, square, x
+from .charts import BY_SIZES, OF_JERK
+from .symbols import (
+    R1,
+    R2,
+    c,
+    e,
+    k,
+    peak_acceleration,
+    phi1,
+    root_acceleration,
+    root_jerk,
+    square,
+    x,
+)
 
 JERK = diff(kernels.ACCELERATION, x) * k
 SPREAD = 1 + e**2 - 2 * e * cos(x)
@@ -95,7 +107,7 @@ SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**90 * R2)
 NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
 EITHER_TERM = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    2 * e * k**3 * (1 - e**2) * jerk_terms(e, x, kernels.EPS_X),
+    jerk_terms(2 * e * k**3 * (1 - e**2), e, x, kernels.EPS_X),
 )
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
@@ -141,6 +153,8 @@ PEAK_QUANTITIES = (
                 "half-angle quotient with low word",
                 -2 * e * k**3 * (1 - e**2) * (cos(x) * SPREAD - 4 * e * sin(x) ** 2) / SPREAD**3,
                 ("low_word", "half_angle_tangent"),
+                charts=OF_JERK,
+                mirrors=((phi1,),),
             ),
             Form("1 + e**2 - 2 e cos x", JERK, key="direct"),
         ),

@@ -66,7 +66,7 @@ NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
 SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
 TERMS_CYLINDRICAL = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    8 * e2 * k**3 * (1 - e2**2) * jerk_terms(e2, x, EPS_X),
+    jerk_terms(8 * e2 * k**3 * (1 - e2**2), e2, x, EPS_X),
     OF_X,
 )
 

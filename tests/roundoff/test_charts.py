@@ -119,14 +119,21 @@ STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
 }
 
 
+def tell_x(at: dict[str, Fraction]) -> None:
+    """Add the size of the angle x where wheels have one."""
+    if "R4" in at:
+        at["x"] = abs(2 * at["phi1"] * at["R4"] / at["R5"])
+    if "R1" in at and "phi1" in at:
+        at["x"] = abs(at["phi1"] * at["R1"] / at["R2"])
+
+
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
 def test_the_worst_inputs_are_where_the_claims_say(claim: RoundingClaim) -> None:
     if not claim.where:
         return
     at = {name: Fraction(float.fromhex(text)) for name, text in claim.at.items()}
     if set(claim.where) <= PLACES.keys() and "e" not in at:
-        if "R4" in at:
-            at["x"] = abs(2 * at["phi1"] * at["R4"] / at["R5"])
+        tell_x(at)
         assert any(PLACES[text](at) for text in claim.where)
         return
     if "e" in at:
@@ -220,6 +227,8 @@ def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, 
     if "R4" in drawn:
         # As large as x is told to be, at the speed of its wheels.
         drawn["phi1"] *= drawn["R5"] / drawn["R4"] / 2
+    if "R1" in drawn and "phi1" in drawn:
+        drawn["phi1"] *= drawn["R2"] / drawn["R1"]
     return drawn
 
 
@@ -242,8 +251,7 @@ def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
     is_meant = []
     for values in zip(*points.values(), strict=True):
         at = dict(zip(points, map(Fraction, map(float, values)), strict=True))
-        if "R4" in at:
-            at["x"] = abs(2 * at["phi1"] * at["R4"] / at["R5"])
+        tell_x(at)
         is_meant.append(not subject.where or any(PLACES[text](at) for text in subject.where))
     with np.errstate(invalid="ignore"):
         held = subject.inside.holds(points, IN_DOUBLES)
