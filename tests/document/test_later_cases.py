@@ -37,6 +37,8 @@ RETURN = r"s'=-\frac h2\sin\theta"
 PISTON = ("#The pin moves along", r"x=r\cos\varphi")
 OTHER_SPEED = r"\dot x=-r\dot\varphi\cos\varphi"
 PARABOLIC = ("#The parabolic law is", r"s=h\theta^2", "#with")
+LOADED = ("M=Fa", r"G=F\frac bl")
+IN_PARALLEL = ("#Springs in parallel have", "k=k_1+k_2")
 OPEN = "not judged"
 # Displays, with # words before them, and the outcomes of all.
 PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
@@ -117,6 +119,46 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "a number before a display": (
         ("k=k_1+k_2", "#\n2.\n", r"k=\frac{k_1k_2}{k_1+k_2}"),
         ("DEFINITION", OPEN),
+    ),
+    "a consequence of the opposite": (
+        (*IN_PARALLEL, "#Consequently, those in series have", r"k=\frac{k_1k_2}{k_1+k_2}"),
+        ("DEFINITION", OPEN),
+    ),
+    "a consequence of the same": (
+        (*IN_PARALLEL, "#Consequently, parallel ones have", r"k=\frac{k_1k_2}{k_1+k_2}"),
+        ("DEFINITION", "REFUTED"),
+    ),
+    "a consequence behind the opposite": (
+        (*IN_PARALLEL, "#In series they differ,", "d>0", "#so that", "k=k_1-k_2"),
+        ("DEFINITION", "DEFINITION", "REFUTED"),
+    ),
+    "a derivative of the opposite": (
+        ("#The rise is", HARMONIC, "#The return has", RETURN, "#and during the fall", RETURN),
+        ("DEFINITION", OPEN, OPEN),
+    ),
+    "letters that a case makes equal": (
+        ("#The square has", "a=b", "#and the moment of the rectangle is", "M=Fa=Fb"),
+        ("DEFINITION", "DEFINITION", OPEN),
+    ),
+    "letters that are equal by a law": (
+        ("#The pin is held at", "x=l", "#and the moment is", "M=Fx=Fl"),
+        ("DEFINITION", "DEFINITION", "PROVED"),
+    ),
+    "a letter that is zero in a case": (
+        ("#Of the central one", "a=0", "#The offset one has", "M=F(b+a)=Fb"),
+        ("DEFINITION", "DEFINITION", OPEN),
+    ),
+    "letters that are made equal, and a consequence": (
+        ("#The square has", "a=b", "#and hence the moment", "M=Fa=Fb"),
+        ("DEFINITION", "DEFINITION", "PROVED"),
+    ),
+    "a constraint that makes letters equal": (
+        (*LOADED, "#The square has", "a=b", "#The rectangle has", r"A=F\frac{a+b}l=2F\frac al"),
+        ("DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION", OPEN),
+    ),
+    "a constraint that makes letters equal, and a consequence": (
+        (*LOADED, "#The square has", "a=b", "#so that", r"A=F\frac{a+b}l=2F\frac al"),
+        ("DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION", "PROVED"),
     ),
     "no words": (("k=k_1+k_2", r"k=\frac{k_1k_2}{k_1+k_2}"), ("DEFINITION", "REFUTED")),
     "the condition of a case that is not declared": (

@@ -287,6 +287,8 @@ RESTATED = [
     ("With $D=20$ mm", AREA, "314", "REFUTED"),
     ("With $F=40$ kN", AREA, "314", "REFUTED"),
     ("With $F=40$ kN", STRESS, "198.9", "PROVED"),
+    (r"We choose M20 with $A=245\,\mathrm{mm^2}$ and have", STRESS, "81.6", "not judged"),
+    (r"Its area $A=201\,\mathrm{mm^2}$ gives", STRESS, "99.5", "PROVED"),
 ]
 
 
@@ -314,6 +316,49 @@ def test_numbers_of_one_digit_are_told_the_value_at_the_sizes(
     equations = [r"\beta=\arccos\frac rl", r"k=\frac{\pi-\beta}\beta", latex]
     row = run(*equations, block="%% sizes r=30 mm, l=60 mm\n").rows[-1]
     assert (row.outcome, row.reason) == (outcome, reason)
+
+
+NUMBERS = {
+    r"0.85=85\,\%": "PROVED",
+    r"0.85=0.85\,\%": "REFUTED",
+    r"\frac{17}{20}=0.85\,\%": "REFUTED",
+    r"20^\circ=0.349\,\mathrm{rad}": "PROVED",
+    r"20^\circ=0.349^\circ": "REFUTED",
+    r"\frac{360}{20}=18^\circ": "PROVED",
+    r"\arctan0.5=26.57^\circ": "PROVED",
+    # An irrational number is rounded if it is said to be one of many digits.
+    r"\frac{30\,000}{\pi}=9549": "PROVED",
+    r"\frac{30\,000}{\pi}=9548": "REFUTED",
+    r"\frac{30\,000}{\pi}\approx9550": "not judged",
+    r"\frac{30\,000}{\pi}\approx9560": "REFUTED",
+    r"\sqrt2=1": "REFUTED",
+    r"\frac{199}2=100": "REFUTED",
+}
+
+
+@pytest.mark.parametrize("latex", NUMBERS)
+def test_numbers_may_be_equal_to_numbers(latex: str) -> None:
+    assert outcomes(latex) == [NUMBERS[latex]]
+
+
+CHOSEN = r"""%% mechproof
+%% F : force [N]
+%% d : diameter [mm]
+%% A : area [mm^2]
+%% \sigma : stress [MPa]
+%% z : number of bolts [1]
+%% sizes F=20000 N, \sigma=140 MPa
+%% end
+\[d=\sqrt{\frac{4F}{\pi\sigma}}=13.49\,\mathrm{mm}\]
+The next standard one is \[d=14\,\mathrm{mm}\]
+with \[A=\frac{\pi d^2}4=153.9\,\mathrm{mm^2}\]
+and \[z=\frac{7F}{\sigma A}=@.\]
+"""
+
+
+@pytest.mark.parametrize(("number", "outcome"), [("6.5", "not judged"), ("7.5", "REFUTED")])
+def test_a_number_may_be_that_of_a_chosen_one(number: str, outcome: str) -> None:
+    assert check("paper.tex", CHOSEN.replace("@", number)).rows[-1].outcome == outcome
 
 
 TURNED = {

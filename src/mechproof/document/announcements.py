@@ -6,7 +6,10 @@ Words are matched, not understood. Prose that announces no consequence may lead 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from mechproof.document.other_subjects import are_opposed, find_sides, starts_with_deed
 
 # Words that tell of another case, not of the two roots of one; words that may tell of either, and
 # how far before a display they are looked for.
@@ -95,9 +98,11 @@ _LAW = re.compile(
     r"([^\W\d_]{3,}) (?:laws?|curves?|profiles?|motions?|programs?|programmes?)\b",
     re.IGNORECASE,
 )
-# A further item of a list, which may have no words: \item[(b)], or 2. in Markdown.
+# A further item of a list, which may have no words: \item[(b)], 2. in Markdown, or ($\beta$).
 _ITEM = re.compile(
-    r"\\item(?![A-Za-z])|^[ \t]*(?:\(?[A-Za-z\d]{1,2}[.)]|[-*])[ \t]*$", re.MULTILINE
+    r"\\item(?![A-Za-z])"
+    r"|^[ \t]*(?:\$?\(?\$?(?:\\[A-Za-z]+|[A-Za-z\d]{1,2})\$?[.)]\$?|[-*\u2013]{1,3})[ \t]*$",
+    re.MULTILINE,
 )
 # What is said of all cases.
 _GENERAL = re.compile(
@@ -126,7 +131,7 @@ class Announced:
     or may be special; `turns` counts those with words that turn the sense in which something is
     counted or go on to another arrangement, `subjects` those that go on to something else. `law`
     is the name of the law that was spoken of last, `general` the last passage that tells of all
-    cases.
+    cases, `sides` which opposites were named last.
     """
 
     is_case: bool = False
@@ -143,10 +148,15 @@ class Announced:
     subjects: int = 0
     law: str = ""
     general: int = 0
+    sides: Mapping[int, int] = field(default_factory=dict)
 
     def is_apart(self, other: Announced) -> bool:
         """Return whether words stand between that go on to something else, or turn a sense."""
         return (self.turns, self.subjects) != (other.turns, other.subjects)
+
+    def is_of_other(self, other: Announced) -> bool:
+        """Return whether it is announced anew, of the opposite of what another is said of."""
+        return self.is_new and are_opposed(self.sides, other.sides)
 
     def go_on(self, words: str) -> Announced:
         """Return what is announced of the next display; without words of its own as before."""
@@ -155,11 +165,13 @@ class Announced:
         is_other = bool(_HEADING.search(words))
         laws = [name.lower() for name in _LAW.findall(words)]
         is_next = bool(self.law and laws and laws[-1] != self.law)
+        near = words[-_NEAR:]
+        sides = {**self.sides, **find_sides(near)}
+        is_opposite = are_opposed(self.sides, sides)
         subjects = self.subjects + (is_other or is_next or bool(_CONTRAST.search(words)))
         if not (_has_prose(words) or _ITEM.search(words)):
             return replace(self, turns=turns, subjects=subjects)
-        near = words[-_NEAR:]
-        is_new = is_other or not _follows(words)
+        is_new = is_other or is_opposite or not _follows(words)
         is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
         is_equating = is_special or is_position or bool(_EQUATING.search(near))
         is_general = bool(_GENERAL.search(near))
@@ -178,6 +190,7 @@ class Announced:
             subjects=subjects,
             law=laws[-1] if laws else self.law,
             general=self.passage + 1 if is_general else self.general,
+            sides=sides,
         )
 
 
@@ -187,7 +200,7 @@ def _follows(words: str) -> bool:
     What letters mean, behind the display before, says nothing new.
     """
     sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
-    return any(_CONSEQUENCE.search(one) for one in sentences[:1])
+    return any(_CONSEQUENCE.search(one) and not starts_with_deed(one) for one in sentences[:1])
 
 
 def _has_prose(words: str) -> bool:

@@ -12,11 +12,14 @@ from collections.abc import Sequence
 import sympy as sp
 
 from mechproof.document.tasks import Task
+from mechproof.record import Definition
 
 
 def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
     """List the constraints before a row that hold for it."""
-    before = [g for g in given if g < number and may_hold_for(tasks[g], tasks[number])]
+    task = tasks[number]
+    before = [g for g in given if g < number and may_hold_for(tasks[g], task)]
+    before = [g for g in before if not is_left(tasks[g], task)]
     return _leave_out_restated(before, tasks)
 
 
@@ -34,6 +37,33 @@ def may_hold_for(given: Task, task: Task) -> bool:
     is_left = given.said.is_position or (is_special and is_plain(given))
     is_left &= given.said.scope != task.said.scope
     return not (is_left or is_turned(given, task))
+
+
+def is_left(given: Task, task: Task) -> bool:
+    """Return whether letters made equal may differ behind the next words that say something new."""
+    return is_bare(given) and given.said.scope != task.said.scope
+
+
+def is_bare(task: Task) -> bool:
+    """Return whether a row makes letters of one meaning equal, or a letter a number, and no more.
+
+    Letters that are declared in one line have one meaning. Those of two are equal by a law.
+    """
+    says = task.row.says
+    one, other = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
+    meanings = {v.symbol: v.meaning for v in task.paper.variables}
+    own = meanings.get(_find_letter(one)) or meanings.get(_find_letter(other))
+    return bool(own) and all(
+        isinstance(side, sp.Expr) and (side.is_number or meanings.get(_find_letter(side)) == own)
+        for side in (one, other)
+    )
+
+
+def _find_letter(side: sp.Basic | None) -> sp.Basic | None:
+    """Return the letter that a side is, or of which it is the opposite."""
+    if not isinstance(side, sp.Expr):
+        return None
+    return next((one for one in (side, -side) if one.is_Symbol), None)
 
 
 def _leave_out_restated(given: Sequence[int], tasks: Sequence[Task]) -> list[int]:

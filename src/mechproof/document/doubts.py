@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import is_turned
+from mechproof.document.applicable_constraints import is_left, is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.letters import name_symbol
@@ -229,7 +229,7 @@ def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
 def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
     """Return whether a row defines one of some letters in a case, and all are spoken of since."""
     is_before = one.said.passage < task.said.general
-    return defines(one, used) and one.said.is_equating and is_before
+    return defines(one, used) and ((one.said.is_equating and is_before) or is_left(one, task))
 
 
 def tell_contradiction(names: str) -> str:

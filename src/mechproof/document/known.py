@@ -67,12 +67,16 @@ class Known:
         It may cancel there: then a print is wrong, and no definition.
         """
         own = {symbol, *self.entries.get(symbol, ())}
+        return bool(own & (self.list_used(value) | self.settle(value).free_symbols))
+
+    def list_used(self, value: Any) -> set[sp.Basic]:
+        """Return the letters of a value, and of what gives them."""
         met, new = set[sp.Basic](), set(value.free_symbols)
         while new:
             met |= new
             given = (self.values[s] for s in new if s in self.values)
             new = set[sp.Basic]().union(*(one.free_symbols for one in given)) - met
-        return bool(own & (met | self.settle(value).free_symbols))
+        return met
 
     def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a derivative is printed by nothing but what constraints tie together."""

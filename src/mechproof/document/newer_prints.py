@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.announcements import Announced
+from mechproof.document.applicable_constraints import is_bare
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import FOLLOWING
 from mechproof.document.doubts import is_later_case, is_left_case, list_used
@@ -116,6 +117,9 @@ def doubt_by_cases(
             names = ", ".join(tasks[m].row.number for m in others)
             why = "printed later, perhaps of a case" if others[0] > n else "perhaps said of a case"
             reason = f"it holds, but rests on {names}, which is {why}"
+            if is_bare(tasks[others[0]]):
+                said = tasks[others[0]].row.printed_latex
+                reason = f"{reason}; if it holds here, too, say let {said} in the block of letters"
             yield n, make_row(tasks[n], reason)
 
 

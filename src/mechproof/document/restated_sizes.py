@@ -1,4 +1,7 @@
-"""Sizes that sentences state anew: "with d=20 mm we have instead" behind sizes d=16 mm."""
+"""Sizes that sentences state anew: "with d=20 mm we have instead" behind sizes d=16 mm.
+
+A sentence may also choose one for a letter that a formula gives: "we choose M16 with A=157 mm²".
+"""
 
 from __future__ import annotations
 
@@ -31,25 +34,24 @@ class Restated:
 
 
 class RestatedSizes:
-    """What sentences say of letters whose sizes the block declares, in the order of the text."""
+    """What sentences say of the sizes of letters, in the order of the text."""
 
     def __init__(self, source: Source, symbols: Symbols) -> None:
         """Find the sentences; of a sum or a formula nothing is taken."""
         self.usual = symbols.usual
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
-        letters = {
-            name: v.symbol
-            for v in symbols.variables
-            for name in v.latex
-            if v.symbol in symbols.usual
-        }
+        letters = {name: v.symbol for v in symbols.variables for name in v.latex}
         self.found = [*_find(source, letters, symbols)]
 
     def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
         """Return the sizes that hold at an equation and are not those of the block."""
         place = self.order.get(printed.latex.offsets[printed.taken], -1)
         last = {one.letter: one for one in self.found if one.place < place}
-        return {s: one for s, one in last.items() if not _is_same(one.value, self.usual[s])}
+        return {
+            s: one
+            for s, one in last.items()
+            if s not in self.usual or not _is_same(one.value, self.usual[s])
+        }
 
 
 def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> Iterator[Restated]:

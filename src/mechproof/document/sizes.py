@@ -67,7 +67,7 @@ class Sizes:
         is_constraint = sign.role is Role.CONSTRAINT
         letters = self.known.settle(sign.value).free_symbols
         if is_constraint and not (sign.unit or letters):
-            return None
+            return _round_irrational(sign)
         is_sum = _is_sum(sign.value)
         own = self._find_own(sign, own)
         if (is_constraint or is_sum) and letters - self._list_sizes().keys():
@@ -195,7 +195,8 @@ class Sizes:
             return found
         if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
             return _BARE
-        if value.free_symbols and (reason := self._excuse(sign, own, printed, read, nearest)):
+        letters = value.free_symbols | sign.value.free_symbols
+        if letters and (reason := self._excuse(sign, own, printed, read, nearest)):
             return reason
         return self._doubt(value, unit, printed) or nearest
 
@@ -235,8 +236,7 @@ class Sizes:
         nearest: PrintedNumber,
     ) -> str:
         """Say what may have been meant by a number that is not the one at the sizes."""
-        letters = self.known.settle(sign.value).free_symbols
-        if names := self._name_restated(letters, printed):
+        if names := self._name_restated(self.known.list_used(sign.value), printed):
             return _RESTATED.format(names)
         number, sizes = Numeral(sign.number, sp.S.One), self._list_sizes()
         if any(is_near(one, number, sizes) for one in read):
@@ -271,10 +271,9 @@ class Sizes:
                     yield from reading
             return
         for formula in formulas:
-            if not (formula.free_symbols or is_share(unit)):
-                yield formula
+            is_bare = may_turn_units(formula) if formula.free_symbols else _may_count(formula, unit)
             yield from scales.list_values(formula, None, unit)
-            if may_turn_units(formula):
+            if is_bare:
                 yield formula
 
     def _name_rounded(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
@@ -334,6 +333,26 @@ def collect_sizes(
     kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
     numeric = frozenset(group for group, is_all in groups.items() if is_all)
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
+
+
+def _may_count(number: sp.Expr, unit: Unit) -> bool:
+    """Return whether a formula of numbers may count in a unit; degrees are radians there."""
+    is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational
+    return not (is_share(unit) or is_turned)
+
+
+def _round_irrational(sign: Sign) -> PrintedNumber | str | None:
+    """State that a number beside an irrational one is rounded, as it is if it has enough digits.
+
+    Zeros at its end may be no digits.
+    """
+    digits = sign.number.strip("-")
+    if sign.value.is_rational is not False or "." in digits or len(digits) == 1:
+        return None
+    if not digits.endswith("0") and agrees(stated := PrintedNumber(sign.number, sign.value)):
+        return stated
+    half = sp.Integer(10) ** (len(digits) - len(digits.rstrip("0"))) / 2
+    return _NEAR if abs(sign.value - sp.Rational(sign.number)) <= half else None
 
 
 def _find_distance(stated: PrintedNumber) -> float:

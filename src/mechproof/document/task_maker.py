@@ -247,7 +247,9 @@ class TaskMaker:
             return False
         first = next((one for one in self.printed if one.name == sign.first), None)
         said = printed.announced
-        if first is not None and first.announced.is_apart(said):
+        if first is not None and (
+            first.announced.is_apart(said) or said.is_of_other(first.announced)
+        ):
             return True
         if sign.letter is None or self.known.is_derived(sign.letter):
             return said.is_special or (said.is_new and said.is_other)
