@@ -96,8 +96,12 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED"],
     ),
-    "the third derivative has no symbol": (
-        [r"k=\ddot\varphi", r"\frac{dk}{dt}=m"],
+    "a third derivative": (
+        [r"k=\ddot\varphi", r"\frac{dk}{dt}=\dddot\varphi", r"\frac{dk}{dt}=2\dddot\varphi"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "the fourth derivative has no symbol": (
+        [r"k=\dddot\varphi", r"\frac{dk}{dt}=m"],
         ["DEFINITION", "not read"],
     ),
     "a derivative defines what is bare": (

@@ -20,6 +20,7 @@ def draft(text: str, name: str = "paper.tex") -> str:
         (r"N=J_k\ddot\beta_k", [r"\beta_{k}(t) :"]),
         (r"\dot{\mathbf s}=\begin{bmatrix}v\\w\end{bmatrix}", [r"\dot{\mathbf{s}} 2x1 :"]),
         (r"h(\psi)=b\psi", [r"h(\psi) :"]),
+        (r"\dddot{y}(t)=b\psi", [r"y(t) :"]),
         ("W(p,q)=pq", ["W(p,q) :"]),
         ("y=c(p+q)", ["factor c"]),
         (r"\sum N_k=\mu b", [r"\sum N_k :"]),

@@ -160,6 +160,14 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         (*LOADED, "#The square has", "a=b", "#so that", r"A=F\frac{a+b}l=2F\frac al"),
         ("DEFINITION", "DEFINITION", "DEFINITION", "DEFINITION", "PROVED"),
     ),
+    "what follows later may have the misprint itself": (
+        ("M=Fa=Gb", "#Hence the other force is", r"G=\frac{2Fa}b"),
+        ("DEFINITION", OPEN, "DEFINITION"),
+    ),
+    "what defines a letter is no misprint": (
+        ("M=Fa=Gb", "#where", r"G=\frac{2Fa}b"),
+        ("DEFINITION", "REFUTED", "DEFINITION"),
+    ),
     "no words": (("k=k_1+k_2", r"k=\frac{k_1k_2}{k_1+k_2}"), ("DEFINITION", "REFUTED")),
     "the condition of a case that is not declared": (
         ("A=FD", "#It slips if", "a<0"),

@@ -142,6 +142,22 @@ def test_factors_are_parted_by_commas_or_semicolons() -> None:
     assert outcomes("r=S(M+x)=M(S+x)", block="%% factor S\n") == ["not read"]
 
 
+DECLARED = r"""%% w(t) : position [mm]
+%% t : time [s]
+%% k : rate [1/s^2]
+%% \dot w | v : speed [m/s] {v>0}
+"""
+
+
+def test_a_derivative_may_have_a_line_of_its_own() -> None:
+    motion = [r"w=rkt^2", r"v=2rkt", r"\dot w=3rkt", r"\sqrt{v^2}=v"]
+    assert outcomes(*motion, block=DECLARED) == ["DEFINITION", "PROVED", "REFUTED", "PROVED"]
+    number = "\\dot w=2rkt={}".format
+    block = DECLARED + "%% sizes r=3 mm, k=1, t=100\n"
+    assert outcomes("w=rkt^2", number("0.6"), block=block)[-1] == "PROVED"
+    assert outcomes("w=rkt^2", number("599"), block=block)[-1] == "REFUTED"
+
+
 FAULTS = {
     "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
     "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",

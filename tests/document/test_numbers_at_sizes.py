@@ -18,6 +18,12 @@ def test_numbers_are_compared_at_the_sizes() -> None:
     assert outcomes(r"\lambda=\frac rl", r"\lambda=0", block=sizes)[1] == "not judged"
 
 
+def test_a_size_may_have_another_unit_than_its_letter() -> None:
+    block = "%% D : diameter [mm]\n%% sizes D=2.5 cm\n"
+    for number, outcome in (("50", "PROVED"), ("5.0", "REFUTED")):
+        assert outcomes(f"x=2D={number}", block=block)[1] == outcome
+
+
 def test_numbers_are_compared_in_the_units_of_their_letters() -> None:
     block = "%% w : speed [m/s]\n%% \\omega : speed [rpm]\n%% \\delta : angle [deg]\n"
     sizes = "%% sizes r=20 mm, \\omega=30\\,rpm, \\delta=30\n"
@@ -45,6 +51,13 @@ UNITS = {
     r"r>10\,\mathrm{mm}": ["not read"],
     r"x=3\,\mathrm{mm}\cos\alpha": ["not read"],
     r"x=r\cos\alpha=17.6\,\mathrm{apples}": ["not read"],
+    r"x=r\cos\alpha=1.76\cdot10^1\,\mathrm{mm}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=1.76\times10^{-2}\,\mathrm{m}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=1.86\cdot10^{-2}\,\mathrm{m}": ["DEFINITION", "REFUTED"],
+    r"x=r\cos\alpha=\SI{1.76e-2}{m}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=\SI{1.76e2}{m}": ["DEFINITION", "REFUTED"],
+    r"\num{1.5e3}=1500": ["PROVED"],
+    r"x=1.76e2": ["not read"],
     r"\cos30^\circ\approx0.866": ["PROVED"],
     r"x\approx r": ["not judged"],
     r"k\approx3.52": ["DEFINITION"],

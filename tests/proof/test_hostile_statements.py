@@ -242,7 +242,7 @@ OURS: dict[str, Callable[[], object]] = {
     "an expression as a relation": lambda: Holds(x),
     "a Python truth": lambda: Holds(True),
     "a relation as a statement": lambda: Claim("c", "p", sp.Eq(x, x, evaluate=False)),
-    "no decimal number": lambda: PrintedNumber("1e3", S(1000)),
+    "no decimal number": lambda: PrintedNumber("1e+3", S(1000)),
     "no part": lambda: Conjunction(()),
     "part with an undeclared symbol": lambda: Claim(
         "c", "p", Equality(x, x + 0 * y), on=Part("w > 0", where=(undeclared > 0,))

@@ -109,10 +109,11 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
             relation = prepare(domain.resolve(statement.relation))
             yield from relation.args if isinstance(relation, sp.And) else (relation,)
         case PrintedNumber():
-            half = sp.Rational(1, 2) / 10 ** len(statement.printed.partition(".")[2])
             value = prepare(domain.resolve(statement.value))
             yield sp.Le(
-                sp.Abs(value - sp.Rational(statement.printed), evaluate=False), half, evaluate=False
+                sp.Abs(value - sp.Rational(statement.printed), evaluate=False),
+                statement.half_place,
+                evaluate=False,
             )
         case _:
             raise UnwritableError(f"a {type(statement).__name__} has no theorem")

@@ -11,6 +11,7 @@ import sympy as sp
 
 from mechproof.document.units import Unit, UnitError, drop_braces, read_unit, spell_unit
 from mechproof.latex import Reader, ReadingError
+from mechproof.record import find_last_place
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
 _SINGLE = re.compile(r"\\(?:mathrm|text|rm)\s+(?=[A-Za-z])")
@@ -67,14 +68,13 @@ class Numeral:
     @property
     def half_place(self) -> sp.Expr:
         """Return half of the last place of the digits; zeros that end a whole number are none."""
-        whole, _, decimals = self.digits.partition(".")
-        places = len(decimals) if decimals else len(whole.rstrip("0")) - len(whole)
-        return sp.Rational(1, 2) * sp.Integer(10) ** -places
+        zeros = 0 if self.is_decimal else len(self.digits) - len(self.digits.rstrip("0"))
+        return find_last_place(self.digits) * sp.Integer(10) ** zeros / 2
 
     @property
     def is_decimal(self) -> bool:
         """Return whether it has decimal places: it may have been rounded."""
-        return "." in self.digits
+        return "." in self.digits or "e" in self.digits
 
 
 def name_unit(text: str) -> str:

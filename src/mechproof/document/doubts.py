@@ -120,11 +120,12 @@ def doubt_by_letters(
         letters = list_used(task, tasks) if _is_refuted(rows[n]) or is_condition else ()
         of_cases = [] if task.said.is_special else special
         behind = [one for one in tasks[n + 1 :] if one.said.passage > task.said.passage]
-        later = [one for one in behind if one.said.is_new and not one.said.is_clause]
+        behind = [one for one in behind if not one.said.is_clause]
         groups = (
             (doubted, "may be wrong itself"),
             (of_cases, "is said of a case"),
-            (later, "is printed later, perhaps of a case"),
+            ([one for one in behind if one.said.is_new], "is printed later, perhaps of a case"),
+            (behind, "is printed later, and may be wrong itself"),
         )
         for others, why in groups:
             defining = (one for one in others if one is not task and defines(one, letters))

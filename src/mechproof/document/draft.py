@@ -27,7 +27,7 @@ from mechproof.document.shapes import find_sizes
 from mechproof.document.sources import Source
 
 _RATE = re.compile(
-    r"\\d?dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
+    r"\\d{0,2}dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
     re.DOTALL,
 )
 # A reference, or a number in brackets.

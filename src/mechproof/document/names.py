@@ -16,7 +16,7 @@ from mechproof.proof.verdict import Place
 from mechproof.record import Variable
 
 # Derivatives of a letter that have prints of their own.
-ORDERS = (1, 2)
+ORDERS = (1, 2, 3)
 TIME = "t"
 # A letter with its accents, and what stands behind it.
 _ACCENT = "|".join(map(re.escape, ACCENTS))
@@ -51,7 +51,7 @@ def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
     stem, script = (match[1], match[2]) if match else (latex, "")
     power = f"^{{{order}}}" if order > 1 else ""
     if by == TIME:
-        accent = (r"\dot", r"\ddot")[order - 1]
+        accent = (r"\dot", r"\ddot", r"\dddot")[order - 1]
         yield rf"{accent}{{{stem}}}{script}"
         if script:
             yield rf"{accent}{{{latex}}}"

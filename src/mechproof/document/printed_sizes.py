@@ -13,6 +13,7 @@ from mechproof.document.known import Known
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales
 from mechproof.document.units import read_unit
+from mechproof.record import find_last_place
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,6 @@ def list_numbers(
         if sign.role is not Role.NUMBER or not sign.number or letter not in known.values:
             continue
         one = read_size(replace(sign, letter=letter), printed, known)
-        half = Scales(known.symbols, [one.head]).convert(letter, one.head.unit) / 2
-        decimals = len(sign.number.partition(".")[2])
-        size = RoundedSize(one.size.value, half / 10**decimals)
+        unit = Scales(known.symbols, [one.head]).convert(letter, one.head.unit)
+        size = RoundedSize(one.size.value, unit * find_last_place(sign.number) / 2)
         yield letter, replace(one, size=size)

@@ -26,7 +26,7 @@ from mechproof.proof.verdict import Left
 from mechproof.record import FREQUENCY, NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
-_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+_FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"

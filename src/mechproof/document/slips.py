@@ -175,8 +175,9 @@ def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
     numbers with less than three digits that says nothing.
     """
     text = says.printed
-    places = [n for n, sign in enumerate(text) if sign.isdigit()]
-    count = len(text.strip("-0.").replace(".", ""))
+    number = text.partition("e")[0]
+    places = [n for n, sign in enumerate(number) if sign.isdigit()]
+    count = len(number.strip("-0.").replace(".", ""))
     if count < _FEWEST_DIGITS:
         return ""
     digits = [text[n] for n in places]

@@ -128,8 +128,9 @@ def split_branches(says: Statement, known: Known) -> Statement:
 
 
 def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:
-    """Yield the derivatives of a residual by the letters on which others depend."""
+    """Yield the derivatives of a residual by letters on which others depend, up to the second."""
     moving = known.symbols.moving
+    third = {rate for _, rates in moving.values() for rate in rates[2:]}
     for by in dict.fromkeys(by for by, _ in moving.values()):
         rate = residual
         for _ in ORDERS:
@@ -137,6 +138,6 @@ def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:
                 rate = known.settle(differentiate(rate, by, moving))
             except ValueError:
                 break
-            if rate == 0:
+            if rate == 0 or rate.free_symbols & third:
                 break
             yield rate

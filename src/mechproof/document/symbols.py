@@ -141,6 +141,8 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     scales: dict[sp.Basic, sp.Expr] = {}
     places: dict[sp.Basic, Place | None] = {}
     rates = {name_symbol(rate) for x in letters for rate in list_rates(x)}
+    declared = [x for x in letters if not x.symbol and {*map(name_symbol, x.names)} & rates]
+    letters = [x for x in letters if x not in declared]
     for letter in letters:
         units = _list_units(letter, letters)
         name = name_letter(letter, rates, assume=assume)
@@ -155,6 +157,9 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
+    said = [_say_rate(letter, variables, scales) for letter in declared]
+    if twice := next((s for s in said if said.count(s) > 1), None):
+        raise ValueError(f"{twice} is declared twice")
     refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
     variables, faults = leave_names(variables, places)
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
@@ -184,6 +189,26 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         tuple(variables), notation, bare=frozenset(bare), scales=known, faults=tuple(faults)
     )
     return _say(found, block)
+
+
+def _say_rate(
+    letter: Declared, variables: list[Variable], scales: dict[sp.Basic, sp.Expr]
+) -> sp.Basic:
+    r"""Take what is declared of a derivative, \dot x beside x(t): meaning, unit, names."""
+    names = {*map(name_symbol, letter.names)}
+    place, rate = next(
+        (n, v) for n, v in enumerate(variables) if names & {*map(name_symbol, v.latex)}
+    )
+    if letter.unit is not None:
+        unit = read_unit(letter.unit)
+        if rate.symbol in scales and unit.dimension != rate.dimension:
+            reason = f"{letter.names[0]} is the {rate.meaning}: it has another unit"
+            raise ValueError(f"{reason} than [{letter.unit}]")
+        scales[rate.symbol] = unit.scale
+    latex = tuple(dict.fromkeys((*rate.latex, *letter.names)))
+    meaning = letter.meaning.partition("; ")[0] or rate.meaning
+    variables[place] = replace(rate, meaning=meaning, latex=latex)
+    return rate.symbol
 
 
 def _name_values(letters: Sequence[Declared]) -> list[Declared]:
@@ -295,8 +320,8 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"sizes: {text}: a size is written letter=number")
             names = next(v.latex for v in variables if v.symbol == relation.lhs)
-            _check_size_unit(text, unit[1] if unit else None, names, block)
-            usual[relation.lhs] = relation.rhs
+            factor = _convert(text, unit[1], names, block) if unit else sp.S.One
+            usual[relation.lhs] = relation.rhs * factor
     notation = symbols.notation
     if block.start:
         read = reader.parse(block.start)
@@ -305,8 +330,11 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
     return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
 
 
-def _check_size_unit(text: str, unit: str | None, names: Sequence[str], block: Block) -> None:
-    """Refuse a size in another unit than that of its letter: nothing is converted."""
+def _convert(text: str, printed: str, names: Sequence[str], block: Block) -> sp.Expr:
+    """Return what the unit of a size is in that of its letter; refuse one of another dimension."""
     declared = next((x.unit for x in block.letters if {*x.names} & {*names}), None)
-    if unit is not None and unit.strip() != (declared or ""):
+    own, unit = read_unit(declared or ""), read_unit(printed)
+    factor = unit.scale / own.scale
+    if declared is None or unit.dimension != own.dimension or not factor.is_finite:
         raise ValueError(f"sizes: {text}: the letter is declared in [{declared or ''}]")
+    return factor

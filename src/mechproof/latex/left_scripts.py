@@ -14,7 +14,8 @@ LEFT = "{}"
 # Accents and types of letters that are vectors or matrices.
 VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb")
 ACCENTS = (
-    *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\widehat", r"\widetilde"),
+    *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\dddot"),
+    *(r"\widehat", r"\widetilde"),
     *(r"\mathcal", r"\mathscr", r"\mathfrak"),
     *VECTORS,
 )

@@ -3,6 +3,7 @@ r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, where a member of a r
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?|\{")
+_POWER = re.compile(
+    r"(?:\s|\\[,;:!])*\\(?:cdot|times)(?:\s|\\[,;:!])*10\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
+)
 _BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
 _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 
@@ -27,12 +31,26 @@ def read_measure(parser: Parser) -> Number | Measure:
     number, name_unit = read_number(parser), parser.notation.name_unit
     if not is_first or name_unit is None:
         return number
-    last = _find_end(parser)
-    unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
+    place, power = parser.place, _take_power(parser)
+    begin, last = parser.end if power else number.end, _find_end(parser)
+    unit = name_unit(parser.source.latex[begin : parser.tokens[last - 1].end])
     if last == parser.place or not unit:
+        parser.place = place
         return number
     parser.place = last
+    if power:
+        number = replace(number, text=f"{number.text}e{power}")
     return Measure(number, unit, start=number.start, end=parser.end)
+
+
+def _take_power(parser: Parser) -> str:
+    """Go behind a power of ten, and return its exponent; nothing where none stands."""
+    match = _POWER.match(parser.source.latex, parser.end)
+    if match is None:
+        return ""
+    while parser.start < match.end() and parser.text:
+        parser.take()
+    return match["braced"] or match["digit"]
 
 
 def begins_member(parser: Parser, place: int) -> bool:

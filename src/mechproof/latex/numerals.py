@@ -17,7 +17,9 @@ _ALONG_AXIS = re.compile(
     r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]])|[^()\[\],]*[^()\[\],\d],0,0(?=[)\]]))"
 )
 _THOUSANDS = re.compile(r"\d{1,3}(?:\\,\d{3})+(?!\d)")
-_POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
+_POWER_OF_TEN = re.compile(r"\s*[eE]\+?(?P<exponent>[-\u2212]?[0-9]+)")
+# There it is no product of a letter.
+_QUANTITY = re.compile(r"\\(?:num|SI|qty)\s*\{\s*[-+]?\s*\Z")
 
 
 def read_number(parser: Parser, *, in_list: bool = False) -> Number:
@@ -48,7 +50,12 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
                 "a comma between digits: a decimal comma or a list?",
                 "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
             )
-    if _POWER_OF_TEN.match(parser.source.latex, parser.end):
+    if power := _POWER_OF_TEN.match(parser.source.latex, parser.end):
+        if _QUANTITY.search(parser.source.latex[:start]):
+            while parser.start < power.end():
+                parser.take()
+            exponent = power["exponent"].replace("\u2212", "-")
+            return Number(f"{text}e{exponent}", start=start, end=parser.end)
         raise parser.refuse(
             "a number before an E and digits: a power of ten, or a product?",
             rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",

@@ -26,7 +26,7 @@ UNSURE = {
     "i": "The imaginary unit is not read.",
     "d": r"Print \frac{d}{dx}(…) for a derivative.",
 }
-_DOTS = (r"\dot", r"\ddot")
+_DOTS = (r"\dot", r"\ddot", r"\dddot")
 # Before another letter they make one quantity of it, or a product.
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.

@@ -15,7 +15,7 @@ RUNG = "recomputation"
 def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
     """Compare the exact value with the closed interval of half a last place around the print."""
     printed = sp.Rational(statement.printed)
-    half_place = sp.Rational(1, 2) / 10 ** _decimals(statement.printed)
+    half_place = statement.half_place
     ball = balls.evaluate_until(value, {}, 80)
     distance, allowed = abs(ball - balls.to_ball(printed)), balls.to_ball(half_place)
     if value.is_Rational:
@@ -32,7 +32,3 @@ def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
 def _plain(ball: balls.Ball) -> str:
     (text,) = show_plainly(ball)
     return text
-
-
-def _decimals(text: str) -> int:
-    return len(text.partition(".")[2])

@@ -12,7 +12,7 @@ from sympy.logic.boolalg import Boolean
 
 from mechproof.record.exactness import RecordError, make_exact
 
-_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
+_DECIMAL = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,10 @@ class Holds:
 
 @dataclass(frozen=True)
 class PrintedNumber:
-    """`value` rounds to the decimal string `printed` (half a unit of its last place)."""
+    """`value` rounds to the decimal string `printed` (half a unit of its last place).
+
+    A power of ten may stand behind the digits: 2.1e5.
+    """
 
     printed: str
     value: sp.Expr
@@ -70,6 +73,17 @@ class PrintedNumber:
                 f"PrintedNumber: printed {self.printed!r} is not a decimal number such as '-0.93'"
             )
         make_exact(self, "value")
+
+    @property
+    def half_place(self) -> sp.Rational:
+        """Return half a unit of the last place that is printed."""
+        return find_last_place(self.printed) / 2
+
+
+def find_last_place(digits: str) -> sp.Rational:
+    """Return what the last digit of a decimal string counts: 0.01 for 2.15, 10**4 for 2.1e5."""
+    number, _, power = digits.partition("e")
+    return sp.Rational(10) ** (int(power or 0) - len(number.partition(".")[2]))
 
 
 @dataclass(frozen=True)
