@@ -142,6 +142,14 @@ def test_factors_are_parted_by_commas_or_semicolons() -> None:
     assert outcomes("r=S(M+x)=M(S+x)", block="%% factor S\n") == ["not read"]
 
 
+@pytest.mark.parametrize("name", ["e", r"\mathrm{e}", r"\mathrm e"])
+def test_a_letter_may_be_eulers_number_by_its_meaning(name: str) -> None:
+    meanings = ("base of natural logarithms", "Euler's number", "excess")
+    for meaning, outcome in zip(meanings, ("PROVED", "PROVED", "DEFINITION"), strict=True):
+        block = f"%% {name} : {meaning}\n"
+        assert outcomes(rf"{name}^2=\exp(2)", block=block)[-1] == outcome
+
+
 DECLARED = r"""%% w(t) : position [mm]
 %% t : time [s]
 %% k : rate [1/s^2]

@@ -79,6 +79,14 @@ class Block:
     claims: list[LocatedText] = field(default_factory=list)
 
 
+_E = re.compile(r"\\mathrm\s*\{?\s*e\s*\}?|e")
+_EULER = re.compile(
+    r"\beuler['\u2019]?s? (?:number|constant)|\bbase of (?:the )?natural log|\beulersche zahl"
+    r"|\bbasis (?:der|des) nat|\bnombre d['\u2019]euler|число эйлера|основание натур",
+    re.IGNORECASE,
+)
+
+
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
     """Read the lines of a block; `BlockError` names the place of one that cannot be read."""
     block = Block()
@@ -99,6 +107,13 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
                 f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"
             ) from error
     return block
+
+
+def find_euler(block: Block) -> list[str]:
+    """Return values for letters e that are Euler's number by their meaning and have none."""
+    given = {text.partition("=")[0].strip() for text in block.values}
+    found = (x.names[0] for x in block.letters if _EULER.search(x.meaning))
+    return [rf"{name}=\exp(1)" for name in found if _E.fullmatch(name) and name not in given]
 
 
 def _read_letters(line: str) -> list[Declared]:

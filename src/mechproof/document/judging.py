@@ -214,7 +214,8 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
                     first = task.sign.first
                     return f"it differs from members of {first} that differ from one another"
                 beside = f"; compared with {one.sign.first}" if one.sign.first else ""
-                return replace(found, reason=f"{found.reason.removesuffix(beside)}{beside}")
+                said = found.reason.removesuffix(beside).removesuffix(".")
+                return replace(found, reason=f"{said}{beside}")
     return answers[0][0]
 
 

@@ -15,6 +15,7 @@ from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
+from mechproof.document.numerical_values import turn_units
 from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
     have_same_letters,
@@ -195,7 +196,10 @@ class TaskMaker:
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
             note = f"{row.note} {self.sizes.tell(sign, printed) if is_size else ''}".strip()
             row = replace(row, says=stated, note=note)
-        row = replace(row, says=split_branches(row.statement, self.known))
+        turned = turn_units(row, sign, own, self.known)
+        if isinstance(turned, str):
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, turned)
+        row = replace(turned, says=split_branches(turned.statement, self.known))
         turn = look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
             row = replace(
