@@ -124,6 +124,14 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         (*IN_PARALLEL, "#Consequently, those in series have", r"k=\frac{k_1k_2}{k_1+k_2}"),
         ("DEFINITION", OPEN),
     ),
+    "by symmetry": (
+        ("#The left half has", "k=k_1+k_2", "#Hence by symmetry the right half has", "k=k_1-k_2"),
+        ("DEFINITION", OPEN),
+    ),
+    "sides of an equation": (
+        ("#The left side is", "k=k_1+k_2", "#Hence the right side is", "k=k_1-k_2"),
+        ("DEFINITION", "REFUTED"),
+    ),
     "a consequence of the same": (
         (*IN_PARALLEL, "#Consequently, parallel ones have", r"k=\frac{k_1k_2}{k_1+k_2}"),
         ("DEFINITION", "REFUTED"),

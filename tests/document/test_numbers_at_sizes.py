@@ -301,6 +301,10 @@ RESTATED = [
     ("With $F=40$ kN", AREA, "314", "REFUTED"),
     ("With $F=40$ kN", STRESS, "198.9", "PROVED"),
     (r"We choose M20 with $A=245\,\mathrm{mm^2}$ and have", STRESS, "81.6", "not judged"),
+    ("A bar of 314 mm$^2$ has", STRESS, "63.7", "not judged"),
+    (r"A bar of $3.14\,\mathrm{cm^2}$ in its place has", STRESS, "63.7", "not judged"),
+    ("A bar of 314 mm has", STRESS, "63.7", "REFUTED"),
+    ("A bar of 324 mm$^2$ has", STRESS, "63.7", "REFUTED"),
     (r"Its area $A=201\,\mathrm{mm^2}$ gives", STRESS, "99.5", "PROVED"),
 ]
 

@@ -37,6 +37,7 @@ WORDS = {
     "Removing the pin, we obtain": False,
     "--": False,
     "(b)": False,
+    r"\textbf{B}": False,
     r"$(\beta)$": False,
     "where $r$ is the crank radius.": False,
     r"With $\varphi$ measured clockwise, the pin is at": False,

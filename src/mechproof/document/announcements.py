@@ -98,9 +98,9 @@ _LAW = re.compile(
     r"([^\W\d_]{3,}) (?:laws?|curves?|profiles?|motions?|programs?|programmes?)\b",
     re.IGNORECASE,
 )
-# A further item of a list, which may have no words: \item[(b)], 2. in Markdown, or ($\beta$).
+# A further item of a list, which may have no words: \item[(b)], \textbf{B}, 2. in Markdown.
 _ITEM = re.compile(
-    r"\\item(?![A-Za-z])"
+    r"\\item(?![A-Za-z])|\\(?:textbf|textit|emph)\{[^{}]{1,3}\}"
     r"|^[ \t]*(?:\$?\(?\$?(?:\\[A-Za-z]+|[A-Za-z\d]{1,2})\$?[.)]\$?|[-*\u2013]{1,3})[ \t]*$",
     re.MULTILINE,
 )

@@ -24,6 +24,7 @@ _OPPOSITES = (
     (r"leading", r"trailing"),
     (r"forwards?", r"backwards?|back"),
     (r"tight", r"slack"),
+    (r"left(?! ?-?hand| sides?\b)", r"right(?! ?-?hand| sides?\b)"),
 )
 _SIDES = tuple(
     tuple(re.compile(rf"\b(?:{words})\b", re.IGNORECASE) for words in pair) for pair in _OPPOSITES

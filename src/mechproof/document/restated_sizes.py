@@ -14,6 +14,7 @@ import sympy as sp
 from mechproof.document.cells import Head, Numeral, find_unit
 from mechproof.document.displays import Printed
 from mechproof.document.inline import Inline, find_inline
+from mechproof.document.said_quantities import SaidQuantity, find_quantities
 from mechproof.document.scales import Scales
 from mechproof.document.sources import Source
 from mechproof.document.symbols import Symbols
@@ -42,6 +43,7 @@ class RestatedSizes:
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
         letters = {name: v.symbol for v in symbols.variables for name in v.latex}
         self.found = [*_find(source, letters, symbols)]
+        self.quantities = [*find_quantities(source)]
 
     def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
         """Return the sizes that hold at an equation and are not those of the block."""
@@ -52,6 +54,11 @@ class RestatedSizes:
             for s, one in last.items()
             if s not in self.usual or not _is_same(one.value, self.usual[s])
         }
+
+    def list_quantities(self, printed: Printed) -> list[SaidQuantity]:
+        """Return what sentences before an equation say without a letter, the last first."""
+        place = self.order.get(printed.latex.offsets[printed.taken], -1)
+        return [one for one in reversed(self.quantities) if one.place < place]
 
 
 def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> Iterator[Restated]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.cells import Numeral
+from mechproof.document.cells import Head, Numeral
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
@@ -32,6 +32,7 @@ _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
+_SAID = "it agrees with {}, but not with its formula, which gives {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _BARE = "it holds for the numbers as they stand, but not in the units of their letters"
 _NEAR = "it differs from the recomputed number, but by no more than rounding explains"
@@ -241,8 +242,10 @@ class Sizes:
         number, sizes = Numeral(sign.number, sp.S.One), self._list_sizes()
         if any(is_near(one, number, sizes) for one in read):
             return _NEAR
-        names = self._name_rounded(sign, own, printed)
-        return _ROUNDED.format(names, _show(nearest.value)) if names else ""
+        if names := self._name_rounded(sign, own, printed):
+            return _ROUNDED.format(names, _show(nearest.value))
+        names = self._name_said(sign, own, printed)
+        return _SAID.format(names, _show(nearest.value)) if names else ""
 
     def _doubt(self, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
         """Say why a number may not be meant at the sizes that are printed."""
@@ -286,15 +289,41 @@ class Sizes:
             if one.name in before and s not in (sign.letter, *self.known.symbols.usual)
         }
         rounded = {s: one for s, one in last.items() if not self._is_exact(one)}
-        formula = self.known.settle(sign.value, stop=rounded)
-        used = {s: rounded[s] for s in sorted(formula.free_symbols & rounded.keys(), key=str)}
-        sizes = self._list_sizes() | {s: one.size for s, one in used.items()}
-        if not (used and formula.free_symbols <= sizes.keys()):
+        letters = self.known.settle(sign.value, stop=rounded).free_symbols
+        used = {s: rounded[s] for s in sorted(letters & rounded.keys(), key=str)}
+        given = {s: one.size for s, one in used.items()}
+        if not self._is_near_at(sign, own, given, used.values()):
             return ""
+        return ", ".join(f"{s} of {one.name}" for s, one in used.items())
+
+    def _name_said(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+        """Return which letter has a quantity that a sentence says if a number agrees with it."""
+        known, scales = self.known, Scales(self.known.symbols)
+        letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
+        for letter in sorted(letters - known.symbols.usual.keys(), key=str):
+            for one in self.restated.list_quantities(printed):
+                number = Numeral(one.digits, sp.S.One, one.unit)
+                size = scales.size(Head(letter, str(letter), None), number)
+                is_alike = one.unit.dimension == known.symbols.find_dimension(letter)
+                if is_alike and self._is_near_at(sign, own, {letter: size}):
+                    return f"{letter} = {one.text} in line {one.line}"
+        return ""
+
+    def _is_near_at(
+        self,
+        sign: Sign,
+        own: sp.Basic | None,
+        given: Mapping[sp.Basic, RoundedSize],
+        numbers: Iterable[PrintedSize] = (),
+    ) -> bool:
+        """Return whether a number may be that of its formula at sizes of letters with a formula."""
+        formula = self.known.settle(sign.value, stop=given)
+        letters, sizes = formula.free_symbols, self._list_sizes() | {**given}
+        if not (letters & given.keys() and letters <= sizes.keys()):
+            return False
         unit, number = read_unit(sign.unit) if sign.unit else None, Numeral(sign.number, sp.S.One)
-        read = self._read([formula], own, unit, used.values())
-        is_right = any(is_near(one, number, sizes) for one in read)
-        return ", ".join(f"{s} of {one.name}" for s, one in used.items()) if is_right else ""
+        read = self._read([formula], own, unit, numbers)
+        return any(is_near(one, number, sizes) for one in read)
 
     def _is_exact(self, one: PrintedSize) -> bool:
         """Return whether the number of a letter is that of its formula, without any rounding."""
