@@ -77,7 +77,8 @@ def read_letter(parser: Parser, match: Match | None) -> Node:
         return _read_name(parser, match)
     if parser.text in CONSTANTS:
         token = parser.take()
-        return Constant(CONSTANTS[token.text], token.text.strip("\\"), start=start, end=token.end)
+        shown = token.text.removeprefix(r"\mathrm").strip("\\{}")
+        return Constant(CONSTANTS[token.text], shown, start=start, end=token.end)
     return undeclared.read_undeclared(parser)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,6 +18,10 @@ from mechproof.latex.names import Names, build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
 from mechproof.record import Notation, Row, Variable, list_given
+
+_OPENING, _CLOSING = re.compile(r"(?<!\\)\{"), re.compile(r"(?<!\\)\}")
+# A group that begins just before, with its command: \num{.
+_GROUP = re.compile(r"(?:\\[A-Za-z]+\s*)?(?<!\\)\{[\s+-]*\Z")
 
 
 @dataclass(frozen=True)
@@ -36,7 +41,23 @@ class Print:
 
     def cut(self, chain: Chain, first: int, last: int) -> str:
         """Return the source of some members of a chain, with the signs between them."""
-        return self.source.latex[chain.members[first].start : chain.members[last].end].strip()
+        latex = self.source.latex
+        start, end = chain.members[first].start, chain.members[last].end
+        while _count(_CLOSING, latex[start:end]) > _count(_OPENING, latex[start:end]):
+            before = _GROUP.search(latex, 0, start)
+            if before is None:
+                break
+            start = before.start()
+        while _count(_OPENING, latex[start:end]) > _count(_CLOSING, latex[start:end]):
+            behind = _CLOSING.search(latex, end)
+            if behind is None:
+                break
+            end = behind.end()
+        return latex[start:end].strip()
+
+
+def _count(sign: re.Pattern[str], text: str) -> int:
+    return len(sign.findall(text))
 
 
 class Reader:
