@@ -14,7 +14,7 @@ from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.later_matrices import Later
 from mechproof.document.laws import Piece, join_pieces, order_pieces
 from mechproof.document.symbols import Symbols
-from mechproof.latex.values import differentiate, settle_all
+from mechproof.latex.values import differentiate, list_reached, settle_all
 
 Values = dict[sp.Basic, Any]
 
@@ -71,12 +71,7 @@ class Known:
 
     def list_used(self, value: Any) -> set[sp.Basic]:
         """Return the letters of a value, and of what gives them."""
-        met, new = set[sp.Basic](), set(value.free_symbols)
-        while new:
-            met |= new
-            given = (self.values[s] for s in new if s in self.values)
-            new = set[sp.Basic]().union(*(one.free_symbols for one in given)) - met
-        return met
+        return list_reached(value.free_symbols, self.values)
 
     def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
         """Return whether a derivative is printed by nothing but what constraints tie together."""

@@ -21,9 +21,10 @@ from mechproof.document.doubts import is_later_case, is_left_case, list_used
 from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
+from mechproof.latex.values import list_reached
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
-from mechproof.record import Equality, Paper
+from mechproof.record import Equality, list_given
 from mechproof.record.statements import list_parts
 from mechproof.tools.processes import run_tasks
 
@@ -44,7 +45,8 @@ def compare_newer_prints(
     asked = []
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
-        used = _list_used(task.paper, _list_stated(task) | task.sign.printed) if newer else ()
+        letters = _list_stated(task) | task.sign.printed
+        used = list_reached(letters, list_given(task.paper.variables)) if newer else ()
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
         is_open = n in contested and rows[n].state is State.NOT_JUDGED
@@ -146,7 +148,8 @@ def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
 
 def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
     """Judge a row with other values of letters, None for those without one."""
-    if not _list_used(task.paper, _list_stated(task)) & anew.keys():
+    used = list_reached(_list_stated(task), list_given(task.paper.variables))
+    if not used & anew.keys():
         return "the value of the first print is put in"
     variables = tuple(
         replace(v, given=anew[v.symbol]) if v.symbol in anew else v for v in task.paper.variables
@@ -162,13 +165,3 @@ def _list_stated(task: Task) -> set[sp.Basic]:
 
 def _list_letters(values: Any) -> set[sp.Basic]:
     return {s for value in values for s in getattr(value, "free_symbols", ())}
-
-
-def _list_used(paper: Paper, letters: set[sp.Basic]) -> set[sp.Basic]:
-    """Return letters and those that give them."""
-    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-    used, new = set[sp.Basic](), letters
-    while new:
-        used |= new
-        new = _list_letters(given[s] for s in new if s in given) - used
-    return used

@@ -14,16 +14,17 @@ Moving = Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
     """Return whether a symbol is one of these, or is given by them."""
-    met, waiting = {symbol}, [symbol]
-    while waiting:
-        one = waiting.pop()
-        if one in on:
-            return True
-        value = values.get(one)
-        new = set() if value is None else value.free_symbols - met
+    return not list_reached({symbol}, values).isdisjoint(on)
+
+
+def list_reached(symbols: Collection[sp.Basic], values: Values) -> set[sp.Basic]:
+    """Return symbols and those by which they are given."""
+    met, new = set[sp.Basic](), set(symbols)
+    while new:
         met |= new
-        waiting += new
-    return False
+        given = (values.get(symbol) for symbol in new)
+        new = {s for one in given if one is not None for s in one.free_symbols} - met
+    return met
 
 
 def settle_all(expression: Any, values: Values) -> Any:
