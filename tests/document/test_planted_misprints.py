@@ -272,7 +272,7 @@ def test_what_defines_a_letter_may_have_the_misprint() -> None:
     assert row.outcome in ("PROVED", "DEFINITION")
     row = judge((*circle, "u=x^2+y^2-l_1^2-l_2^2", r"m\cos\alpha+n\sin\alpha+u=0"))
     assert row.outcome == "REFUTED"
-    assert "in what defines u" in row.reason
+    assert "^2 in what defines u" in row.reason
 
 
 @pytest.mark.slow
