@@ -29,6 +29,13 @@ _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
 _CLAIM = "claim"
 _MODULO = re.compile(r"(.+?)\s+(\(.*|display \d.*|[^\s\\]+)\Z")
+# Letters that are Euler's number, and meanings that say so.
+_E = re.compile(r"\\mathrm\s*\{?\s*e\s*\}?|e")
+_EULER = re.compile(
+    r"\beuler['\u2019]?s? (?:number|constant)|\bbase of (?:the )?natural log|\beulersche zahl"
+    r"|\bbasis (?:der|des) nat|\bnombre d['\u2019]euler|число эйлера|основание натур",
+    re.IGNORECASE,
+)
 
 
 class BlockError(ValueError):
@@ -77,14 +84,6 @@ class Block:
     skipped: dict[str, str] = field(default_factory=dict)
     scopes: list[tuple[list[str], dict[str, str]]] = field(default_factory=list)
     claims: list[LocatedText] = field(default_factory=list)
-
-
-_E = re.compile(r"\\mathrm\s*\{?\s*e\s*\}?|e")
-_EULER = re.compile(
-    r"\beuler['\u2019]?s? (?:number|constant)|\bbase of (?:the )?natural log|\beulersche zahl"
-    r"|\bbasis (?:der|des) nat|\bnombre d['\u2019]euler|число эйлера|основание натур",
-    re.IGNORECASE,
-)
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:

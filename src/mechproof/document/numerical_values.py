@@ -13,6 +13,7 @@ import sympy as sp
 from mechproof.document.known import Known
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import Scales, may_turn_units
+from mechproof.document.sides import SLOW
 from mechproof.record import Equality, Row
 
 _NOTE = "Compared as numbers in the units of their letters."
@@ -21,8 +22,9 @@ _NEAR = "as numbers in the units of their letters the sides differ by a factor o
 # Factors of units are products of these, and larger than those of counts.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
-# Relative error of a factor of three digits that is rounded.
+# Relative errors of a factor of three digits that is rounded, and of doubles.
 _ROUNDED = sp.Rational(1, 200)
+_SMALL = 1e-9
 
 
 def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row | str:
@@ -31,7 +33,7 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
     `own` is the letter that its chain is about.
     """
     sides = _list_sides(row, sign, known)
-    if sides is None:
+    if sides is None or not _may_be_alike(*sides):
         return row
     ratio = sp.cancel(sides[0] / sides[1])
     if ratio.free_symbols or not ratio.is_finite or abs(ratio - 1) < _ROUNDED:
@@ -64,6 +66,21 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> tuple[sp.Expr, sp.Expr] |
     if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)) or other == 0:
         return None
     return (one, other) if may_turn_units(one) or may_turn_units(other) else None
+
+
+def _may_be_alike(one: sp.Expr, other: sp.Expr) -> bool:
+    """Return whether the ratio of sides is the same at two points: only then is it worked out."""
+    if one.has(*SLOW) or other.has(*SLOW):
+        return False
+    letters = sorted(one.free_symbols | other.free_symbols, key=str)
+    ratios = []
+    for step in (3, 5):
+        values = {s: sp.Rational(7 * n + step, 13) for n, s in enumerate(letters)}
+        above, below = (side.xreplace(values).evalf() for side in (one, other))
+        if not (above.is_number and below.is_number) or below == 0:
+            return False
+        ratios.append(above / below)
+    return bool(abs(ratios[0] - ratios[1]) <= _SMALL * abs(ratios[0]))
 
 
 def _is_of_units(ratio: sp.Expr) -> bool:
