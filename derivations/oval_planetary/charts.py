@@ -16,6 +16,7 @@ from .._eccentric import (
     V,
     below_pi,
     first_turn,
+    first_turn_of_jerk,
     next_to_pi,
 )
 from .symbols import R4, R5, e1, e2, mount, phi1
@@ -59,6 +60,9 @@ SMOOTH = tuple(
     wheels.chart(OFF_PI, *place) for wheels in ALL for place in (*below_pi(e2), *next_to_pi(e2))
 )
 STEEP = tuple(wheels.chart(WITHIN_TURN, *place) for wheels in ALL for place in first_turn(e2))
+OF_JERK = tuple(
+    wheels.chart(WITHIN_TURN, *place) for wheels in ALL for place in first_turn_of_jerk(e2)
+)
 
 ROUND = "|x| <= 3 and e2 <= 1/2"
 # What the plain product is for: e2 is no more than what the smaller radius lacks.

@@ -5,6 +5,7 @@ import sympy as sp
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
 from .._eccentric import jerk_terms
+from .charts import NEGATED, OF_JERK
 from .forms import (
     CHANGE,
     DOUBLE,
@@ -105,6 +106,8 @@ JERK_QUANTITIES = (
                 * (sp.cos(x) * SPREAD - 4 * e2 * sp.sin(x) ** 2)
                 / SPREAD**3,
                 ("low_word", "half_angle_tangent"),
+                charts=OF_JERK,
+                mirrors=NEGATED,
             ),
             Form("1 + e**2 - 2 e cos x", JERK_CYLINDRICAL, key="direct"),
         ),
