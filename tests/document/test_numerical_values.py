@@ -15,6 +15,9 @@ LETTERS = r"""%% P : power [kW]
 %% Q : flow [l/min]
 %% p : pressure [bar]
 %% V : displacement [cm^3]
+%% F : force [N]
+%% M : torque [N m]
+%% \tau : stress [N/mm^2]
 """
 WITHOUT = "%% P ; n ; \\omega ; v ; d ; Q ; p ; V : letters\n"
 CASES = {
@@ -27,6 +30,7 @@ CASES = {
     r"v=\pi dn=\frac{dn}{18\,100}": ("REFUTED", "REFUTED"),
     r"Q=Vn=\frac{Vn}{1000}": ("PROVED", "not judged"),
     r"P=pQ=\frac{pQ}{600}": ("PROVED", "not judged"),
+    r"P=pQ=600pQ": ("not judged", "not judged"),
     r"P=pQ=\frac{pQ}{12}": ("REFUTED", "REFUTED"),
     r"\omega=2\pi n+\frac vd=\frac{\pi n}{30}+\frac vd": ("REFUTED", "REFUTED"),
     r"P=pQ=2pQ": ("REFUTED", "REFUTED"),
@@ -39,6 +43,30 @@ CASES = {
 def test_a_factor_may_turn_units(latex: str) -> None:
     for letters, outcome in zip((LETTERS, WITHOUT), CASES[latex], strict=True):
         assert judge_parts(f"%% mechproof\n{letters}%% end\n", latex)[-1] == outcome
+
+
+# Definitions, and what follows from them as numbers, right and wrong.
+FLOW = (r"P=pQ=\frac{pQ}{600}", r"Q=Vn=\frac{Vn}{1000}")
+POWER = (r"v=\omega\frac d2", r"M=\frac{Fd}2", r"P=M\omega")
+RIM = (r"v=\frac{\pi dn}{60\,000}", r"\omega=\frac{2\pi n}{60}")
+SHAFT = (r"\tau=\frac{16M}{\pi d^3}",)
+CHAINS = [
+    (FLOW, r"P=\frac{pVn}{600\,000}", r"P=\frac{pVn}{610\,000}"),
+    (POWER, r"P=\frac{Fv}{1000}", r"P=\frac{Fv}{1100}"),
+    (RIM, r"v=\frac{\omega d}2", r"v=\frac{\omega d}{14}"),
+    (
+        SHAFT,
+        r"d=\sqrt[3]{\frac{16\cdot10^3M}{\pi\tau}}",
+        r"d=\sqrt[3]{\frac{16\cdot20^3M}{\pi\tau}}",
+    ),
+]
+
+
+@pytest.mark.parametrize(("given", "right", "wrong"), CHAINS)
+def test_numbers_follow_from_definitions(given: tuple[str, ...], right: str, wrong: str) -> None:
+    block = f"%% mechproof\n{LETTERS}%% end\n"
+    assert judge_parts(block, *given, "#Hence", right)[-1] == "PROVED"
+    assert judge_parts(block, *given, "#Hence", wrong)[-1] == "REFUTED"
 
 
 def test_a_letter_printed_again_may_be_a_number() -> None:

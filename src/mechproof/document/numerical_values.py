@@ -5,26 +5,30 @@ Beside one of quantities, Q = Vn, such an equation has a factor that turns units
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice, product
 
 import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import Scales, may_turn_units
+from mechproof.document.scales import Scales
 from mechproof.document.sides import SLOW
 from mechproof.record import Equality, Row
 
 _NOTE = "Compared as numbers in the units of their letters."
 _OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
-_NEAR = "as numbers in the units of their letters the sides differ by a factor of {} only: rounded?"
+_NEAR = "as numbers in the units of letters the sides differ by a factor of {:.6g} only: rounded?"
+_ROLES = (Role.STEP, Role.REPEATED, Role.CONSTRAINT)
 # Factors of units are products of these, and larger than those of counts.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
 # Relative errors of a factor of three digits that is rounded, and of doubles.
-_ROUNDED = sp.Rational(1, 200)
+_ROUNDED = 1 / 200
 _SMALL = 1e-9
+# Ways to read the letters of a side that are tried.
+_MOST = 16
 
 
 def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row | str:
@@ -32,55 +36,85 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
 
     `own` is the letter that its chain is about.
     """
+    own = own or sign.letter
     sides = _list_sides(row, sign, known)
-    if sides is None or not _may_be_alike(*sides):
+    settled = [known.settle(side) for side in sides]
+    if own is None or not any(map(_turns_units, settled)) or any(x.has(*SLOW) for x in settled):
         return row
-    ratio = sp.cancel(sides[0] / sides[1])
-    if ratio.free_symbols or not ratio.is_finite or abs(ratio - 1) < _ROUNDED:
+    ratio = _find_ratio(*settled)
+    if ratio is None or abs(ratio - 1) < _ROUNDED:
         return row
-    scales = Scales(known.symbols)
-    letters = sides[0].free_symbols | sides[1].free_symbols | {own}
-    found = {}
-    if letters <= scales.known.keys():
-        pairs = (sides, sides[::-1])
-        read = [(value, o) for one, o in pairs for value in scales.list_values(one, own, None)]
-        ratios = ((sp.cancel(value / numbers), value, numbers) for value, numbers in read)
-        found = {r: (value, numbers) for r, value, numbers in ratios if not r.free_symbols}
-    if 1 in found:
-        note = f"{row.note} {_NOTE}".strip()
-        return replace(row, says=Equality(*found[sp.S.One], "member"), note=note)
-    if near := next((one for one in found if abs(one - 1) < _ROUNDED), None):
-        return _NEAR.format(sp.N(near, 6))
-    return _OPEN.format(max(ratio, 1 / ratio)) if _is_of_units(ratio) else row
+    ratios = []
+    for one, other in product(*(list(_Reading(known).read(side, own)) for side in sides)):
+        found = _find_ratio(one, other)
+        if found is not None and abs(found - 1) < _SMALL:
+            note = f"{row.note} {_NOTE}".strip()
+            return replace(row, says=Equality(one, other, "member"), note=note)
+        ratios += [found] if found is not None else []
+    if near := next((one for one in ratios if abs(one - 1) < _ROUNDED), None):
+        return _NEAR.format(near)
+    exact = sp.cancel(settled[0] / settled[1])
+    return _OPEN.format(max(exact, 1 / exact)) if _is_of_units(exact) else row
 
 
-def _list_sides(row: Row, sign: Sign, known: Known) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return the sides of a print that is compared with another, if numbers may turn its units."""
-    if sign.role not in (Role.STEP, Role.REPEATED) or not isinstance(row.says, Equality):
-        return None
-    first: Mapping[sp.Basic, sp.Expr] = {sign.letter: known.values.get(sign.letter, sign.letter)}
-    sides = row.says.printed, row.says.rebuilt
+def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
+    """Return the sides of a print that is compared with another; of a letter its first print."""
+    if sign.role not in _ROLES or not isinstance(row.says, Equality):
+        return []
+    sides = [row.says.printed, row.says.rebuilt]
     if sign.role is Role.REPEATED:
-        sides = tuple(first.get(side, side) for side in sides)
-    one, other = sides
-    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)) or other == 0:
-        return None
-    return (one, other) if may_turn_units(one) or may_turn_units(other) else None
+        first = known.values.get(sign.letter)
+        sides = [first if side == sign.letter else side for side in sides]
+    are_numbers = all(isinstance(side, sp.Expr) and side != 0 for side in sides)
+    return sides if are_numbers else []
 
 
-def _may_be_alike(one: sp.Expr, other: sp.Expr) -> bool:
-    """Return whether the ratio of sides is the same at two points: only then is it worked out."""
-    if one.has(*SLOW) or other.has(*SLOW):
-        return False
+@dataclass(frozen=True)
+class _Reading:
+    """What sides are as numbers in the units of their letters, where all of these are known."""
+
+    known: Known
+
+    def read(self, side: sp.Expr, own: sp.Basic) -> Iterator[sp.Expr]:
+        """Yield a side as it stands, and what it is in the unit of a letter, if it turns none."""
+        scales = Scales(self.known.symbols)
+        values = [side]
+        if not _turns_units(side) and side.free_symbols | {own} <= scales.known.keys():
+            values = [side, *scales.list_values(side, own, None)]
+        for value in dict.fromkeys(values):
+            yield from islice(self._put_in(value), _MOST)
+
+    def _put_in(self, value: sp.Expr) -> Iterator[sp.Expr]:
+        """Yield a value with the numbers that its letters are by their definitions."""
+        given = sorted(value.free_symbols & self.known.values.keys(), key=str)
+        numbers = (self._list_numbers(letter) for letter in given)
+        for chosen in product(*numbers):
+            yield value.xreplace(dict(zip(given, chosen, strict=True)))
+
+    def _list_numbers(self, letter: sp.Basic) -> list[sp.Expr]:
+        value = self.known.values[letter]
+        found = list(islice(self.read(value, letter), _MOST)) if isinstance(value, sp.Expr) else []
+        # As it stands it is one of quantities, unless it turns units itself.
+        return found if _turns_units(value) else found[1:] or found
+
+
+def _find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
+    """Return the ratio of sides if it is the same at two points, as doubles tell."""
     letters = sorted(one.free_symbols | other.free_symbols, key=str)
     ratios = []
     for step in (3, 5):
         values = {s: sp.Rational(7 * n + step, 13) for n, s in enumerate(letters)}
         above, below = (side.xreplace(values).evalf() for side in (one, other))
-        if not (above.is_number and below.is_number) or below == 0:
-            return False
-        ratios.append(above / below)
-    return bool(abs(ratios[0] - ratios[1]) <= _SMALL * abs(ratios[0]))
+        if not (above.is_Float and below.is_Float) or below == 0:
+            return None
+        ratios.append(float(above / below))
+    return ratios[0] if abs(ratios[0] - ratios[1]) <= _SMALL * abs(ratios[0]) else None
+
+
+def _turns_units(formula: sp.Expr) -> bool:
+    """Return whether a formula has a number that may turn units, 60, 1000 or 3.6: not 16 or 384."""
+    numbers = formula.atoms(sp.Rational)
+    return any(one.q % 5 == 0 or (one.p and one.p % 10 == 0) for one in numbers)
 
 
 def _is_of_units(ratio: sp.Expr) -> bool:
