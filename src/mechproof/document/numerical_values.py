@@ -5,7 +5,7 @@ Beside one of quantities, Q = Vn, such an equation has a factor that turns units
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, product
 
@@ -19,13 +19,13 @@ from mechproof.record import Equality, Row
 
 _NOTE = "Compared as numbers in the units of their letters."
 _OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
-_NEAR = "as numbers in the units of letters the sides differ by a factor of {:.6g} only: rounded?"
+_NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
 _ROLES = (Role.STEP, Role.REPEATED, Role.CONSTRAINT)
 # Factors of units are products of these, and larger than those of counts.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
-# Relative errors of a factor of three digits that is rounded, and of doubles.
-_ROUNDED = 1 / 200
+# Digits of a factor that may be rounded, and the relative error of doubles.
+_DIGITS = 3
 _SMALL = 1e-9
 # Ways to read the letters of a side that are tried.
 _MOST = 16
@@ -39,19 +39,19 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
     own = own or sign.letter
     sides = _list_sides(row, sign, known)
     settled = [known.settle(side) for side in sides]
-    if own is None or not any(map(_turns_units, settled)) or any(x.has(*SLOW) for x in settled):
+    if own is None or not settled or any(side.has(*SLOW) for side in settled):
         return row
     ratio = _find_ratio(*settled)
-    if ratio is None or abs(ratio - 1) < _ROUNDED:
+    if ratio is None or abs(ratio - 1) < _SMALL:
         return row
-    ratios = []
-    for one, other in product(*(list(_Reading(known).read(side, own)) for side in sides)):
+    ratios = [ratio]
+    for one, other in _Numbers(known).list_pairs(sides, own):
         found = _find_ratio(one, other)
         if found is not None and abs(found - 1) < _SMALL:
             note = f"{row.note} {_NOTE}".strip()
             return replace(row, says=Equality(one, other, "member"), note=note)
         ratios += [found] if found is not None else []
-    if near := next((one for one in ratios if abs(one - 1) < _ROUNDED), None):
+    if near := next((one for one in ratios if _is_rounded(one, sides)), None):
         return _NEAR.format(near)
     exact = sp.cancel(settled[0] / settled[1])
     return _OPEN.format(max(exact, 1 / exact)) if _is_of_units(exact) else row
@@ -70,32 +70,51 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
 
 
 @dataclass(frozen=True)
-class _Reading:
+class _Numbers:
     """What sides are as numbers in the units of their letters, where all of these are known."""
 
     known: Known
 
-    def read(self, side: sp.Expr, own: sp.Basic) -> Iterator[sp.Expr]:
-        """Yield a side as it stands, and what it is in the unit of a letter, if it turns none."""
+    def list_pairs(self, sides: Sequence[sp.Expr], own: sp.Basic) -> Iterator[tuple[sp.Expr, ...]]:
+        """Yield the sides as they stand, both turned into units, and one that is of quantities."""
+        stand = [list(self._put_in(side)) for side in sides]
+        turned = [list(self._turn(side, own)) for side in sides]
+        yield from product(*stand)
+        yield from product(*turned)
+        quantity = _find_quantity(sides)
+        if quantity is not None:
+            yield from product(turned[quantity], stand[1 - quantity])
+
+    def _turn(self, side: sp.Expr, own: sp.Basic) -> Iterator[sp.Expr]:
+        """Yield what a side is in the unit of a letter; nothing if it turns units itself."""
         scales = Scales(self.known.symbols)
-        values = [side]
         if not _turns_units(side) and side.free_symbols | {own} <= scales.known.keys():
-            values = [side, *scales.list_values(side, own, None)]
-        for value in dict.fromkeys(values):
-            yield from islice(self._put_in(value), _MOST)
+            for value in scales.list_values(side, own, None):
+                yield from self._put_in(value)
 
     def _put_in(self, value: sp.Expr) -> Iterator[sp.Expr]:
         """Yield a value with the numbers that its letters are by their definitions."""
         given = sorted(value.free_symbols & self.known.values.keys(), key=str)
-        numbers = (self._list_numbers(letter) for letter in given)
-        for chosen in product(*numbers):
+        numbers = [self._list_numbers(letter) for letter in given]
+        for chosen in islice(product(*numbers), _MOST):
             yield value.xreplace(dict(zip(given, chosen, strict=True)))
 
     def _list_numbers(self, letter: sp.Basic) -> list[sp.Expr]:
         value = self.known.values[letter]
-        found = list(islice(self.read(value, letter), _MOST)) if isinstance(value, sp.Expr) else []
-        # As it stands it is one of quantities, unless it turns units itself.
-        return found if _turns_units(value) else found[1:] or found
+        if not isinstance(value, sp.Expr):
+            return []
+        # It is one of quantities, unless it turns units itself.
+        return list(self._turn(value, letter)) or list(self._put_in(value))
+
+
+def _find_quantity(sides: Sequence[sp.Expr]) -> int | None:
+    """Return which side is of quantities: the other turns units, or has the larger factor."""
+    turning = [_turns_units(side) for side in sides]
+    if any(turning):
+        return None if all(turning) else turning.index(False)
+    factors = (abs(side.subs(sp.pi, 1).as_coeff_Mul()[0]) for side in sides)
+    one, other = (max(factor, 1 / factor) for factor in factors)
+    return None if one == other else [one, other].index(min(one, other))
 
 
 def _find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
@@ -115,6 +134,17 @@ def _turns_units(formula: sp.Expr) -> bool:
     """Return whether a formula has a number that may turn units, 60, 1000 or 3.6: not 16 or 384."""
     numbers = formula.atoms(sp.Rational)
     return any(one.q % 5 == 0 or (one.p and one.p % 10 == 0) for one in numbers)
+
+
+def _is_rounded(ratio: float, sides: Sequence[sp.Expr]) -> bool:
+    """Return whether rounding of a number of enough digits explains a ratio."""
+    numbers = {abs(n) for side in sides for one in side.atoms(sp.Rational) for n in (one.p, one.q)}
+    for number in numbers:
+        digits = str(number).rstrip("0")
+        half = 10 ** (len(str(number)) - len(digits)) / 2
+        if len(digits) >= _DIGITS and abs(ratio - 1) <= half / number + _SMALL:
+            return True
+    return False
 
 
 def _is_of_units(ratio: sp.Expr) -> bool:
