@@ -228,6 +228,10 @@ CASES = {
         ["DEFINITION", "PROVED"],
     ),
     "a branch": ([r"\sigma^2=1", r"\sigma=1"], ["PROVED", "DEFINITION"]),
+    "what a letter raises has no known dimension": (
+        [r"rr^k=lr^k", r"r^kl=r^{k-1}rl", r"r^kl=r^{k-1}l"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
     "dimensions": ([r"x=r+\lambda", r"k=\frac{r}{l}+m"], ["ILL_FORMED", "DEFINITION"]),
     "sizes are no definitions": ([r"r=66", r"\lambda=\frac rl"], ["DEFINITION", "DEFINITION"]),
     "rounded numbers need sizes": (

@@ -124,6 +124,10 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         (*IN_PARALLEL, "#Consequently, those in series have", r"k=\frac{k_1k_2}{k_1+k_2}"),
         ("DEFINITION", OPEN),
     ),
+    "another thing": (
+        ("#A solid disc has", "k=k_1+k_2", "#Hence a plate has", "k=k_1-k_2"),
+        ("DEFINITION", OPEN),
+    ),
     "by symmetry": (
         ("#The left half has", "k=k_1+k_2", "#Hence by symmetry the right half has", "k=k_1-k_2"),
         ("DEFINITION", OPEN),

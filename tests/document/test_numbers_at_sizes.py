@@ -373,6 +373,29 @@ and \[z=\frac{7F}{\sigma A}=@.\]
 """
 
 
+SPEED = r"""%% mechproof
+%% n : speed [1/min]
+%% \omega : speed [rad/s]
+%% K : clearance [um]
+%% sizes \omega=63.2456
+%% end
+"""
+COUNTED = {
+    r"n=\frac{30\omega}{\pi}=10.07\,\mathrm{s^{-1}}": "PROVED",
+    r"n=\frac{30\omega}{\pi}=10.07\,\mathrm{rad/s}": "REFUTED",
+    r"n=\frac{30\omega}{\pi}=604\,\mathrm{min^{-1}}": "PROVED",
+    r"1500\,\mathrm{min^{-1}}=25\,\mathrm{s^{-1}}=157.08\,\mathrm{rad/s}": "PROVED",
+    # Numbers without a unit may have any.
+    r"K=50.000-49.991=9\,\mathrm{\mu m}": "not judged",
+    r"K=50.000-49.991=8\,\mathrm{\mu m}": "REFUTED",
+}
+
+
+@pytest.mark.parametrize("latex", COUNTED)
+def test_turns_are_counted_by_the_minute_and_by_the_second(latex: str) -> None:
+    assert check("paper.tex", rf"{SPEED}\[{latex}\]").rows[-1].outcome == COUNTED[latex]
+
+
 @pytest.mark.parametrize(("number", "outcome"), [("6.5", "not judged"), ("7.5", "REFUTED")])
 def test_a_number_may_be_that_of_a_chosen_one(number: str, outcome: str) -> None:
     assert check("paper.tex", CHOSEN.replace("@", number)).rows[-1].outcome == outcome
@@ -398,6 +421,8 @@ TURNED = {
     r"u=3000\,\mathrm{rpm}=314\,\mathrm{rad/s}": "PROVED",
     r"u=314\,\mathrm{rad/s}=3000\,\mathrm{rpm}": "PROVED",
     r"u=314\,\mathrm{rad/s}=3010\,\mathrm{rpm}": "REFUTED",
+    r"u=50\,\mathrm{Hz}=314\,\mathrm{rad/s}": "PROVED",
+    r"u=52\,\mathrm{Hz}=314\,\mathrm{rad/s}": "REFUTED",
     r"u=0.12\,\mathrm{kN}=0.0001234\,\mathrm{MN}": "PROVED",
     r"\alpha=0.314\,\mathrm{rad}=18^\circ": "PROVED",
     r"\alpha=0.314\,\mathrm{rad}=19^\circ": "REFUTED",

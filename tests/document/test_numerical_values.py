@@ -16,10 +16,11 @@ LETTERS = r"""%% P : power [kW]
 %% p : pressure [bar]
 %% V : displacement [cm^3]
 %% F : force [N]
+%% A : area [cm^2]
 %% M : torque [N m]
 %% \tau : stress [N/mm^2]
 """
-WITHOUT = "%% P ; n ; \\omega ; v ; d ; Q ; p ; V : letters\n"
+WITHOUT = "%% P ; n ; \\omega ; v ; d ; Q ; p ; V ; A : letters\n"
 CASES = {
     r"v=\pi dn=\frac{\pi dn}{60\,000}": ("PROVED", "not judged"),
     r"v=\frac{\pi dn}{60\,000}=\pi dn": ("PROVED", "not judged"),
@@ -30,6 +31,9 @@ CASES = {
     r"v=\pi dn=\frac{dn}{18\,100}": ("REFUTED", "REFUTED"),
     r"Q=Vn=\frac{Vn}{1000}": ("PROVED", "not judged"),
     r"P=pQ=\frac{pQ}{600}": ("PROVED", "not judged"),
+    r"v=\frac QA=\frac Q{6A}": ("PROVED", "REFUTED"),
+    r"v=\frac QA=\frac{6Q}A": ("REFUTED", "REFUTED"),
+    r"v=\frac QA=\frac Q{7A}": ("REFUTED", "REFUTED"),
     r"P=pQ=600pQ": ("not judged", "not judged"),
     r"P=pQ=\frac{pQ}{12}": ("REFUTED", "REFUTED"),
     r"\omega=2\pi n+\frac vd=\frac{\pi n}{30}+\frac vd": ("REFUTED", "REFUTED"),
@@ -49,6 +53,7 @@ def test_a_factor_may_turn_units(latex: str) -> None:
 FLOW = (r"P=pQ=\frac{pQ}{600}", r"Q=Vn=\frac{Vn}{1000}")
 POWER = (r"v=\omega\frac d2", r"M=\frac{Fd}2", r"P=M\omega")
 RIM = (r"v=\frac{\pi dn}{60\,000}", r"\omega=\frac{2\pi n}{60}")
+HANDBOOK = (r"P=M\omega", r"\omega=2\pi n")
 SHAFT = (r"\tau=\frac{16M}{\pi d^3}",)
 CHAINS = [
     (FLOW, r"P=\frac{pVn}{600\,000}", r"P=\frac{pVn}{610\,000}"),
@@ -60,6 +65,25 @@ CHAINS = [
         r"d=\sqrt[3]{\frac{16\cdot20^3M}{\pi\tau}}",
     ),
 ]
+
+
+# A factor that is rounded is left open, and proves no other one.
+@pytest.mark.parametrize("factors", [("9549", "9594"), ("9550", "9950")])
+def test_a_rounded_factor_proves_no_other(factors: tuple[str, str]) -> None:
+    block = f"%% mechproof\n{LETTERS}%% end\n"
+    prints = [rf"M={factor}\frac Pn" for factor in factors]
+    found = judge_parts(block, *HANDBOOK, *prints)
+    assert found[2] == "not judged"
+    assert found[3] != "PROVED"
+
+
+def test_a_derivative_may_have_a_unit_of_its_own() -> None:
+    block = "%% mechproof\n%% x(t) : position [mm]\n%% A : amplitude [mm]\n"
+    block += "%% \\dot x : speed [m/s]\n%% \\omega : frequency [rad/s]\n%% end\n"
+    motion = r"x=A\sin\omega t"
+    for factor, outcome in ((r"\frac{A\omega}{1000}", "PROVED"), (r"\frac{A\omega}{7}", "REFUTED")):
+        speed = rf"\dot x={factor}\cos\omega t"
+        assert judge_parts(block, motion, "#Hence", speed)[-1] == outcome
 
 
 @pytest.mark.parametrize(("given", "right", "wrong"), CHAINS)

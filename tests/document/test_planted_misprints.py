@@ -265,6 +265,24 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     assert "contradict each other" in row.reason
 
 
+PREMISES = r"""%% mechproof
+%% x_1(t) ; x_2(t) ; u(t) : displacements [m]
+%% m_1 ; m_2 ; \mu : masses [kg] {m_1>0}
+%% c : stiffness [N/m] {c>0}
+%% end
+"""
+SPRUNG = (r"m_1\ddot x_1=-c(x_1-x_2)", r"m_2\ddot x_2=c(x_1-x_2)", "u=x_1-x_2")
+SUM, WRONG_SUM = (rf"m_1\ddot x_1{sign}m_2\ddot x_2=0" for sign in "+-")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("latex", "outcome"), [(SUM, "PROVED"), (WRONG_SUM, "not judged")])
+def test_nothing_follows_from_what_is_contradicted(latex: str, outcome: str) -> None:
+    equations = (*SPRUNG, r"\mu\ddot u+cu=0", r"\mu\ddot u-cu=0", latex)
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    assert check("paper.tex", PREMISES + text).rows[-1].outcome == outcome
+
+
 @pytest.mark.slow
 def test_what_defines_a_letter_may_have_the_misprint() -> None:
     circle = (r"(x-l_1\cos\alpha)^2+(y-l_1\sin\alpha)^2=l_2^2", r"m=-2l_1x", r"n=-2l_1y")

@@ -9,7 +9,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from mechproof.document.other_subjects import are_opposed, find_sides, starts_with_deed
+from mechproof.document.other_subjects import are_opposed, find_sides, tells_of_another
 
 # Words that tell of another case, not of the two roots of one; words that may tell of either, and
 # how far before a display they are looked for.
@@ -200,7 +200,7 @@ def _follows(words: str) -> bool:
     What letters mean, behind the display before, says nothing new.
     """
     sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
-    return any(_CONSEQUENCE.search(one) and not starts_with_deed(one) for one in sentences[:1])
+    return any(_CONSEQUENCE.search(one) and not tells_of_another(one) for one in sentences[:1])
 
 
 def _has_prose(words: str) -> bool:

@@ -10,6 +10,7 @@ from mechproof.arguments.scalars import check_function, check_number, check_text
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
 from mechproof.document.consequences import GIVEN
 from mechproof.document.constrained_rows import (
+    doubt_by_premises,
     excuse_by_constraints,
     find_misprints,
     follow_from_constraints,
@@ -155,6 +156,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))
+        rows |= dict(doubt_by_premises(key, tasks, rows, limit))
         contested = {**misprints, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))

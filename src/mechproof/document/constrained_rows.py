@@ -33,7 +33,8 @@ from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# What may yet follow from constraints.
+# Rows that others may follow from; what may yet follow from constraints.
+_STANDING = (Verdict.DEFINITION.value, Verdict.PROVED.value)
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
@@ -160,6 +161,27 @@ def find_misprints(
         yield m, make_row(tasks[m], _charge(rows[m], accused[n], tasks[n].row.number))
 
 
+def doubt_by_premises(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Leave open what follows only with the help of a row that is refuted, or contradicts one."""
+    bound = [n for n, task in enumerate(tasks) if _binds(task)]
+    wrong = {n for n in bound if rows[n].outcome not in _STANDING}
+    judged = ((n, row.judgement) for n, row in rows.items() if not tasks[n].follows)
+    following = [n for n, found in judged if found and found.rung in FOLLOWING]
+    asked, names = [], {}
+    for n in following:
+        given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
+        if doubted := wrong.intersection(given):
+            asked.append((key, n, tuple(g for g in given if g not in wrong)))
+            names[n] = ", ".join(tasks[g].row.number for g in sorted(doubted))
+    for place, found in run_tasks(judge_beside, asked, limit=limit):
+        if not _is_proof(found):
+            n = asked[place][1]
+            reason = f"it follows only with the help of {names[n]}, which may be wrong"
+            yield n, make_row(tasks[n], reason)
+
+
 def _ask_definitions(
     key: Key,
     tasks: Sequence[Task],
@@ -275,6 +297,11 @@ def _connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterat
 
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:
-    is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role in CONSTRAINING
+    return row.outcome == Verdict.DEFINITION.value and _binds(task)
+
+
+def _binds(task: Task) -> bool:
+    """Return whether a row may be a constraint."""
     is_equation = isinstance(task.row.says, Equality) and task.residual is not None
-    return is_given and is_equation and not (task.is_rounded or task.is_either)
+    is_given = task.sign.role in CONSTRAINING and is_equation
+    return is_given and not (task.is_rounded or task.is_either)

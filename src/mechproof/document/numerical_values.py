@@ -20,7 +20,8 @@ from mechproof.record import Equality, Row
 _NOTE = "Compared as numbers in the units of their letters."
 _OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
 _NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
-_ROLES = (Role.STEP, Role.REPEATED, Role.CONSTRAINT)
+_AGAIN = (Role.REPEATED, Role.DERIVATIVE)
+_ROLES = (Role.STEP, Role.CONSTRAINT, *_AGAIN)
 # Factors of units are products of these, and larger than those of counts.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
@@ -51,7 +52,7 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
             note = f"{row.note} {_NOTE}".strip()
             return replace(row, says=Equality(one, other, "member"), note=note)
         ratios += [found] if found is not None else []
-    if near := next((one for one in ratios if _is_rounded(one, sides)), None):
+    if near := next((one for one in ratios if _is_rounded(one, [*sides, *settled])), None):
         return _NEAR.format(near)
     exact = sp.cancel(settled[0] / settled[1])
     return _OPEN.format(max(exact, 1 / exact)) if _is_of_units(exact) else row
@@ -62,10 +63,11 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
     if sign.role not in _ROLES or not isinstance(row.says, Equality):
         return []
     sides = [row.says.printed, row.says.rebuilt]
-    if sign.role is Role.REPEATED:
+    if sign.role in _AGAIN:
         first = known.values.get(sign.letter)
         sides = [first if side == sign.letter else side for side in sides]
-    are_numbers = all(isinstance(side, sp.Expr) and side != 0 for side in sides)
+    are_numbers = all(isinstance(one, sp.Expr) and one != 0 for one in sides)
+    are_numbers &= not any(one.has(sp.MatrixExpr) for one in sides)
     return sides if are_numbers else []
 
 
@@ -138,13 +140,18 @@ def _turns_units(formula: sp.Expr) -> bool:
 
 def _is_rounded(ratio: float, sides: Sequence[sp.Expr]) -> bool:
     """Return whether rounding of a number of enough digits explains a ratio."""
-    numbers = {abs(n) for side in sides for one in side.atoms(sp.Rational) for n in (one.p, one.q)}
-    for number in numbers:
+    read = {one for side in sides for one in side.atoms(sp.Rational) if not _is_decimal(one)}
+    for number in {abs(n) for one in read for n in (one.p, one.q)}:
         digits = str(number).rstrip("0")
         half = 10 ** (len(str(number)) - len(digits)) / 2
         if len(digits) >= _DIGITS and abs(ratio - 1) <= half / number + _SMALL:
             return True
     return False
+
+
+def _is_decimal(number: sp.Rational) -> bool:
+    """Return whether a number has decimals: whether these are rounded is judged elsewhere."""
+    return number.q > 1 and {*sp.primefactors(number.q)} <= {2, 5}
 
 
 def _is_of_units(ratio: sp.Expr) -> bool:

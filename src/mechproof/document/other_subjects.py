@@ -13,7 +13,7 @@ _OPPOSITES = (
     (r"series|reihen\w*|en s\xe9rie|последовательн\w*", r"parallel\w*|parall\xe8le|параллельн\w*"),
     (r"external\w*|au\xdfen\w*|ext\xe9rieure?s?|внешн\w*", r"internal\w*|innen\w*|внутренн\w*"),
     (r"outer|\xe4u\xdfere\w*", r"inner\w*"),
-    (r"up|upwards?|uphill|aufw\xe4rts", r"down|downwards?|downhill|abw\xe4rts"),
+    (r"up|upwards?|uphill|aufw\xe4rts", r"down|downwards?|downhill|to lower|abw\xe4rts"),
     (r"lift(?:ed|ing)|rais(?:ed|ing)|hoist\w*|heben", r"lower(?:ed|ing)|senken"),
     (r"rises?|anstieg|mont\xe9e|подъ[её]м\w*", r"returns?|falls?|r\xfcckgang|descente|опускан\w*"),
     (r"loading|belastung", r"unloading|entlastung"),
@@ -24,6 +24,7 @@ _OPPOSITES = (
     (r"leading", r"trailing"),
     (r"forwards?", r"backwards?|back"),
     (r"tight", r"slack"),
+    (r"solid|full|massiv\w*", r"hollow|thin|ring|hohl\w*"),
     (r"left(?! ?-?hand| sides?\b)", r"right(?! ?-?hand| sides?\b)"),
 )
 _SIDES = tuple(
@@ -40,6 +41,10 @@ _CALCULATIONS = (
     "|subtract|summ|tak|th|transform|transpos|us|utili|work|writ"
 )
 _LEADING = r"\W*(?:(?:now|then|finally|next|hence|thus|by|on|upon|after)\W+)?"
+_ANOTHER = re.compile(
+    rf"{_LEADING}(?:therefore|so|consequently)?,?\s*an?\s+(?:[\w-]+\s+){{1,4}}(?:has|needs|carries)\b",
+    re.IGNORECASE,
+)
 _SUM = r"add(?:ing|ed)\W+(?:\\(?:eq)?ref|\d|eq\w*|both|the two|these|them|up)\b"
 _DEED = re.compile(
     rf"{_LEADING}(?!(?:{_CALCULATIONS})\w{{0,2}}(?:ing|ed)\b|{_SUM})\w+(?:ing|ed)\b", re.IGNORECASE
@@ -61,6 +66,9 @@ def are_opposed(one: Mapping[int, int], other: Mapping[int, int]) -> bool:
     return any(other.get(pair, side) != side for pair, side in one.items())
 
 
-def starts_with_deed(sentence: str) -> bool:
-    """Return whether a sentence starts with a deed that is no calculation: "Moving down, …"."""
-    return bool(_DEED.match(sentence))
+def tells_of_another(sentence: str) -> bool:
+    """Return whether a sentence starts with a deed that is no calculation, or with another thing.
+
+    "Moving down, …", "Hence a thin ring has".
+    """
+    return bool(_DEED.match(sentence) or _ANOTHER.match(sentence))

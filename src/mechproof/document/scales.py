@@ -189,6 +189,8 @@ class Scales:
         for turned, angle in self._read_degrees(formula, own):
             if is_bare:
                 readings.append((turned / angle / printed, angle * printed))
+            if is_bare and self._counts_turns(own, unit):
+                readings.append((turned * REVOLUTIONS / _TURN, angle))
             if self._has_units(turned, own):
                 scale = angle * (unit.scale if unit else self._scale(own, sp.S.One))
                 values = self.list_values(turned, own, unit)
@@ -199,6 +201,11 @@ class Scales:
             tuple(reading.xreplace(c) + turn / scale for c in choices for turn in turns)
             for reading, scale in readings
         ]
+
+    def _counts_turns(self, own: sp.Basic | None, unit: Unit | None) -> bool:
+        """Return whether a letter counts turns by the minute, and its number by the second."""
+        is_plain = unit is not None and not unit.dimension.angle
+        return is_plain and unit == Unit(FREQUENCY) and own in self.revolving
 
     def _fits(self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None) -> bool:
         """Return whether letters in their units give what is counted in a unit, or in its own."""

@@ -32,6 +32,7 @@ _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
+_BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
 _SAID = "it agrees with {}, but not with its formula, which gives {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _BARE = "it holds for the numbers as they stand, but not in the units of their letters"
@@ -196,9 +197,10 @@ class Sizes:
             return found
         if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
             return _BARE
-        letters = value.free_symbols | sign.value.free_symbols
-        if letters and (reason := self._excuse(sign, own, printed, read, nearest)):
-            return reason
+        has_letters = bool(value.free_symbols | sign.value.free_symbols)
+        if has_letters or (own and unit):
+            excuse = self._excuse(sign, own, printed, read, nearest)
+            return excuse or self._doubt(value, unit, printed) or nearest
         return self._doubt(value, unit, printed) or nearest
 
     def _fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
@@ -242,6 +244,8 @@ class Sizes:
         number, sizes = Numeral(sign.number, sp.S.One), self._list_sizes()
         if any(is_near(one, number, sizes) for one in read):
             return _NEAR
+        if not sign.value.free_symbols and any(_differs_by_unit(one, number) for one in read):
+            return _BARE_NUMBERS
         if names := self._name_rounded(sign, own, printed):
             return _ROUNDED.format(names, _show(nearest.value))
         names = self._name_said(sign, own, printed)
@@ -364,6 +368,12 @@ def collect_sizes(
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
+def _differs_by_unit(value: sp.Expr, number: Numeral) -> bool:
+    """Return whether a number is a value in a unit that is a thousand times as large, or small."""
+    factors = (sp.Integer(10) ** power for power in (-6, -3, 3, 6))
+    return any(is_near(value * factor, number, {}) for factor in factors)
+
+
 def _may_count(number: sp.Expr, unit: Unit) -> bool:
     """Return whether a formula of numbers may count in a unit; degrees are radians there."""
     is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational
@@ -396,11 +406,11 @@ def _show(value: sp.Expr) -> str:
 
 
 def _list_turns(unit: Unit, others: Sequence[Unit]) -> list[sp.Expr]:
-    """Return what revolutions are besides radians where they are counted: 60/min is 1/s."""
-    revolving = unit.scale == REVOLUTIONS, *(one.scale == REVOLUTIONS for one in others)
-    if unit.dimension != FREQUENCY or all(revolving) or not any(revolving):
+    """Return what turns are besides radians where they are counted: 2 pi rad/s are 1/s."""
+    angular = [one.scale == REVOLUTIONS or bool(one.dimension.angle) for one in (unit, *others)]
+    if unit.dimension != FREQUENCY or all(angular) or not any(angular):
         return []
-    return [1 / (2 * sp.pi) if revolving[0] else 2 * sp.pi]
+    return [1 / (2 * sp.pi) if angular[0] else 2 * sp.pi]
 
 
 def _is_sum(value: Any) -> bool:

@@ -211,6 +211,7 @@ class TaskMaker:
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
         is_number = stated is not None or sign.role is Role.SIZE
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
+        has_units &= not any(map(_raises_by_letter, sides))
         paper = self.papers[has_units]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
@@ -307,6 +308,13 @@ class TaskMaker:
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)
+
+
+def _raises_by_letter(side: Any) -> bool:
+    """Return whether letters are raised by a letter: of p V^n no dimension is known."""
+    return isinstance(side, sp.Expr) and any(
+        power.exp.free_symbols and power.base.free_symbols for power in side.atoms(sp.Pow)
+    )
 
 
 def _list_printed(says: Statement | None) -> set[sp.Basic]:
