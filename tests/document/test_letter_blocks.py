@@ -166,6 +166,17 @@ def test_a_derivative_may_have_a_line_of_its_own() -> None:
     assert outcomes("w=rkt^2", number("599"), block=block)[-1] == "REFUTED"
 
 
+def test_a_unit_that_is_not_known_is_told_and_counts_as_none() -> None:
+    block = "%% mechproof\n%% a ; b : lengths [furlong]\n%% c : length [mm]\n"
+    block += "%% q : heat [kJ/(kg K)]\n%% w ; z : shares [\\%]\n%% end\n"
+    found = check("paper.tex", block + r"\[a=2b+c\] \[\sqrt{c^2}=c^2\]")
+    assert [row.outcome for row in found.rows] == ["DEFINITION", "ILL_FORMED"]
+    assert [reason for _, reason in found.told] == [
+        f"the unit 'furlong' of [furlong] is not known; {name} is taken to have none"
+        for name in "ab"
+    ]
+
+
 FAULTS = {
     "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
     "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",

@@ -92,7 +92,6 @@ TWICE = [
     ("a : one\n%% {a} : two", "too much alike"),
     ("a(t) : one\n%% \\dot a : two\n%% \\dot{a} : three", "declared twice"),
     ("a(t) : one [mm]\n%% t : time [s]\n%% \\dot a : two [mm]", r"derivative .* than \[mm\]"),
-    ("a : length [furlong]", "furlong"),
     ("a : one {a>1}\n%% where a<0", "no value of a"),
     ("a : one\n%% sizes a>1", "letter=number"),
     ("a : one [mm]\n%% sizes a=1 s", r"declared in \[mm\]"),

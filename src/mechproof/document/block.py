@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.text import Files, LocatedText
+from mechproof.document.units import spell_unit
 from mechproof.proof.verdict import Place
 
 _SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
@@ -126,7 +127,7 @@ def _read_letters(line: str) -> list[Declared]:
     braces = _CONDITIONS.search(right)
     right = right[: braces.start()] if braces else right
     found = _UNIT.search(right)
-    unit = found[1].strip() if found else None
+    unit = spell_unit(found[1]) if found else None
     meaning = " ".join(_UNIT.sub("", right).split())
     said, last = tuple(_BRACES.findall(braces[0])) if braces else (), _SHAPE.search(left)
     found_letters = []

@@ -23,7 +23,7 @@ from mechproof.document.names import (
     refuse_twins,
 )
 from mechproof.document.relations import narrow, read_relations
-from mechproof.document.units import ONE, Unit, read_unit
+from mechproof.document.units import ONE, Unit, UnitError, read_unit
 from mechproof.latex import Reader
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.values import Moving
@@ -134,7 +134,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     With `assume` SymPy is told which are positive: of these no equation of the paper may say what
     they are.
     """
-    letters = _add_running(_name_values(block.letters))
+    letters, unknown = _leave_units(_add_running(_name_values(block.letters)))
     variables: list[Variable] = []
     depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
@@ -161,7 +161,8 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     if twice := next((s for s in said if said.count(s) > 1), None):
         raise ValueError(f"{twice} is declared twice")
     refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
-    variables, faults = leave_names(variables, places)
+    variables, unread = leave_names(variables, places)
+    faults = [*unknown, *unread]
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
     symbols = {name: v.symbol for v in plain for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
@@ -209,6 +210,21 @@ def _say_rate(
     meaning = letter.meaning.partition("; ")[0] or rate.meaning
     variables[place] = replace(rate, meaning=meaning, latex=latex)
     return rate.symbol
+
+
+def _leave_units(
+    letters: Sequence[Declared],
+) -> tuple[list[Declared], list[tuple[Place | None, str]]]:
+    """Return letters without units that are not known, and these."""
+    found, faults = [], []
+    for letter in letters:
+        try:
+            read_unit(letter.unit or "")
+            found.append(letter)
+        except UnitError as error:
+            faults.append((letter.place, f"{error}; {letter.names[0]} is taken to have none"))
+            found.append(replace(letter, unit=None))
+    return found, faults
 
 
 def _name_values(letters: Sequence[Declared]) -> list[Declared]:

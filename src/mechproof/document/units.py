@@ -53,6 +53,7 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     _FORCE: {"N": _TEN**0, "kN": _TEN**3, "mN": _TEN**-3, "MN": _TEN**6},
     _FORCE * LENGTH: {
         **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3, "J": _TEN**0, "kJ": _TEN**3},
+        **{"kWh": 36 * _TEN**5, "Wh": sp.Integer(3600)},
     },
     _FORCE / LENGTH**2: {
         **{"Pa": _TEN**0, "kPa": _TEN**3, "MPa": _TEN**6, "GPa": _TEN**9, "bar": _TEN**5},
@@ -80,12 +81,25 @@ _SPELLED: Mapping[str, str] = {
     **{"minute": "min", "hour": "h", "tonne": "t", "celsius": "°C", "percent": "%"},
     **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
     **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
-    **{"cubed": "^3", "kilogram": "kg", "mm": "mm", "cm": "cm", "kg": "kg", "rad": "rad"},
+    **{
+        "textmu": "µ",
+        "cubed": "^3",
+        "kilogram": "kg",
+        "mm": "mm",
+        "cm": "cm",
+        "kg": "kg",
+        "rad": "rad",
+    },
     **{"min": "min"},
 }
-_PREFIXES = ("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga", "per", "mu")
+_PREFIXES = (
+    *("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga", "per", "mu", "textmu"),
+)
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
 _FACTOR = re.compile(r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+)\}?)?\s*")
+# What a bracket divides by, W/(m K), and a dot between units, kN.m.
+_BELOW = re.compile(r"/\s*\(([^()/]*)\)")
+_DOT = re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])")
 _BRACED = re.compile(r"\^\{(-?\d+)\}")
 _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
@@ -112,6 +126,7 @@ def spell_unit(text: str) -> str:
         known = _SPELLED.get(name, match[0])
         return known if name in _PREFIXES or known[0] in "/^·" else f"{known} "
 
+    text = _DOT.sub("·", text.replace(r"\%", "%"))
     return re.sub(r"\s+(?=[\^/])", "", _MACRO.sub(spell, text)).strip()
 
 
@@ -121,6 +136,7 @@ def read_unit(text: str) -> Unit:
     Raises `UnitError` naming what is not known of it.
     """
     text = drop_braces(text.strip())
+    text = _BELOW.sub(lambda below: "".join(f"/{one}" for one in _split(below[1])), text)
     if text in _BASE:
         return _BASE[text]
     found, place, sign = ONE, 0, ""
@@ -134,3 +150,8 @@ def read_unit(text: str) -> Unit:
         between = _SIGN.match(text, factor.end())
         sign, place = (between[1], between.end()) if between else ("", len(text))
     return found
+
+
+def _split(product: str) -> list[str]:
+    """Return the factors of a product of units."""
+    return re.split(r"[\s·*]+", product.strip())

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?|\{")
-_POWER = re.compile(
-    r"(?:\s|\\[,;:!])*\\(?:cdot|times)(?:\s|\\[,;:!])*10\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
-)
+_RAISED = r"\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
+_GAP = r"(?:\s|\\[,;:!])*"
+_POWER, _EXPONENT = re.compile(rf"{_GAP}\\(?:cdot|times){_GAP}10{_RAISED}"), re.compile(_RAISED)
 _BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
 _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 
@@ -28,29 +28,32 @@ _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 def read_measure(parser: Parser) -> Number | Measure:
     """Read a number, and the unit behind it if it is a member of its own."""
     is_first = begins_member(parser, parser.place)
-    number, name_unit = read_number(parser), parser.notation.name_unit
+    alone, name_unit = read_number(parser), parser.notation.name_unit
     if not is_first or name_unit is None:
-        return number
-    place, power = parser.place, _take_power(parser)
-    begin, last = parser.end if power else number.end, _find_end(parser)
-    unit = name_unit(parser.source.latex[begin : parser.tokens[last - 1].end])
+        return alone
+    place, number = parser.place, _take_power(parser, alone)
+    last = _find_end(parser)
+    unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
     if last == parser.place or not unit:
         parser.place = place
-        return number
+        return alone
     parser.place = last
-    if power:
-        number = replace(number, text=f"{number.text}e{power}")
     return Measure(number, unit, start=number.start, end=parser.end)
 
 
-def _take_power(parser: Parser) -> str:
-    """Go behind a power of ten, and return its exponent; nothing where none stands."""
-    match = _POWER.match(parser.source.latex, parser.end)
+def _take_power(parser: Parser, number: Number) -> Number:
+    r"""Return a number with the power of ten behind it, 2.1\cdot10^5; ten may be one itself."""
+    latex, is_ten = parser.source.latex, number.text == "10"
+    times = _POWER.match(latex, parser.end)
+    match = times or (_EXPONENT.match(latex, parser.end) if is_ten else None)
     if match is None:
-        return ""
+        return number
     while parser.start < match.end() and parser.text:
         parser.take()
-    return match["braced"] or match["digit"]
+    power = int(match["braced"] or match["digit"])
+    # A power of ten alone is exact.
+    exact = "1".ljust(power + 1, "0") if power >= 0 else f"0.{'1'.rjust(-power, '0')}"
+    return replace(number, text=f"{number.text}e{power}" if times else exact, end=parser.end)
 
 
 def begins_member(parser: Parser, place: int) -> bool:
