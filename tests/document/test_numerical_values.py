@@ -10,6 +10,7 @@ pytestmark = pytest.mark.usefixtures("judged_here")
 LETTERS = r"""%% P : power [kW]
 %% n : speed [1/min]
 %% \omega : angular velocity [rad/s]
+%% \Omega : angular velocity [rpm]
 %% v : speed [m/s]
 %% d : diameter [mm]
 %% Q : flow [l/min]
@@ -20,7 +21,7 @@ LETTERS = r"""%% P : power [kW]
 %% M : torque [N m]
 %% \tau : stress [N/mm^2]
 """
-WITHOUT = "%% P ; n ; \\omega ; v ; d ; Q ; p ; V ; A : letters\n"
+WITHOUT = "%% P ; M ; n ; \\omega ; \\Omega ; v ; d ; Q ; p ; V ; A : letters\n"
 CASES = {
     r"v=\pi dn=\frac{\pi dn}{60\,000}": ("PROVED", "not judged"),
     r"v=\frac{\pi dn}{60\,000}=\pi dn": ("PROVED", "not judged"),
@@ -34,6 +35,13 @@ CASES = {
     r"v=\frac QA=\frac Q{6A}": ("PROVED", "REFUTED"),
     r"v=\frac QA=\frac{6Q}A": ("REFUTED", "REFUTED"),
     r"v=\frac QA=\frac Q{7A}": ("REFUTED", "REFUTED"),
+    # Turns are either counted or radians, on both sides.
+    r"P=M\Omega=2\pi M\Omega": ("REFUTED", "REFUTED"),
+    r"P=2\pi Mn=Mn": ("REFUTED", "REFUTED"),
+    r"v=\pi dn=2\pi^2dn": ("REFUTED", "REFUTED"),
+    r"v=\pi d\Omega=\frac{d\Omega}2": ("REFUTED", "REFUTED"),
+    r"P=M\Omega=\frac{\pi M\Omega}{30\,000}": ("PROVED", "not judged"),
+    r"P=M\Omega=\frac{M\Omega}{60\,000}": ("not judged", "not judged"),
     r"P=pQ=600pQ": ("not judged", "not judged"),
     r"P=pQ=\frac{pQ}{12}": ("REFUTED", "REFUTED"),
     r"\omega=2\pi n+\frac vd=\frac{\pi n}{30}+\frac vd": ("REFUTED", "REFUTED"),

@@ -283,6 +283,13 @@ def test_nothing_follows_from_what_is_contradicted(latex: str, outcome: str) -> 
     assert check("paper.tex", PREMISES + text).rows[-1].outcome == outcome
 
 
+def test_nothing_follows_from_what_only_zeros_satisfy() -> None:
+    block = "%% mechproof\n%% n ; w ; v ; d : numbers\n%% end\n"
+    equations = (r"w=n=2\pi n", r"v=\pi dn=\frac{dn}2")
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    assert check("paper.tex", block + text).rows[-1].outcome == "REFUTED"
+
+
 @pytest.mark.slow
 def test_what_defines_a_letter_may_have_the_misprint() -> None:
     circle = (r"(x-l_1\cos\alpha)^2+(y-l_1\sin\alpha)^2=l_2^2", r"m=-2l_1x", r"n=-2l_1y")

@@ -106,10 +106,11 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             raise BlockError(
                 f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"
             ) from error
+    block.values += _find_euler(block)
     return block
 
 
-def find_euler(block: Block) -> list[str]:
+def _find_euler(block: Block) -> list[str]:
     """Return values for letters e that are Euler's number by their meaning and have none."""
     given = {text.partition("=")[0].strip() for text in block.values}
     found = (x.names[0] for x in block.letters if _EULER.search(x.meaning))

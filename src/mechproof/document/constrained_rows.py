@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from mechproof.document.applicable_constraints import (
     is_plain,
     is_turned,
@@ -33,8 +35,8 @@ from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# Rows that others may follow from; what may yet follow from constraints.
-_STANDING = (Verdict.DEFINITION.value, Verdict.PROVED.value)
+# What may yet follow from constraints.
+_DOUBTED = (Verdict.REFUTED.value, State.NOT_JUDGED.value)
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
@@ -166,14 +168,16 @@ def doubt_by_premises(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Leave open what follows only with the help of a row that is refuted, or contradicts one."""
     bound = [n for n, task in enumerate(tasks) if _binds(task)]
-    wrong = {n for n in bound if rows[n].outcome not in _STANDING}
+    wrong = {n for n in bound if rows[n].outcome in _DOUBTED}
     judged = ((n, row.judgement) for n, row in rows.items() if not tasks[n].follows)
     following = [n for n, found in judged if found and found.rung in FOLLOWING]
     asked, names = [], {}
     for n in following:
         given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
         if doubted := wrong.intersection(given):
-            asked.append((key, n, tuple(g for g in given if g not in wrong)))
+            # What is proved itself may be so by the wrong ones.
+            certain = tuple(g for g in given if _is_constraint(tasks[g], rows[g]))
+            asked.append((key, n, certain))
             names[n] = ", ".join(tasks[g].row.number for g in sorted(doubted))
     for place, found in run_tasks(judge_beside, asked, limit=limit):
         if not _is_proof(found):
@@ -301,7 +305,15 @@ def _is_constraint(task: Task, row: CheckedRow) -> bool:
 
 
 def _binds(task: Task) -> bool:
-    """Return whether a row may be a constraint."""
+    """Return whether a row may be a constraint that others follow from."""
     is_equation = isinstance(task.row.says, Equality) and task.residual is not None
     is_given = task.sign.role in CONSTRAINING and is_equation
-    return is_given and not (task.is_rounded or task.is_either)
+    return is_given and not (task.is_rounded or task.is_either or _needs_zeros(task))
+
+
+def _needs_zeros(task: Task) -> bool:
+    r"""Return whether only zeros make both sides equal, n=2\pi n: much follows from these."""
+    rest = sp.factor_terms(task.residual)
+    factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest))
+    is_product = all(factor.is_Symbol or factor.is_number for factor in factors)
+    return is_product and not any(side == 0 for side in task.sign.sides)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.block import Declared
 from mechproof.document.letters import name_symbol, show_letter
+from mechproof.document.units import read_unit
 from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.names import to_signs
 from mechproof.proof.verdict import Place
@@ -59,6 +60,26 @@ def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
         yield latex + "'" * order
     for d in ("d", r"\mathrm{d}"):
         yield rf"\frac{{{d}{power}{latex}}}{{{d}{by}{power}}}"
+
+
+def say_rate(
+    letter: Declared, variables: list[Variable], scales: dict[sp.Basic, sp.Expr]
+) -> sp.Basic:
+    r"""Take what is declared of a derivative, \dot x beside x(t): meaning, unit, names."""
+    names = {*map(name_symbol, letter.names)}
+    place, rate = next(
+        (n, v) for n, v in enumerate(variables) if names & {*map(name_symbol, v.latex)}
+    )
+    if letter.unit is not None:
+        unit = read_unit(letter.unit)
+        if rate.symbol in scales and unit.dimension != rate.dimension:
+            reason = f"{letter.names[0]} is the {rate.meaning}: it has another unit"
+            raise ValueError(f"{reason} than [{letter.unit}]")
+        scales[rate.symbol] = unit.scale
+    latex = tuple(dict.fromkeys((*rate.latex, *letter.names)))
+    meaning = letter.meaning.partition("; ")[0] or rate.meaning
+    variables[place] = replace(rate, meaning=meaning, latex=latex)
+    return rate.symbol
 
 
 def refuse_twins(variables: Sequence[Variable], rates: Collection[sp.Basic]) -> None:

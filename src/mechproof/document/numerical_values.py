@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice, product
 
 import sympy as sp
 
@@ -28,8 +27,6 @@ _LEAST = 30
 # Digits of a factor that may be rounded, and the relative error of doubles.
 _DIGITS = 3
 _SMALL = 1e-9
-# Ways to read the letters of a side that are tried.
-_MOST = 16
 
 
 def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row | str:
@@ -46,7 +43,7 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
     if ratio is None or abs(ratio - 1) < _SMALL:
         return row
     ratios = [ratio]
-    for one, other in _Numbers(known).list_pairs(sides, own):
+    for one, other in _Numbers(known, Scales(known.symbols)).list_pairs(sides, own):
         found = _find_ratio(one, other)
         if found is not None and abs(found - 1) < _SMALL:
             note = f"{row.note} {_NOTE}".strip()
@@ -76,37 +73,35 @@ class _Numbers:
     """What sides are as numbers in the units of their letters, where all of these are known."""
 
     known: Known
+    scales: Scales
 
-    def list_pairs(self, sides: Sequence[sp.Expr], own: sp.Basic) -> Iterator[tuple[sp.Expr, ...]]:
+    def list_pairs(
+        self, sides: Sequence[sp.Expr], own: sp.Basic
+    ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
         """Yield the sides as they stand, both turned into units, and one that is of quantities."""
-        stand = [list(self._put_in(side)) for side in sides]
-        turned = [list(self._turn(side, own)) for side in sides]
-        yield from product(*stand)
-        yield from product(*turned)
+        stand = [self._put_in(side) for side in sides]
+        turned = [self._turn(side, own) for side in sides]
+        pairs = [stand, turned]
         quantity = _find_quantity(sides)
         if quantity is not None:
-            yield from product(turned[quantity], stand[1 - quantity])
+            pairs.append([turned[quantity], stand[1 - quantity]])
+        for one, other in pairs:
+            if one is not None and other is not None:
+                yield one, other
 
-    def _turn(self, side: sp.Expr, own: sp.Basic) -> Iterator[sp.Expr]:
-        """Yield what a side is in the unit of a letter; nothing if it turns units itself."""
-        scales = Scales(self.known.symbols)
-        if not _turns_units(side) and side.free_symbols | {own} <= scales.known.keys():
-            for value in scales.list_values(side, own, None):
-                yield from self._put_in(value)
+    def _turn(self, side: sp.Expr, own: sp.Basic) -> sp.Expr | None:
+        """Return what a side is in the unit of a letter; None if it turns units itself."""
+        value = None if _turns_units(side) else self.scales.turn(side, own)
+        return None if value is None else self._put_in(value)
 
-    def _put_in(self, value: sp.Expr) -> Iterator[sp.Expr]:
-        """Yield a value with the numbers that its letters are by their definitions."""
-        given = sorted(value.free_symbols & self.known.values.keys(), key=str)
-        numbers = [self._list_numbers(letter) for letter in given]
-        for chosen in islice(product(*numbers), _MOST):
-            yield value.xreplace(dict(zip(given, chosen, strict=True)))
-
-    def _list_numbers(self, letter: sp.Basic) -> list[sp.Expr]:
-        value = self.known.values[letter]
-        if not isinstance(value, sp.Expr):
-            return []
-        # It is one of quantities, unless it turns units itself.
-        return list(self._turn(value, letter)) or list(self._put_in(value))
+    def _put_in(self, value: sp.Expr) -> sp.Expr:
+        """Put in the numbers that letters are by their definitions: of quantities, or numbers."""
+        values = self.known.values
+        given = [s for s in value.free_symbols if isinstance(values.get(s), sp.Expr)]
+        numbers = {s: self._turn(values[s], s) for s in given}
+        return value.xreplace(
+            {s: self._put_in(values[s]) if one is None else one for s, one in numbers.items()}
+        )
 
 
 def _find_quantity(sides: Sequence[sp.Expr]) -> int | None:

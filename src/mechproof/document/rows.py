@@ -11,7 +11,7 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import Declared, find_euler, read_block
+from mechproof.document.block import Declared, read_block
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.known import Known
@@ -66,7 +66,6 @@ class Document:
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)
-        self.block.values += find_euler(self.block)
         groups = 2 + max((one.group for one in self.printed), default=0)
         for number, latex in enumerate(self.block.claims, 1):
             self.printed.append(Printed(f"claim {number}", latex, group=groups + number))

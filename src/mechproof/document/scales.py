@@ -142,6 +142,21 @@ class Scales:
     def _scale(self, symbol: sp.Basic | None, angle: sp.Expr) -> sp.Expr:
         return self.known.get(symbol, sp.S.One) / (angle if symbol in self.revolving else 1)
 
+    def turn(self, formula: sp.Expr, own: sp.Basic) -> sp.Expr | None:
+        """Return what a formula of quantities is in the unit of a letter, as a number.
+
+        By their names all revolutions are counted, or all are angular velocities; None if they
+        differ, and where a unit is not known.
+        """
+        letters = {*formula.free_symbols, own}
+        revolving = self.revolving & letters
+        counted = {bool(_COUNTED.match(str(s))) for s in revolving}
+        if not letters <= self.known.keys() or len(counted) > 1:
+            return None
+        angle = _TURN if counted == {True} else sp.S.One
+        value = self.to_si(formula, angle) / self._scale(own, sp.S.One)
+        return value * angle if own in revolving else value
+
     def list_values(
         self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None
     ) -> list[sp.Expr]:

@@ -14,29 +14,35 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.cells import Head, Numeral
+from mechproof.document.conversions import (
+    NEAR,
+    UNFIT,
+    convert,
+    differs_by_unit,
+    may_count,
+    round_irrational,
+)
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near, may_turn_units
-from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
+from mechproof.document.units import Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.proof.verdict import Left
-from mechproof.record import FREQUENCY, NUMBER, Dimension, Equality, PrintedNumber
+from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
-_UNFIT = "a number with a unit that is not said to be that of its letters"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
 _SAID = "it agrees with {}, but not with its formula, which gives {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _BARE = "it holds for the numbers as they stand, but not in the units of their letters"
-_NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
 @dataclass(frozen=True)
@@ -65,11 +71,11 @@ class Sizes:
         if not sign.number:
             return _SPECIAL
         if sign.given[1]:
-            return self._convert(sign, own)
+            return convert(sign, own, self.known.symbols)
         is_constraint = sign.role is Role.CONSTRAINT
         letters = self.known.settle(sign.value).free_symbols
         if is_constraint and not (sign.unit or letters):
-            return _round_irrational(sign)
+            return round_irrational(sign)
         is_sum = _is_sum(sign.value)
         own = self._find_own(sign, own)
         if (is_constraint or is_sum) and letters - self._list_sizes().keys():
@@ -132,34 +138,6 @@ class Sizes:
         except DimensionError:
             return None
 
-    def _convert(self, sign: Sign, own: sp.Basic | None) -> PrintedNumber | str:
-        """State that a number with a unit is the same in another, or in that of a letter.
-
-        Either of the two may be rounded.
-        """
-        digits, unit = sign.given[0], read_unit(sign.given[1])
-        meant = [read_unit(sign.unit)] if sign.unit else [*self._list_units(own, unit)]
-        ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
-        ratios += [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant)]
-        if not ratios or sp.nan in ratios:
-            return _UNFIT
-        value, number = sp.Rational(digits), sp.Rational(sign.number)
-        stated = [PrintedNumber(sign.number, value * ratio) for ratio in ratios]
-        stated += [PrintedNumber(digits, number / ratio) for ratio in ratios]
-        if found := next(filter(agrees, stated), None):
-            return found
-        x, printed = sp.Dummy(), Numeral(sign.number, sp.S.One)
-        size = {x: RoundedSize(value, Numeral(digits, sp.S.One).half_place)}
-        return _NEAR if any(is_near(x * r, printed, size) for r in ratios) else stated[0]
-
-    def _list_units(self, own: sp.Basic | None, unit: Unit) -> Iterator[Unit]:
-        """Yield in which units a number without any may count, beside one in this unit."""
-        dimension = self.known.symbols.find_dimension(own) if own is not None else None
-        if dimension is not None:
-            yield Unit(dimension, self.known.symbols.scales[own])
-        if unit.dimension == NUMBER:
-            yield ONE
-
     def _constrain(self, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
         """State what a number says of letters whose sizes are not all known."""
         value, number = sign.value, sp.Rational(sign.number)
@@ -170,7 +148,7 @@ class Sizes:
             return Equality(value, number, "member") if is_fit else None
         unit = read_unit(sign.unit)
         if dimension != unit.dimension or not value.free_symbols <= scales.known.keys():
-            return _UNFIT if sign.role is Role.CONSTRAINT else None
+            return UNFIT if sign.role is Role.CONSTRAINT else None
         return Equality(scales.to_si(value) / unit.scale, number, "member")
 
     def _round(
@@ -182,7 +160,7 @@ class Sizes:
             return formulas
         value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
         if unit and value.free_symbols and not self._fits(value, own, unit):
-            return _UNFIT
+            return UNFIT
         read = [*self._read(formulas, own, unit)]
         exact = {s: size.value for s, size in self._list_sizes().items()}
         anew = {s: one.value for s, one in self.restated.list_before(printed).items()}
@@ -198,10 +176,9 @@ class Sizes:
         if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
             return _BARE
         has_letters = bool(value.free_symbols | sign.value.free_symbols)
-        if has_letters or (own and unit):
-            excuse = self._excuse(sign, own, printed, read, nearest)
-            return excuse or self._doubt(value, unit, printed) or nearest
-        return self._doubt(value, unit, printed) or nearest
+        may_excuse = has_letters or (own and unit)
+        excuse = self._excuse(sign, own, printed, read, nearest) if may_excuse else ""
+        return excuse or self._doubt(value, unit, printed) or nearest
 
     def _fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
         """Return whether a formula may be counted in a unit; with a letter as far as is known."""
@@ -243,8 +220,8 @@ class Sizes:
             return _RESTATED.format(names)
         number, sizes = Numeral(sign.number, sp.S.One), self._list_sizes()
         if any(is_near(one, number, sizes) for one in read):
-            return _NEAR
-        if not sign.value.free_symbols and any(_differs_by_unit(one, number) for one in read):
+            return NEAR
+        if not sign.value.free_symbols and any(differs_by_unit(one, number) for one in read):
             return _BARE_NUMBERS
         if names := self._name_rounded(sign, own, printed):
             return _ROUNDED.format(names, _show(nearest.value))
@@ -278,7 +255,7 @@ class Sizes:
                     yield from reading
             return
         for formula in formulas:
-            is_bare = may_turn_units(formula) if formula.free_symbols else _may_count(formula, unit)
+            is_bare = may_turn_units(formula) if formula.free_symbols else may_count(formula, unit)
             yield from scales.list_values(formula, None, unit)
             if is_bare:
                 yield formula
@@ -368,32 +345,6 @@ def collect_sizes(
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
-def _differs_by_unit(value: sp.Expr, number: Numeral) -> bool:
-    """Return whether a number is a value in a unit that is a thousand times as large, or small."""
-    factors = (sp.Integer(10) ** power for power in (-6, -3, 3, 6))
-    return any(is_near(value * factor, number, {}) for factor in factors)
-
-
-def _may_count(number: sp.Expr, unit: Unit) -> bool:
-    """Return whether a formula of numbers may count in a unit; degrees are radians there."""
-    is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational
-    return not (is_share(unit) or is_turned)
-
-
-def _round_irrational(sign: Sign) -> PrintedNumber | str | None:
-    """State that a number beside an irrational one is rounded, as it is if it has enough digits.
-
-    Zeros at its end may be no digits.
-    """
-    digits = sign.number.strip("-")
-    if sign.value.is_rational is not False or "." in digits or len(digits) == 1:
-        return None
-    if not digits.endswith("0") and agrees(stated := PrintedNumber(sign.number, sign.value)):
-        return stated
-    half = sp.Integer(10) ** (len(digits) - len(digits.rstrip("0"))) / 2
-    return _NEAR if abs(sign.value - sp.Rational(sign.number)) <= half else None
-
-
 def _find_distance(stated: PrintedNumber) -> float:
     """Return how far a number is from the value that is stated of it."""
     distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
@@ -403,14 +354,6 @@ def _find_distance(stated: PrintedNumber) -> float:
 def _show(value: sp.Expr) -> str:
     number = sp.N(value, 6)
     return f"{float(number):g}" if number.is_real else str(number)
-
-
-def _list_turns(unit: Unit, others: Sequence[Unit]) -> list[sp.Expr]:
-    """Return what turns are besides radians where they are counted: 2 pi rad/s are 1/s."""
-    angular = [one.scale == REVOLUTIONS or bool(one.dimension.angle) for one in (unit, *others)]
-    if unit.dimension != FREQUENCY or all(angular) or not any(angular):
-        return []
-    return [1 / (2 * sp.pi) if angular[0] else 2 * sp.pi]
 
 
 def _is_sum(value: Any) -> bool:

@@ -21,6 +21,7 @@ from mechproof.document.names import (
     name_letter,
     print_rate,
     refuse_twins,
+    say_rate,
 )
 from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import ONE, Unit, UnitError, read_unit
@@ -157,7 +158,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
-    said = [_say_rate(letter, variables, scales) for letter in declared]
+    said = [say_rate(letter, variables, scales) for letter in declared]
     if twice := next((s for s in said if said.count(s) > 1), None):
         raise ValueError(f"{twice} is declared twice")
     refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
@@ -190,26 +191,6 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         tuple(variables), notation, bare=frozenset(bare), scales=known, faults=tuple(faults)
     )
     return _say(found, block)
-
-
-def _say_rate(
-    letter: Declared, variables: list[Variable], scales: dict[sp.Basic, sp.Expr]
-) -> sp.Basic:
-    r"""Take what is declared of a derivative, \dot x beside x(t): meaning, unit, names."""
-    names = {*map(name_symbol, letter.names)}
-    place, rate = next(
-        (n, v) for n, v in enumerate(variables) if names & {*map(name_symbol, v.latex)}
-    )
-    if letter.unit is not None:
-        unit = read_unit(letter.unit)
-        if rate.symbol in scales and unit.dimension != rate.dimension:
-            reason = f"{letter.names[0]} is the {rate.meaning}: it has another unit"
-            raise ValueError(f"{reason} than [{letter.unit}]")
-        scales[rate.symbol] = unit.scale
-    latex = tuple(dict.fromkeys((*rate.latex, *letter.names)))
-    meaning = letter.meaning.partition("; ")[0] or rate.meaning
-    variables[place] = replace(rate, meaning=meaning, latex=latex)
-    return rate.symbol
 
 
 def _leave_units(

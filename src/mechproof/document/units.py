@@ -81,19 +81,12 @@ _SPELLED: Mapping[str, str] = {
     **{"minute": "min", "hour": "h", "tonne": "t", "celsius": "°C", "percent": "%"},
     **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
     **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
-    **{
-        "textmu": "µ",
-        "cubed": "^3",
-        "kilogram": "kg",
-        "mm": "mm",
-        "cm": "cm",
-        "kg": "kg",
-        "rad": "rad",
-    },
-    **{"min": "min"},
+    **{"cubed": "^3", "kilogram": "kg", "mm": "mm", "cm": "cm", "kg": "kg", "rad": "rad"},
+    **{"min": "min", "textmu": "µ"},
 }
-_PREFIXES = (
-    *("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga", "per", "mu", "textmu"),
+_JOINED = (
+    *("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga"),
+    *("per", "mu", "textmu"),
 )
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
 _FACTOR = re.compile(r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+)\}?)?\s*")
@@ -124,7 +117,7 @@ def spell_unit(text: str) -> str:
     def spell(match: re.Match[str]) -> str:
         name = match[1]
         known = _SPELLED.get(name, match[0])
-        return known if name in _PREFIXES or known[0] in "/^·" else f"{known} "
+        return known if name in _JOINED or known[0] in "/^·" else f"{known} "
 
     text = _DOT.sub("·", text.replace(r"\%", "%"))
     return re.sub(r"\s+(?=[\^/])", "", _MACRO.sub(spell, text)).strip()

@@ -1,0 +1,91 @@
+"""Numbers beside numbers: the same in another unit, or what an irrational one rounds to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from mechproof.document.cells import Numeral
+from mechproof.document.roles import Sign
+from mechproof.document.scales import RoundedSize, agrees, is_near
+from mechproof.document.symbols import Symbols
+from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
+from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
+
+UNFIT = "a number with a unit that is not said to be that of its letters"
+NEAR = "it differs from the recomputed number, but by no more than rounding explains"
+
+
+def convert(sign: Sign, own: sp.Basic | None, symbols: Symbols) -> PrintedNumber | str:
+    """State that a number with a unit is the same in another, or in that of a letter.
+
+    Either of the two may be rounded.
+    """
+    digits, unit = sign.given[0], read_unit(sign.given[1])
+    meant = [read_unit(sign.unit)] if sign.unit else [*_list_units(own, unit, symbols)]
+    ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
+    ratios += [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant, own, symbols)]
+    if not ratios or sp.nan in ratios:
+        return UNFIT
+    value, number = sp.Rational(digits), sp.Rational(sign.number)
+    stated = [PrintedNumber(sign.number, value * ratio) for ratio in ratios]
+    stated += [PrintedNumber(digits, number / ratio) for ratio in ratios]
+    if found := next(filter(agrees, stated), None):
+        return found
+    x, printed = sp.Dummy(), Numeral(sign.number, sp.S.One)
+    size = {x: RoundedSize(value, Numeral(digits, sp.S.One).half_place)}
+    return NEAR if any(is_near(x * r, printed, size) for r in ratios) else stated[0]
+
+
+def _list_units(own: sp.Basic | None, unit: Unit, symbols: Symbols) -> Iterator[Unit]:
+    """Yield in which units a number without any may count, beside one in this unit."""
+    dimension = symbols.find_dimension(own) if own is not None else None
+    if dimension is not None:
+        yield Unit(dimension, symbols.scales[own])
+    if unit.dimension == NUMBER:
+        yield ONE
+
+
+def _list_turns(
+    unit: Unit, others: Sequence[Unit], own: sp.Basic | None, symbols: Symbols
+) -> list[sp.Expr]:
+    """Return what turns are besides radians where they are counted: 2 pi rad/s are 1/s.
+
+    Of an angular velocity that is declared in rad/s, 1/s is the same.
+    """
+    counted = [one.scale == REVOLUTIONS for one in (unit, *others)]
+    dimension = symbols.find_dimension(own) if own is not None else None
+    is_angular = bool(dimension and dimension.angle) and symbols.scales[own] != REVOLUTIONS
+    if not is_angular:
+        angles = (bool(one.dimension.angle) for one in (unit, *others))
+        counted = [one or angle for one, angle in zip(counted, angles, strict=True)]
+    if unit.dimension != FREQUENCY or all(counted) or not any(counted):
+        return []
+    return [1 / (2 * sp.pi) if counted[0] else 2 * sp.pi]
+
+
+def may_count(number: sp.Expr, unit: Unit) -> bool:
+    """Return whether a formula of numbers may count in a unit; degrees are radians there."""
+    is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational
+    return not (is_share(unit) or is_turned)
+
+
+def differs_by_unit(value: sp.Expr, number: Numeral) -> bool:
+    """Return whether a number is a value in a unit that is a thousand times as large, or small."""
+    factors = (sp.Integer(10) ** power for power in (-6, -3, 3, 6))
+    return any(is_near(value * factor, number, {}) for factor in factors)
+
+
+def round_irrational(sign: Sign) -> PrintedNumber | str | None:
+    """State that a number beside an irrational one is rounded, as it is if it has enough digits.
+
+    Zeros at its end may be no digits.
+    """
+    number = Numeral(sign.number, sp.S.One)
+    if sign.value.is_rational is not False or number.is_decimal or abs(number.value) < 10:
+        return None
+    stated = PrintedNumber(sign.number, sign.value)
+    if stated.half_place == number.half_place and agrees(stated):
+        return stated
+    return NEAR if is_near(sign.value, number, {}) else None
