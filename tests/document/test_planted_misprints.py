@@ -283,6 +283,25 @@ def test_nothing_follows_from_what_is_contradicted(latex: str, outcome: str) -> 
     assert check("paper.tex", PREMISES + text).rows[-1].outcome == outcome
 
 
+@pytest.mark.slow
+def test_of_prints_that_contradict_each_other_one_may_be_right() -> None:
+    block = r"""%% mechproof
+%% v_1 ; v_2 ; u_1 ; u_2 : velocities [m/s]
+%% m_1 ; m_2 : masses [kg] {m_1>0}
+%% e : restitution [1]
+%% factor e
+%% end
+"""
+    momentum = r"m_1v_1+m_2v_2=m_1u_1+m_2u_2"
+    speed = r"u_1=v_1-\frac{m_2}{m_1+m_2}(1+e)(v_1-v_2)"
+    plastic = r"u_1=u_2=\frac{m_1v_1+m_2v_2}{m_1+m_2}"
+    equations = (momentum, r"e=\frac{u_2-u_1}{v_1-v_2}", speed, plastic)
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    rows = {row.name: row for row in check("paper.tex", block + text).rows}
+    assert "contradict each other" in rows["(1)"].reason
+    assert rows["(3)"].outcome == "PROVED"
+
+
 def test_nothing_follows_from_what_only_zeros_satisfy() -> None:
     block = "%% mechproof\n%% n ; w ; v ; d : numbers\n%% end\n"
     equations = (r"w=n=2\pi n", r"v=\pi dn=\frac{dn}2")

@@ -36,7 +36,6 @@ from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import WorkerError, run_tasks
 
 # What may yet follow from constraints.
-_DOUBTED = (Verdict.REFUTED.value, State.NOT_JUDGED.value)
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
@@ -166,24 +165,28 @@ def find_misprints(
 def doubt_by_premises(
     key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
-    """Leave open what follows only with the help of a row that is refuted, or contradicts one."""
+    """Leave open what follows only from a row that is refuted, or from several that are contested.
+
+    Of rows that contradict each other one may be right.
+    """
     bound = [n for n, task in enumerate(tasks) if _binds(task)]
-    wrong = {n for n in bound if rows[n].outcome in _DOUBTED}
+    refuted = {n for n in bound if rows[n].outcome == Verdict.REFUTED.value}
+    contested = {n for n in bound if rows[n].outcome == State.NOT_JUDGED.value}
     judged = ((n, row.judgement) for n, row in rows.items() if not tasks[n].follows)
-    following = [n for n, found in judged if found and found.rung in FOLLOWING]
     asked, names = [], {}
-    for n in following:
+    for n in [n for n, found in judged if found and found.rung in FOLLOWING]:
         given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
-        if doubted := wrong.intersection(given):
-            # What is proved itself may be so by the wrong ones.
-            certain = tuple(g for g in given if _is_constraint(tasks[g], rows[g]))
-            asked.append((key, n, certain))
-            names[n] = ", ".join(tasks[g].row.number for g in sorted(doubted))
-    for place, found in run_tasks(judge_beside, asked, limit=limit):
-        if not _is_proof(found):
-            n = asked[place][1]
-            reason = f"it follows only with the help of {names[n]}, which may be wrong"
-            yield n, make_row(tasks[n], reason)
+        doubted = [g for g in given if g in refuted | contested]
+        # What is proved itself may be so by these.
+        certain = tuple(g for g in given if _is_constraint(tasks[g], rows[g]))
+        chosen = [(*certain, g) for g in doubted if g in contested] or [certain] * bool(doubted)
+        asked += [(key, n, tuple(sorted(one))) for one in chosen]
+        names[n] = ", ".join(tasks[g].row.number for g in doubted)
+    answers = run_tasks(judge_beside, asked, limit=limit)
+    proved = {asked[place][1] for place, found in answers if _is_proof(found)}
+    for n in {n for _, n, _ in asked} - proved:
+        reason = f"it follows only with the help of {names[n]}, which may be wrong"
+        yield n, make_row(tasks[n], reason)
 
 
 def _ask_definitions(
@@ -312,8 +315,9 @@ def _binds(task: Task) -> bool:
 
 
 def _needs_zeros(task: Task) -> bool:
-    r"""Return whether only zeros make both sides equal, n=2\pi n: much follows from these."""
+    r"""Return whether a letter is printed that has to be zero, n=2\pi n: much follows from that."""
+    if task.sign.letter is None or any(side == 0 for side in task.sign.sides):
+        return False
     rest = sp.factor_terms(task.residual)
     factors = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest))
-    is_product = all(factor.is_Symbol or factor.is_number for factor in factors)
-    return is_product and not any(side == 0 for side in task.sign.sides)
+    return all(factor.is_Symbol or factor.is_number for factor in factors)
