@@ -128,6 +128,10 @@ PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("#A solid disc has", "k=k_1+k_2", "#Hence a plate has", "k=k_1-k_2"),
         ("DEFINITION", OPEN),
     ),
+    "another thing, which is said to follow": (
+        ("#A disc has", "k=k_1+k_2", "#It follows from this that a thin plate has", "k=k_1-k_2"),
+        ("DEFINITION", OPEN),
+    ),
     "by symmetry": (
         ("#The left half has", "k=k_1+k_2", "#Hence by symmetry the right half has", "k=k_1-k_2"),
         ("DEFINITION", OPEN),

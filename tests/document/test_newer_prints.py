@@ -56,6 +56,10 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
     "with both": ((*PARALLEL, *SERIES, "#Hence", r"\omega^2=\frac km"), "PROVED"),
     "before the newer print": ((*PARALLEL, SERIES[0], "#Hence", IN_PARALLEL), "PROVED"),
     "the print itself once more": ((*PARALLEL, *SERIES, "#or", "k=k_1+k_2"), "DEFINITION"),
+    "of a case, behind the first print once more": (
+        (*PARALLEL, *SERIES, "#Two springs in parallel have", "k=k_1+k_2", SERIES[-1]),
+        OPEN,
+    ),
     "a matrix of the first print": (
         ("#A turn is", TURN, r"#From here on $\psi$ is counted clockwise:", BACK, "#Thus", FIRST),
         OPEN,

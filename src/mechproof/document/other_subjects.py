@@ -42,7 +42,8 @@ _CALCULATIONS = (
 )
 _LEADING = r"\W*(?:(?:now|then|finally|next|hence|thus|by|on|upon|after)\W+)?"
 _ANOTHER = re.compile(
-    rf"{_LEADING}(?:therefore|so|consequently)?,?\s*an?\s+(?:[\w-]+\s+){{1,4}}(?:has|needs|carries)\b",
+    rf"{_LEADING}(?:therefore|so|consequently|it follows(?: \w+){{0,2}} that)?,?\s*"
+    r"an?\s+(?:[\w-]+\s+){1,4}(?:has|needs|carries)\b",
     re.IGNORECASE,
 )
 _SUM = r"add(?:ing|ed)\W+(?:\\(?:eq)?ref|\d|eq\w*|both|the two|these|them|up)\b"

@@ -120,8 +120,11 @@ class TaskMaker:
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
-        if task.is_solution and sign.letter is not None:
-            first = (sign.letter, self.known.values[sign.letter])
+        first = (sign.letter, self.known.values.get(sign.letter))
+        if sign.letter is not None and all(side in first for side in sign.sides):
+            # The first print holds again.
+            self.known.cases.pop(sign.letter, None)
+        elif task.is_solution and sign.letter is not None:
             value = next((side for side in sign.sides if side not in first), sign.sides[1])
             if not isinstance(value, sp.MatrixBase):
                 self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
