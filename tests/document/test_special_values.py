@@ -324,3 +324,27 @@ def test_a_number_without_a_unit_counts_in_that_of_its_letter(unit: str, outcome
     block = SIZES.replace(" [mm]", unit).replace("%% sizes r=80 mm, l=202 mm\n", "")
     *_, row = check("paper.tex", rf"{block}{PRINTED}$$x=\frac{{rl}}{{r+l}}=57.3$$").rows
     assert row.outcome == outcome
+
+
+UNKNOWN = r"""%% mechproof
+%% \varphi : angle [rad]
+%% i(\varphi) ; R(\varphi) ; q(\varphi) : ratios
+%% A ; B ; u ; v ; N : numbers
+%% end
+"""
+
+
+@pytest.mark.parametrize(
+    "equations",
+    [
+        ("R=q+N", r"A=R|_{\varphi=0}-N", r"B=R|_{\varphi=\pi}-N", "A=B"),
+        (r"i=\frac uv", r"A=i|_{\varphi=0}", r"B=i|_{\varphi=\pi}", "A=B"),
+    ],
+)
+def test_what_depends_on_a_letter_has_no_value_where_nothing_says_how(
+    equations: tuple[str, ...],
+) -> None:
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    rows = check("paper.tex", UNKNOWN + text).rows
+    assert [row.outcome for row in rows] == ["DEFINITION", "not read", "not read", "DEFINITION"]
+    assert "nothing says what" in rows[1].reason

@@ -6,7 +6,12 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.proof.definedness import list_unshown, need_the_same, tell
+from mechproof.proof.definedness import (
+    list_unshown,
+    list_unshown_inside,
+    need_the_same,
+    tell,
+)
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper, Variable
@@ -74,3 +79,44 @@ def test_a_derivative_is_what_it_is_where_the_function_has_values(printed: str) 
 )
 def test_where_one_side_only_is_defined_nothing_is_proved(printed: str) -> None:
     assert judge(printed)[0] not in ACCEPTED
+
+
+# What is under a sum or an integral, where it is shown to have values and where it is not.
+INSIDE = [
+    (r"\int_0^a\sqrt x\sqrt x\,dx=\frac{a^2}2", "a>0", ""),
+    (r"\int_0^a(\sqrt{1-x})^2\,dx=a-\frac{a^2}2", "0<a<1", "a>0"),
+    (r"\int_0^h(\sqrt{r^2-x^2})^2\,dx=r^2h-\frac{h^3}3", "0<h<r", "h>0, r>0"),
+    (r"\int_1^2\frac{\ln x}{\ln x}\,dx=1", "x>0", None),
+    (r"\int_0^1(\sqrt{2-x}-\sqrt{2-x})\,dx=0", "", None),
+    (r"\sum_{k=1}^n(\sqrt k)^2=\frac{n(n+1)}2", "", None),
+    (r"\sum_{k=1}^n(\sqrt{n-k})^2=\frac{n(n-1)}2", "", None),
+    (r"\int_0^1(\sqrt x)^2\,dx<1", "", None),
+]
+NOT_INSIDE = [
+    (r"\int_0^2\frac{\sqrt{1-x}}{\sqrt{1-x}}\,dx=2", ""),
+    (r"\int_0^2\frac{\arcsin3x}{\arcsin3x}\,dx=2", ""),
+    (r"\int_0^2(\sqrt{1-x}-\sqrt{1-x})\,dx=0", ""),
+    (r"\sum_{k=1}^n(\sqrt{1000-k})^2=1000n-\frac{n(n+1)}2", ""),
+    (r"\sum_{k=1}^n\sin(\arcsin\frac k{1000})=\frac{n(n+1)}{2000}", ""),
+    (r"\int_0^2(\sqrt{1-x})^2\,dx<1", ""),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("printed", "where", "wider"), INSIDE)
+def test_what_runs_has_values_where_it_runs(printed: str, where: str, wider: str | None) -> None:
+    assert judge(printed, where)[0] is Verdict.PROVED
+    if wider is not None:
+        assert judge(printed, wider)[0] not in ACCEPTED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("printed", "where"), NOT_INSIDE)
+def test_what_runs_without_values_proves_nothing(printed: str, where: str) -> None:
+    assert judge(printed, where)[0] not in ACCEPTED
+
+
+def test_what_is_not_shown_is_told_with_where_it_runs() -> None:
+    inner = sp.Sum(sp.Integral(sp.sqrt(y - k), (y, 0, k)), (k, 1, 4))
+    (told,) = list_unshown_inside(inner, DOMAIN)
+    assert told.tell() == "-k + y >= 0 for y from 0 to k and k from 1 to 4"

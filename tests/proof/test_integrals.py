@@ -57,6 +57,7 @@ TRUE = {
         integral(1 / (1 + x**4), 0, 1),
         (sp.pi + 2 * sp.log(1 + sp.sqrt(2))) / (4 * sp.sqrt(2)),
     ),
+    "odd": (integral(x**3 / (1 + x**4 + sp.cos(x)), -e, e), sp.S.Zero),
     "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),
     "between two poles": (integral(1 / sp.sqrt(1 - x**2), -1, 1), sp.pi),
     "from a logarithm's pole": (integral(x * sp.log(x), 0, 1), -sp.Rational(1, 4)),
@@ -77,6 +78,20 @@ def test_its_wrong_neighbour_is_refuted(name: str) -> None:
     left, right = TRUE[name]
     answer = decide(Equality(left, right + sp.Rational(1, 100)), DOMAIN)
     assert answer.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        integral(1 / x, -1, 1),
+        integral(x**3 / (1 - x**4), -e, e + 1),
+        integral(x / (1 + x**2), -sp.oo, sp.oo),
+        integral(x**2 / (1 + x**2) - sp.Rational(1, 10**30), -e, e),
+    ],
+    ids=["a pole between", "other ends", "without an end", "not odd"],
+)
+def test_no_other_integral_is_nothing(value: sp.Integral) -> None:
+    assert decide(Equality(value, sp.S.Zero), DOMAIN).verdict is not Verdict.PROVED
 
 
 @pytest.mark.parametrize(

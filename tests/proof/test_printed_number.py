@@ -20,6 +20,7 @@ TRUE = {
     "half a place below": ("0.2", sp.Rational("0.15")),
     "negative half a place": ("-0.1", sp.Rational("-0.15")),
     "irrational": ("3.1416", sp.pi),
+    "many digits": ("3.1415926535897932384626433832795028841972", sp.pi),
     "power of ten": ("2.1e5", sp.Integer(214_999)),
     "negative power of ten": ("5e-3", sp.Rational("0.0054")),
 }
@@ -32,6 +33,7 @@ WRONG = {
     "beyond half a place, negative": ("-0.1", sp.Rational("-0.15") - DUST),
     "half the value": ("0.28", sp.Rational("0.56")),
     "irrational": ("3.1415", sp.pi),
+    "the last of many digits": ("3.1415926535897932384626433832795028841973", sp.pi),
     "power of ten": ("2.10e5", sp.Integer(214_999)),
     "negative power of ten": ("5.0e-3", sp.Rational("0.0054")),
 }

@@ -20,6 +20,7 @@ from mechproof.proof import (
     newton,
     powers,
     printed_number,
+    separation,
     taylor,
     telescoping,
     vector_angles,
@@ -53,6 +54,7 @@ NAMED += [
     inequalities.ORDERS,
     monotonicity.RUNG,
     telescoping.RUNG,
+    separation.RUNG,
     endless_sums.RUNG,
 ]
 

@@ -35,6 +35,8 @@ from mechproof.record.parts import find_free
 Evaluator = Callable[[Values], Ball]
 # A sum of more terms, or a product of more factors, is not written out.
 MOST_TERMS = 1000
+# Work limit: values of an integrand, for each bit of the precision.
+_MOST_VALUES = 100
 _ANALYTIC = sp.Dummy("analytic")
 # The midpoint and the radius of a ball, of its two parts if it is complex.
 _Parts = tuple[tuple[Any, Any], ...]
@@ -178,7 +180,7 @@ def _integrate(
 
     if not all(integrand(_widen(*two), False).is_finite() for two in ((start, end), (end, start))):
         return NOT_FINITE
-    return take_real_part(acb.integral(integrand, start, end))
+    return take_real_part(acb.integral(integrand, start, end, eval_limit=_MOST_VALUES * precision))
 
 
 def _widen(end: Ball, other: Ball) -> Ball:

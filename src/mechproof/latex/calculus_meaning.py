@@ -138,7 +138,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     moving = {step for steps in all_steps for step in steps}
     for steps in all_steps:
         _check_seams(meaning, node, steps, (term, point))
-    unknown = (moving & value.free_symbols or {value} & {term}) - meaning.values.keys()
+    unknown = moving & value.free_symbols or {value} & {term}
     if isinstance(node.term, Letter) and is_matrix(value):
         unknown, is_open = {node.term.symbol}, value == term
     else:
@@ -147,7 +147,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
         raise meaning.source.refuse(
             node.start,
             f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",
-            "What is given there is a letter of its own: declare it.",
+            f"Print it as a function of {variable}, or skip the row in the block of letters.",
         )
     return value
 

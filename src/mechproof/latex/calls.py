@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -228,6 +230,8 @@ def _goes_on(parser: Parser, before: Node, place: int) -> bool:
     """
     nodes = [*walk(before)]
     letters = [node.symbol for node in nodes if isinstance(node, Letter)]
+    if letters and _is_counted(parser, letters, place):
+        return not any(isinstance(node, Call) for node in nodes)
     letters += [node.value for node in nodes if isinstance(node, Constant)]
     match = parser.names.match(parser.tokens, place)
     is_turn = match is None and parser.peek(place - parser.place) == r"\pi"
@@ -238,6 +242,26 @@ def _goes_on(parser: Parser, before: Node, place: int) -> bool:
         return False
     begins = match and any(behind == first for first, _ in phases)
     return not (match and begins) or _goes_on(parser, Letter(behind, ""), match.end)
+
+
+def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool:
+    r"""Return whether letters count what stands behind, \cos nx, or an integral is over it.
+
+    What is known to be an angle counts nothing, and what is known to be none is not counted.
+    """
+    match = parser.names.match(parser.tokens, place)
+    known = parser.notation.dimensions
+    if match and match.name.symbol in known and not known[match.name.symbol].is_angle:
+        return False
+    if match and all(letter.is_integer for letter in letters):
+        return bool(match.name.symbol.is_real) and not match.name.symbol.is_integer
+    texts = [token.text for token in parser.tokens[place:]]
+    is_alone = (match is None or match.end == place + 1) and "^" not in texts[1:2]
+    if not (texts and is_alone and parser.integrals) or texts[0] in parser.functions:
+        return False
+    has_angle = any(letter in known and known[letter].is_angle for letter in letters)
+    is_near = not (has_angle or _is_behind_space(parser))
+    return is_near and ("d", texts[0]) in pairwise(texts[1:])
 
 
 def _is_matrix_next(parser: Parser) -> bool:

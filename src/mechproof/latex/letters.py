@@ -16,7 +16,7 @@ from mechproof.latex.names import Match
 from mechproof.latex.numerals import read_number
 from mechproof.latex.signs import STAR
 from mechproof.latex.summands import TIME, is_no_argument
-from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power
+from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power, walk
 from mechproof.latex.words import ITALICS
 
 if TYPE_CHECKING:
@@ -42,24 +42,29 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
 
 
 def _multiplies(parser: Parser, letter: Letter) -> bool:
-    r"""Return whether units tell that a bracket multiplies a letter: r(1-\cos\varphi), k(a+b).
+    r"""Return whether a bracket multiplies a letter: s(s-a), r(1-\cos\varphi), k(a+b).
 
-    The letter depends on nothing but time, and the bracket is a sum that is no argument.
+    It has the letter as a number, or units tell: the letter depends on nothing but time, and the
+    bracket is a sum that is no argument.
     """
-    moving, known = parser.notation.moving, parser.notation.dimensions
-    by = {by for one, (by, rates) in moving.items() if letter.symbol in (one, *rates)}
-    if letter.symbol not in known or any(known.get(one) != TIME for one in by):
-        return False
     place, count = parser.place, len(parser.collected)
     try:
-        bracket = parser.read_atom()
+        bracket: Node | None = parser.read_atom()
     except ReadingError:
-        return True
+        bracket = None
     finally:
         parser.place = place
         del parser.collected[count:]
     inside = bracket.inside if isinstance(bracket, Bracket) else None
-    return isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
+    if inside and any(isinstance(x, Letter) and x.text == letter.text for x in walk(inside)):
+        return True
+    moving, known = parser.notation.moving, parser.notation.dimensions
+    by = {by for one, (by, rates) in moving.items() if letter.symbol in (one, *rates)}
+    if letter.symbol not in known or any(known.get(one) != TIME for one in by):
+        return False
+    is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
+    # What cannot be read is refused where it stands.
+    return bracket is None or is_sum
 
 
 def read_letter(parser: Parser, match: Match | None) -> Node:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.cases import narrow
@@ -13,6 +15,54 @@ from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_shown
 from mechproof.proof.sums import canonicalise
 from mechproof.record import DerivativeWhere, Slack, list_needs, list_partial
+
+
+class InnerNeed(NamedTuple):
+    """What a term of a sum or an integrand needs; the innermost variable comes first."""
+
+    need: Slack
+    limits: tuple[sp.Tuple, ...]
+
+    def tell(self) -> str:
+        """Write it as a relation, with where its variables run."""
+        runs = (f"{v} from {low} to {high}" for v, low, high in self.limits)
+        return f"{tell(self.need)} for {' and '.join(runs)}"
+
+
+def list_unshown_inside(expression: sp.Basic, domain: Domain) -> list[InnerNeed]:
+    """List what terms of sums and integrands need to have values, as far as it is not shown."""
+    found = dict.fromkeys(_list_inside(domain.resolve(expression), ()))
+    return [one for one in found if not _is_shown_inside(one, domain)]
+
+
+def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator[InnerNeed]:
+    for node in list_partial(expression):
+        if isinstance(node, ExprWithLimits) and all(len(run) == 3 for run in node.limits):
+            counted = node if isinstance(node, sp.Integral) else _count(node)
+            yield from _list_inside(counted.function, (*counted.limits, *limits))
+        elif limits:
+            yield from (InnerNeed(need, limits) for need in list_needs(node))
+
+
+def _count(node: ExprWithLimits) -> ExprWithLimits:
+    """Return a sum or a product over whole numbers, as which they are said."""
+    indices = {run[0]: sp.Symbol(run[0].name, integer=True) for run in node.limits}
+    limits = [run.xreplace(indices) for run in node.limits]
+    return node.func(node.function.xreplace(indices), *limits)
+
+
+def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
+    """Tell whether a need is met wherever the variables run, also between whole numbers."""
+    number, strict = one.need
+    for variable, low, high in one.limits:
+        run = sp.Dummy(variable.name, real=True)
+        is_endless = high.is_infinite
+        place = low + (run if is_endless else (high - low) * run)
+        # At the ends of an integral its integrand need have no value.
+        is_open = not variable.is_integer
+        inside = sp.Interval(0, sp.oo if is_endless else 1, is_open, is_open)
+        number, domain = number.subs(variable, place), domain.with_set(run, inside)
+    return _is_shown(Slack(number, strict), domain)
 
 
 def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:

@@ -18,6 +18,7 @@ from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.preparation import prepare, take_values
 from mechproof.proof.refutation import compare
+from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.record.exactness import RecordError
@@ -28,6 +29,7 @@ IDENTICAL = "identical"
 _FIRST = (
     decide_equal,
     decide_by_argument,
+    decide_by_separation,
     decide_by_derivative,
     decide_by_logarithms,
     decide_by_induction,

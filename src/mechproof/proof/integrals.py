@@ -109,9 +109,19 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     if (lower > upper) == sp.true:
         turned = _find_value(sp.Integral(integrand, (variable, upper, lower)), domain)
         return None if turned is None else -turned
+    if lower == -upper and _is_odd(integrand, variable, upper, domain):
+        return sp.S.Zero
     if integrand.has(sp.Abs):
         return _find_value_by_signs(integrand, variable, lower, upper, domain)
     return _find_by_antiderivative(integrand, variable, lower, upper, domain)
+
+
+def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domain) -> bool:
+    """Return whether an integrand is odd, and continuous from one end to the opposite one."""
+    sides = [_put(integrand, variable, end * variable), _put(integrand, variable, -end * variable)]
+    half = domain.with_set(variable, sp.Interval(0, 1))
+    is_odd = end.is_infinite is not True and decide_equal(sides[1], -sides[0], half) is not None
+    return is_odd and all(find_break(side, variable, half) is None for side in sides)
 
 
 def _find_by_antiderivative(

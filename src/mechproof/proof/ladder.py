@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
@@ -13,7 +14,15 @@ from mechproof.arithmetic import balls
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
-from mechproof.proof.definedness import list_needed, list_unshown, narrow_to, need_the_same, tell
+from mechproof.proof.definedness import (
+    InnerNeed,
+    list_needed,
+    list_unshown,
+    list_unshown_inside,
+    narrow_to,
+    need_the_same,
+    tell,
+)
 from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
@@ -58,6 +67,8 @@ CROSS_PRECISION = (64,)
 _LONGEST = 240
 # Of the entries of a matrix those are told that are judged worst.
 _WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
+# How SymPy writes a bound variable of ours.
+_BOUND = re.compile(r"(?<!\w)_(\\?\w+?)_(?!\w)")
 _SIGNS = {"==": "=", "!=": "differs from"}
 
 
@@ -149,6 +160,9 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
 
 def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> Answer:
     """Answer for sides that are equal where both have values: PROVED if they have them alike."""
+    inside = [list_unshown_inside(side, domain) for side in sides]
+    if {*inside[0]} != {*inside[1]}:
+        return Answer(Verdict.UNDECIDED, rung, _tell_inside(inside))
     needs = [list_unshown(side, domain) for side in sides]
     needed = _tell_needs(needs)
     if any(has_parts(side, DerivativeWhere) for side in sides):
@@ -160,6 +174,11 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"
     return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
+
+
+def _tell_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
+    told = dict.fromkeys(need.tell() for listed in needs for need in listed)
+    return _clip(f"it is true where {' and '.join(told)}, which is not shown")
 
 
 def _tell_needs(needs: Sequence[list[Slack]]) -> str:
@@ -217,7 +236,10 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if isinstance(statement.relation, sp.And):
         parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
+    inside = [list_unshown_inside(side, domain) for side in statement.relation.args]
     if relation in (sp.true, sp.false) or not find_free(relation):
+        if any(inside):
+            return Answer(Verdict.UNDECIDED, "none", _tell_inside(inside))
         sign = getattr(statement.relation, "rel_op", "")
         return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
@@ -226,6 +248,8 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
+        if any(inside):
+            return Answer(Verdict.UNDECIDED, rung, _tell_inside(inside))
         needed = _tell_needs([list_unshown(side, domain) for side in relation.args])
         count = POINTS if needed else CROSS_EXAMINATION
         if undefined := find_undefined(relation.args, domain, count):
@@ -254,6 +278,7 @@ def _count(number: int) -> str:
 
 
 def _clip(text: str) -> str:
+    text = _BOUND.sub(r"\1", text)
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
 
 

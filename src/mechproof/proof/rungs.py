@@ -12,6 +12,8 @@ RUNGS = {
     "radicals": "the same with square roots, each root being a number whose square is known and "
     "whose sign is proved",
     "symbolic sum": "sums with a symbolic number of terms agree in a canonical form",
+    "separation bound": "two algebraic numbers differ by less than they could if they were not the "
+    "same, by their degrees and the sizes of their conjugates",
     "arguments of vectors": "angles are equal as directions of plane vectors, and no turn is lost",
     "derivative": "both sides have the same derivative",
     "constant": "both sides have the same value at one point",
