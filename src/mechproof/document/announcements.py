@@ -36,6 +36,7 @@ _POSITION = re.compile(
     r"\bdead[- ](?:cent(?:re|er)|position)|\b(?:special|limiting) cases?\b|\bremains? at rest\b"
     r"|\b(?:extreme|limit|limiting|end|special|initial) positions?\b"
     r"|\b(?:at|in) (?:this|that) (?:position|instant|moment)\b"
+    r"|\b(?:reached|attained) (?:at|for|if|when|where)\b"
     r"|\bwith the (?:\w+ ){1,2}(?:fixed|held|locked|braked|at rest)\b"
     r"|\b(?:is|are) (?:held|locked|braked|stationary|at rest|fixed)\b(?! (?:to|on|in|at|by)\b)"
     r"|\b(?:totlage|totpunkt|festgehalten|festgebremst|steht still)|\bpoints? morts?\b"

@@ -38,7 +38,7 @@ from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
-from mechproof.document.undeclared_motion import doubt_by_motion
+from mechproof.document.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.proof.findings import list_findings
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Left, Place, Verdict
@@ -164,6 +164,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_positions(tasks, rows))
         rows |= dict(doubt_by_unread(found, rows))
         rows |= dict(doubt_by_cases(key, tasks, rows, limit))
+        rows |= dict(doubt_by_ties(tasks, rows, document.symbols))
         rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
     finally:
         del opened[key]

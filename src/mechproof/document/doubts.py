@@ -201,7 +201,12 @@ def list_printed(task: Task) -> set[sp.Basic]:
 
 def list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
     """Return the letters of a row, and of what defines them."""
-    letters, before = list_printed(task) | task.sign.printed, set[sp.Basic]()
+    return reach(list_printed(task) | task.sign.printed, tasks)
+
+
+def reach(letters: Collection[sp.Basic], tasks: Sequence[Task]) -> set[sp.Basic]:
+    """Return letters, and those of what defines them."""
+    letters, before = {*letters}, set[sp.Basic]()
     while letters != before:
         before = letters
         letters = letters.union(*(list_printed(one) for one in tasks if defines(one, letters)))

@@ -7,7 +7,7 @@ bare number is a size.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import pairwise, takewhile
@@ -63,6 +63,9 @@ class Role(StrEnum):
 CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
+Varied = tuple[sp.Basic, frozenset[sp.Basic]]
+
+
 @dataclass(frozen=True)
 class Sign:
     """One relation sign: its role, the letter that it is about, who printed it first; its sides.
@@ -71,7 +74,9 @@ class Sign:
     other side then; `given` are the digits and the unit of that, if it is a number with a unit,
     too. `worked_out` tells which sides are no print: derivatives, and what matrices
     give. `printed` are the letters of both sides as they are printed, `factor`
-    the digits of their only decimal, if it is a factor.
+    the digits of their only decimal, if it is a factor. `varied` are letters over which a part goes
+    alone, by which it is differentiated or integrated, or of which a value is put in, each with
+    the letters of that part.
     """
 
     role: Role
@@ -84,6 +89,7 @@ class Sign:
     given: tuple[str, str] = ("", "")
     worked_out: tuple[bool, bool] = (False, False)
     printed: frozenset[sp.Basic] = frozenset()
+    varied: tuple[Varied, ...] = ()
     factor: str = ""
 
 
@@ -109,9 +115,14 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
     for chain in read.chains:
         found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
         given = [_is_worked_out(node) for node in chain.members]
+        put_in = (*_list_put_in(chain),)
         found = [
             replace(
-                sign, worked_out=is_not, printed=_list_letters(nodes), factor=find_factor(nodes)
+                sign,
+                worked_out=is_not,
+                printed=_list_letters(nodes),
+                factor=find_factor(nodes),
+                varied=(*put_in, *_list_varied(nodes)),
             )
             for sign, is_not, nodes in zip(
                 found, pairwise(given), pairwise(chain.members), strict=True
@@ -129,6 +140,25 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
 
 def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
     return frozenset(part.symbol for part in walk(nodes) if isinstance(part, Letter))
+
+
+def _list_varied(nodes: Any) -> Iterator[Varied]:
+    """Yield letters over which parts go, with the letters of what is taken there."""
+    for part in walk(nodes):
+        if isinstance(part, At | Approach | Extremum):
+            yield part.by.symbol, _list_letters(part.term)
+        elif isinstance(part, Derivation) and not part.is_partial:
+            yield part.by.symbol, _list_letters(part.of)
+        elif isinstance(part, Integration) and isinstance(part.differential, Letter):
+            yield part.differential.symbol, _list_letters(part.integrand)
+
+
+def _list_put_in(chain: Chain) -> Iterator[Varied]:
+    """Yield the letters of which the condition of a chain says the value."""
+    said = chain.condition
+    if said is not None and {*said.relations} & {*EQUAL}:
+        members = _list_letters(chain.members)
+        yield from ((one.symbol, members) for one in said.members if isinstance(one, Letter))
 
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:

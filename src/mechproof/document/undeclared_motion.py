@@ -1,7 +1,8 @@
 """Letters that move, though nobody says so: constraints tie them to letters that do.
 
 If with the others constant constraints leave no letter free to move, another one moves, too. What
-is differentiated as if it did not is neither proved nor refuted.
+is differentiated as if it did not is neither proved nor refuted. So is what is differentiated or
+integrated over one letter, or of which one value is put in, beside a constraint that ties another.
 """
 
 from __future__ import annotations
@@ -13,8 +14,9 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import GIVEN
-from mechproof.document.doubts import list_compared
+from mechproof.document.doubts import list_compared, reach
 from mechproof.document.judging import Key, open_tasks
+from mechproof.document.roles import Role
 from mechproof.document.symbols import Symbols
 from mechproof.document.tasks import Task
 from mechproof.document.witnesses import find_points
@@ -52,6 +54,78 @@ def doubt_by_motion(
                 yield n, make_row(task, _tell(met, [tasks[g] for g in group]))
 
 
+def doubt_by_ties(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Leave open what goes over one letter, and has another that a constraint ties to it."""
+    varied = {letter for task in tasks for letter, _ in task.sign.varied}
+    ties = {letter: _find_ties(letter, tasks, rows, symbols) for letter in varied}
+    held: dict[sp.Basic, str] = {}
+    for n, task in enumerate(tasks):
+        letters = list_compared(task, tasks)
+        reasons = [held[one] for one in sorted(held.keys() & letters, key=str)]
+        for by, inside in task.sign.varied:
+            tied, given = ties[by]
+            met = tied & reach({symbols.find_steps(s)[1][0] for s in inside}, tasks)
+            # Letters that it does not have may move instead, one for each constraint.
+            if met and len(tied - letters) < len(given):
+                reasons.append(_tell_tie(given, min(map(str, met)), by))
+        if reasons and task.sign.role is Role.DEFINITION and task.sign.letter is not None:
+            held.setdefault(task.sign.letter, reasons[0])
+        if reasons and rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value):
+            yield n, make_row(task, reasons[0])
+
+
+def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
+    names = ", ".join(one.row.number for one in given)
+    return (
+        f"by {names}, {letter} may move with {by}; say in the block of letters that it does, "
+        f"{letter}({by}), or what it is, let {letter}=…"
+    )
+
+
+def _find_ties(
+    by: sp.Basic, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
+) -> tuple[set[sp.Basic], list[Task]]:
+    """Return the letters that constraints tie to one, and these."""
+    left = [
+        task
+        for n, task in enumerate(tasks)
+        if _is_given(task, rows[n]) and not task.residual.free_symbols & _list_rates(symbols)
+    ]
+    reached, tied, given = {by}, set[sp.Basic](), list[Task]()
+    while near := [one for one in left if one.residual.free_symbols & reached]:
+        left = [one for one in left if one not in near]
+        reached = set[sp.Basic]().union(*(_list_running(one, by, symbols) for one in near))
+        tied |= reached
+        given += near
+    return tied, given
+
+
+def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
+    """Return the letters of a constraint that may move while one does.
+
+    They are said to move, are angles, or stand alone on a side.
+    """
+    residual = sp.sympify(task.residual)
+    turning = {s for call in residual.atoms(sp.sin, sp.cos, sp.tan) for s in call.free_symbols}
+    alone = [side.free_symbols for side in task.sign.sides if len(side.free_symbols) == 1]
+
+    def may_move(letter: sp.Basic) -> bool:
+        if letter in symbols.moving:
+            return symbols.moving[letter][0] != by
+        unit = symbols.notation.dimensions.get(letter)
+        return {letter} in alone or (unit.is_angle if unit else letter in turning)
+
+    return {s for s in residual.free_symbols - {by} if may_move(s)}
+
+
+def _is_given(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row is a constraint, and not one of a case."""
+    is_given = row.judgement is not None and row.judgement.rung == GIVEN
+    return is_given and task.residual is not None and not task.said.is_equating
+
+
 def _tell(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:
     names = ", ".join(one.row.number for one in group)
     which = ", ".join(f"{letter}(t)" for letter in letters)
@@ -83,10 +157,9 @@ def _join(
 
 def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]:
     """Return the letters of a constraint that move; none of one of derivatives, or of a case."""
-    found = row.judgement
-    if not (found and found.rung == GIVEN and task.residual is not None) or task.said.is_equating:
+    if not _is_given(task, row):
         return set()
-    letters = task.residual.free_symbols
+    letters = sp.sympify(task.residual).free_symbols
     return set() if letters & _list_rates(symbols) else letters & symbols.moving.keys()
 
 

@@ -138,7 +138,10 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     moving = {step for steps in all_steps for step in steps}
     for steps in all_steps:
         _check_seams(meaning, node, steps, (term, point))
-    unknown = moving & value.free_symbols or {value} & {term}
+    # The derivative of what grows evenly is the same everywhere.
+    known = meaning.values.keys() & {rate for _, *rates in all_steps for rate in rates}
+    even = {s for s in known if not moving & settle_all(s, meaning.values).free_symbols}
+    unknown = (moving & value.free_symbols or {value} & {term}) - even
     if isinstance(node.term, Letter) and is_matrix(value):
         unknown, is_open = {node.term.symbol}, value == term
     else:

@@ -5,13 +5,19 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
+from sympy.printing.precedence import precedence
+
+
+def _raise(latex: str, exponent: str) -> str:
+    return rf"\left({latex}\right)^{{{exponent}}}" if exponent else latex
 
 
 class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
     """An integral sign whose differential is missing in print; it has no value."""
 
-    def _latex(self, printer: Any) -> str:
-        return rf"\int{{{printer.doprint(self.args[0])}}}\quad\text{{(without a differential)}}"
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        written = rf"\int{{{printer.doprint(self.args[0])}}}\quad\text{{(without a differential)}}"
+        return _raise(written, exp)
 
 
 class ValueWhere(sp.Function):  # type: ignore[misc]
@@ -20,11 +26,17 @@ class ValueWhere(sp.Function):  # type: ignore[misc]
     Both are arguments: the value, and what is needed for it.
     """
 
-    def _latex(self, printer: Any) -> str:
+    @property
+    def precedence(self) -> int:
+        """Return that of the value, by which SymPy's printers put brackets around it."""
+        return int(precedence(self.args[0]))
+
+    def _sympystr(self, printer: Any) -> str:
         written: str = printer.doprint(self.args[0])
         return written
 
-    _sympystr = _latex
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        return _raise(printer.doprint(self.args[0]), exp)
 
 
 class DerivativeWhere(ValueWhere):

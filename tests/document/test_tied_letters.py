@@ -1,0 +1,97 @@
+"""What goes over one letter alone, beside constraints that tie others to it, is left open."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% r ; l ; a ; b ; s : lengths [mm] {r>0}
+%% \varphi ; \psi ; \beta : angles [rad] {-\pi/2<\psi<\pi/2}
+%% x ; y : position [mm]
+%% A ; B : lengths [mm]
+%% k : stiffness [N/mm]
+%% F : force [N]
+%% W : work [mJ]
+%% where l>r
+%% end
+"""
+TIE, ROD = r"l\sin\psi=r\sin\varphi", r"x=r\cos\varphi+l\cos\psi"
+PLAIN = r"y=r\cos\varphi+l\cos\beta"
+OPEN = "not judged"
+# Equations, and the outcome of the last one.
+PAPERS = {
+    "a derivative": ((TIE, ROD, r"\frac{dx}{d\varphi}=-r\sin\varphi"), OPEN),
+    "a wrong derivative": ((TIE, ROD, r"\frac{dx}{d\varphi}=r\sin\varphi"), OPEN),
+    "a partial derivative": (
+        (TIE, ROD, r"\frac{\partial x}{\partial\varphi}=-r\sin\varphi"),
+        "PROVED",
+    ),
+    "a letter that is not tied": ((TIE, PLAIN, r"\frac{dy}{d\varphi}=-r\sin\varphi"), "PROVED"),
+    "tied by another": (
+        (TIE, r"a\tan\psi=b\tan\beta", PLAIN, r"\frac{dy}{d\varphi}=-r\sin\varphi"),
+        OPEN,
+    ),
+    "an integral": ((TIE, ROD, r"A=\int_0^\pi x\,d\varphi=\pi l\cos\psi"), OPEN),
+    "an integral over a length": (
+        ("s^2=x^2+b^2", "F=ks", r"W=\int_0^bF\,dx=kbs"),
+        OPEN,
+    ),
+    "an integral of what is not tied": (
+        ("s^2=x^2+b^2", r"W=\int_0^bkx\,dx=\frac{kb^2}2"),
+        "PROVED",
+    ),
+    "values": ((TIE, ROD, r"A=x|_{\varphi=0}", r"B=x|_{\varphi=\pi/2}", "A-B=r"), OPEN),
+    "values of what is not tied": (
+        (TIE, PLAIN, r"A=y|_{\varphi=0}", r"B=y|_{\varphi=\pi/2}", "A-B=r"),
+        "PROVED",
+    ),
+    "a special case": ((TIE, ROD, r"x=l\cos\psi\quad\text{for }\varphi=\pi/2"), OPEN),
+    "the largest value": ((TIE, ROD, r"A=\max_\varphi x=r+l\cos\psi"), OPEN),
+    "a letter alone on a side": (
+        (r"s^2=r^2+l^2-2rl\cos\varphi", "y=s+a", r"\frac{d}{d\varphi}(y+\sin\varphi)=\cos\varphi"),
+        OPEN,
+    ),
+    "a parameter, where another letter may move": (
+        (
+            r"\tan\psi=\tan\varphi\cos\beta",
+            r"y=\frac{r\cos\beta}{1-\sin^2\beta\cos^2\varphi}",
+            r"y|_{\varphi=0}=\frac r{\cos\beta}",
+        ),
+        "PROVED",
+    ),
+    "a constraint of another letter": (
+        (r"l\sin\psi=r\sin\beta", ROD, r"\frac{dx}{d\varphi}=-r\sin\varphi"),
+        "PROVED",
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PAPERS)
+def test_nothing_that_is_tied_is_held(name: str) -> None:
+    equations, outcome = PAPERS[name]
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    row = check("paper.tex", BLOCK + text).rows[-1]
+    assert row.outcome == outcome, row.reason
+    if outcome == OPEN:
+        assert "may move with" in row.reason
+
+
+@pytest.mark.slow
+def test_no_rate_is_taken_at_a_place_without_what_is_tied() -> None:
+    block = (
+        BLOCK.replace(r"\varphi ; \psi ;", r"\varphi(t) ; \psi(t) ;")
+        .replace("x ; y", "x(t) ; y")
+        .replace("A ; B : lengths [mm]", r"\omega ; A ; B : speeds")
+        .replace("%% end", "%% let \\dot\\varphi=\\omega\n%% end")
+    )
+    rate = r"\dot\psi=\frac{r\omega\cos\varphi}{l\cos\psi}"
+    places = (r"A=\dot x|_{\varphi=\pi/4}", r"B=\dot x|_{\varphi=-\pi/4}", r"A-B=-\sqrt2r\omega")
+    equations = (TIE, ROD, rate, *places)
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    row = check("paper.tex", block + text).rows[-1]
+    assert (row.outcome, "may move with" in row.reason) == (OPEN, True)
