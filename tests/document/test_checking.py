@@ -232,6 +232,10 @@ CASES = {
         [r"rr^k=lr^k", r"r^kl=r^{k-1}rl", r"r^kl=r^{k-1}l"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "a definition of another dimension": (
+        [r"h=\frac{a^2b}{a+b}", r"c=\frac ch c", r"\frac ah=\frac{a+b}b"],
+        ["ILL_FORMED", "DEFINITION", "not judged"],
+    ),
     "dimensions": ([r"x=r+\lambda", r"k=\frac{r}{l}+m"], ["ILL_FORMED", "DEFINITION"]),
     "sizes are no definitions": ([r"r=66", r"\lambda=\frac rl"], ["DEFINITION", "DEFINITION"]),
     "rounded numbers need sizes": (

@@ -48,7 +48,7 @@ def test_a_print_means_another_letter_in_a_range_of_equations() -> None:
 
 
 def test_letters_of_one_line_may_have_shapes_of_their_own() -> None:
-    block = "%% B 2x3 ; v ; w 3x1 : matrices\n"
+    block = "%% B [2x3] ; v ; w 3x1 : matrices\n"
     equations = (
         r"v=(1, 0, 0)^T",
         r"w=(0, 0, n)^T",

@@ -32,6 +32,7 @@ BEHIND = [
     *(rf"f=1\text{{ {word} }}x>0" for word in ("if", "for", "where", "when", "with", "for all")),
     *(rf"f=1{mark}x>0" for mark in (",", r",\ ", r",\quad ", r"\quad ", r"\qquad ", ";", r",\;")),
     *(rf"f=1{mark}\text{{ for }}x>0" for mark in (",", r"\quad", r"\ ", r",\ ")),
+    *(rf"f=1\quad\text{{for}}{gap}x>0" for gap in (r"\quad ", r"\qquad ", r"\ ")),
     *(rf"f=1{mark}(x>0)" for mark in ("", ",", r"\quad", r"\ ")),
     *(r"f=1\ [x>0]", r"f=1\quad(\text{for }x>0)", r"f=1\ (\forall x>0)", r"f=1\ \forall x>0"),
     *(r"f=1\mathrm{\ for\ }x>0", r"f=1\mbox{ If }x>0", r"f=1\textrm{, for }x>0", "f=1 ∀x>0"),

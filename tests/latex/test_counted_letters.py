@@ -44,6 +44,15 @@ def test_an_integral_is_over_what_stands_behind_a_letter() -> None:
     assert integral.function == sp.cos(x * integral.limits[0][0])
 
 
+def test_an_upright_d_is_no_letter() -> None:
+    d = sp.Symbol("d", real=True)
+    reader = Reader((*READER.variables, Variable(d, "", latex=("d",))))
+    (member,) = reader.parse(r"\int_0^1dx\,\mathrm dx").chains[0].members
+    assert reader.parse(r"\int_0^1dx\,\mathrm dx").meaning().of(member).doit() == d / 2
+    with pytest.raises(ReadingError, match="a differential, or d"):
+        reader.parse(r"\int_0^1dx\,dx")
+
+
 @pytest.mark.parametrize("latex", REFUSED)
 def test_what_is_refused(latex: str) -> None:
     with pytest.raises(ReadingError):

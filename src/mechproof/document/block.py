@@ -16,7 +16,7 @@ from mechproof.document.text import Files, LocatedText
 from mechproof.document.units import spell_unit
 from mechproof.proof.verdict import Place
 
-_SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
+_SHAPE = re.compile(r"\s\[?(\d+)\s*x\s*(\d+)\]?\s*\Z")
 _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
 _COLON = re.compile(r"\s*:(?:\s+|\Z)")
 _UNIT = re.compile(r"\[([^\[\]]*)\]")

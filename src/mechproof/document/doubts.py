@@ -108,11 +108,12 @@ def doubt_by_letters(
     A definition that is printed later may be of a case; no condition is proved by one, either.
     `contested` are the misprints, and the rows that contradict each other.
     """
+    unfit = {n: row for n, row in rows.items() if row.outcome == Verdict.ILL_FORMED.value}
     doubted = [
         tasks[n]
-        for n, row in sorted(contested.items())
+        for n, row in sorted({**contested, **unfit}.items())
         if tasks[n].sign.role is Role.DEFINITION
-        and (row.state is State.NOT_JUDGED or _is_refuted(row))
+        and (row.state is State.NOT_JUDGED or _is_refuted(row) or n in unfit)
     ]
     special = [one for one in tasks if one.said.is_special]
     for n, task in enumerate(tasks):

@@ -170,7 +170,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     for node in nodes:
         if isinstance(node, Extremum):
             _refuse_range(read, chain, node, known)
-            return Sign(Role.VALUE)
+            return _find_role_of_extremum(name, read, chain, left, known)
     try:
         worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
         sides = one, other = turn((nodes[0], nodes[1]), worked_out)
@@ -231,6 +231,17 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if not (one.free_symbols and other.free_symbols):
         return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _find_role_of_extremum(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
+    """Return that a letter is introduced as the largest or smallest value, which follows."""
+    first, *others = chain.members[left:]
+    if left or not (isinstance(first, Letter) and _is_bare(first)) or first.symbol in known.values:
+        return Sign(Role.VALUE)
+    if others[1:]:
+        known.define(first.symbol, _work_out(read, others[1], known), name)
+        return Sign(Role.DEFINITION, first.symbol, name)
+    return Sign(Role.VALUE, first.symbol)
 
 
 def _is_worked_out(node: Node) -> bool:

@@ -40,7 +40,16 @@ from mechproof.document.text import Files
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.proof.verdict import Left, State
-from mechproof.record import Definition, Equality, Equation, Paper, PrintedNumber, Row, Statement
+from mechproof.record import (
+    Conjunction,
+    Definition,
+    Equality,
+    Equation,
+    Paper,
+    PrintedNumber,
+    Row,
+    Statement,
+)
 
 
 @dataclass(frozen=True)
@@ -158,11 +167,14 @@ class TaskMaker:
         """Make a task of a row; `own` is the letter that its chain is about."""
         place = printed.locate(self.files)
         says = row.says
+        if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
+            reason = f"nothing else is printed of {sign.letter}"
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
             row = replace(row, says=Equality(*members, "member"))
         is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
-        if isinstance(says, Equality | PrintedNumber) and is_introduced:
+        if isinstance(says, Equality | PrintedNumber | Conjunction) and is_introduced:
             pieces = (side for side in sign.sides if side not in (None, sign.letter))
             value = next(pieces, self.known.values[sign.letter])
             row = replace(row, says=Definition(sign.letter, value))

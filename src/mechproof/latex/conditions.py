@@ -49,7 +49,7 @@ def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
     begins = is_sign or texts[after] not in (*_OPERATORS, *OPENING[:3], *CLOSING, "-")
     if not begins or texts[after].startswith((r"\text", r"\forall")):
         return False
-    if texts[before] in (*_OPERATORS, "-") or texts[before][1:] in FUNCTIONS:
+    if texts[before] in (*_OPERATORS, "-", *IF, AND) or texts[before][1:] in FUNCTIONS:
         return False
     level = [t for t, depth in zip(texts, depths, strict=True) if depth == 0]
     here = sum(depth == 0 for depth in depths[:place])

@@ -86,4 +86,7 @@ def is_power(inside: Sequence[str]) -> bool:
     """Return whether one script may well be that of what stands before it: a number, a T."""
     marks = sum(text in _SCRIPTS for text in inside)
     plain = [text for text in inside if text not in ("{", "}", *_SCRIPTS)]
-    return marks == 1 and (plain == ["T"] or not any(map(begins_letter, plain)))
+    # Nobody prints a power of nought or one.
+    is_trivial = inside[0] == "^" and plain in (["0"], ["1"])
+    is_letter_alone = plain != ["T"] and any(map(begins_letter, plain))
+    return marks == 1 and not (is_trivial or is_letter_alone)

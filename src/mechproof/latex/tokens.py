@@ -105,6 +105,10 @@ class _Normaliser:
             return left_scripts.may_begin(texts[base])
         if not is_parted or not texts[base:] or not left_scripts.may_begin(texts[base]):
             return False
+        between = self.source.latex[signs[-1].end : self.raw[self.place].start]
+        if first > 0 and (signs[-1].text in GAPS or between.strip()):
+            # An empty group behind a blank begins a letter.
+            return True
         if left_scripts.is_power(inside):
             raise self._refuse(
                 "a script behind a gap: of what stands before it, or of the letter behind it?",
