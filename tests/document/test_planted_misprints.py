@@ -371,3 +371,11 @@ def test_what_cancels_in_what_gives_a_letter_is_no_definition() -> None:
     speeds = (r"w_3=\frac{w_1+w_2}2", r"u=\frac{w_1-w_2}k")
     assert judge((*speeds, r"w_2=w_3-\frac{uk}2")).outcome == "PROVED"
     assert judge((*speeds, r"w_2=w_3+\frac{uk}2")).outcome == "REFUTED"
+
+
+def test_no_change_is_offered_that_makes_nothing_of_both_sides() -> None:
+    block = "%% mechproof\n%% b ; t ; M ; E ; K : numbers {b>0, t>0, E>0}\n%% \\varphi : angle\n"
+    turn = r"\varphi=\int_{-\pi/2}^{\pi/2}\frac{M\cos\theta}{Ebt^2}\,d\theta"
+    equations = (turn, r"\frac{6K\varphi}{bt^2}=3E\varphi")
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    assert check("paper.tex", f"{block}%% end\n{text}").rows[-1].outcome == "DEFINITION"

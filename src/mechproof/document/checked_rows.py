@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from mechproof.document.roles import Role, name_member
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
+from mechproof.proof.witness_text import name_bound
 from mechproof.tools.processes import WorkerError
 
 
@@ -58,20 +59,20 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
     """Return the row of a task with its judgement, or why there is none."""
     head = (task.row.number, task.place, task.row.printed_latex)
     if isinstance(answer, Judgement):
-        judged = replace(answer, place=task.place, reason=_write_powers(answer.reason))
+        judged = replace(answer, place=task.place, reason=_write_plainly(answer.reason))
         return CheckedRow(*head, State.JUDGED, task.sign.role, judged, judged.reason)
-    return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_powers(str(answer)))
+    return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_plainly(str(answer)))
 
 
 def show_left(left: Left) -> CheckedRow:
     """Return the row of what is not judged."""
     head = (left.number, left.place, left.printed_latex, left.state)
-    return CheckedRow(*head, reason=_write_powers(left.reason), remedy=left.remedy)
+    return CheckedRow(*head, reason=_write_plainly(left.reason), remedy=left.remedy)
 
 
-def _write_powers(reason: str) -> str:
-    """Write powers as they stand in what a print is read as: x^2."""
-    return reason.replace("**", "^")
+def _write_plainly(reason: str) -> str:
+    """Write powers and bound variables as they stand in what a print is read as: x^2."""
+    return name_bound(reason.replace("**", "^"))
 
 
 def list_standing(

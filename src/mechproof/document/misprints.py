@@ -74,6 +74,8 @@ def find_misprint(
     for change in islice(changes, MOST if places else 0):
         mended = state(change.sides)
         holds = _holds_often(mended, values, are_angles=are_angles)
+        # Nobody means a print of which both sides come to nothing.
+        holds = holds and (0 in mended or not all(_vanish(side, values) for side in mended))
         if holds and not _is_trivial(mended, repeated, known | zeros, are_angles=are_angles):
             evidence = _show(sides, given, domain, places)
             return Misprint(evidence, change) if evidence else None
@@ -139,6 +141,11 @@ def _holds_often(sides: Sides, places: Sequence[Values], *, are_angles: bool) ->
     if not any(agree(sides, values, are_angles=are_angles) for values in places[:FEW]):
         return False
     return sum(agree(sides, values, are_angles=are_angles) is True for values in places) >= FEW
+
+
+def _vanish(side: sp.Expr, places: Sequence[Values]) -> bool:
+    """Return whether a side is zero wherever it has a value."""
+    return all(agree((side, sp.S.Zero), values) is not False for values in places)
 
 
 def _list_definitions(domain: Domain) -> list[sp.Expr]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
@@ -40,7 +39,7 @@ from mechproof.proof.refutation import (
 )
 from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.witness_text import show_plainly
+from mechproof.proof.witness_text import name_bound, show_plainly
 from mechproof.record import (
     Completion,
     Completions,
@@ -67,8 +66,6 @@ CROSS_PRECISION = (64,)
 _LONGEST = 240
 # Of the entries of a matrix those are told that are judged worst.
 _WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
-# How SymPy writes a bound variable of ours.
-_BOUND = re.compile(r"(?<!\w)_(\\?\w+?)_(?!\w)")
 _SIGNS = {"==": "=", "!=": "differs from"}
 
 
@@ -278,7 +275,7 @@ def _count(number: int) -> str:
 
 
 def _clip(text: str) -> str:
-    text = _BOUND.sub(r"\1", text)
+    text = name_bound(text)
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
 
 

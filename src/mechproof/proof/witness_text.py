@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import sympy as sp
 
 from mechproof.arithmetic import balls
@@ -12,6 +14,8 @@ from mechproof.proof.verdict import Evidence
 # Decimals of a fraction that is written as a decimal number.
 _MOST_DECIMALS = 6
 _DIGITS = (6, 9, 12, 16, 24, 48)
+# How SymPy writes a bound variable of ours, `x_`.
+_BOUND = re.compile(r"(?<!\w)_(\\?\w+?)_(?!\w)")
 
 
 def show_point(point: Point, domain: Domain) -> dict[str, str]:
@@ -46,6 +50,11 @@ def _tell_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
     except DimensionError:
         return ""
     return "" if found is None else str(found)
+
+
+def name_bound(text: str) -> str:
+    """Write bound variables in a text as they are printed."""
+    return _BOUND.sub(r"\1", text)
 
 
 def show_plainly(*values: balls.Ball) -> tuple[str, ...]:
