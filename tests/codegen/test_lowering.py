@@ -54,6 +54,7 @@ def lower(expression: sp.Expr) -> Program:
         (sp.sin(x) ** 2, "_square(_np.sin(x))"),
         (sp.pi * sp.Max(a, x), "_np.pi * _maximum(a, x)"),
         (sp.Piecewise((x, x >= 0), (a, True)), "_choose_where(x >= 0, x, a)"),
+        (sp.Piecewise((x, sp.Ne(x, 0)), (a, True)), "_choose_where(x == 0, a, x)"),
     ],
 )
 def test_the_text_of_an_expression(expression: sp.Expr, text: str) -> None:

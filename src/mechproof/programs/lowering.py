@@ -206,6 +206,8 @@ class Lowering:
     def _relation(self, relation: sp.Basic) -> Operand:
         if isinstance(relation, sp.Eq):
             return self._add("equal", self.lower(relation.lhs), self.lower(relation.rhs))
+        if isinstance(relation, sp.Ne):
+            raise NotImplementedError(f"no operation for {relation} within a condition")
         low, high = relation.lts, relation.gts
         strict = is_strict(relation)
         if sp.oo in (-low, high):
@@ -229,6 +231,8 @@ class Lowering:
         if condition == sp.true:
             return self.lower(value)
         parts = condition, value, sp.Piecewise(*rest) if rest else sp.nan
+        if isinstance(condition, sp.Ne):
+            parts = sp.Eq(*condition.args), parts[2], value
         return self._add("choose", *map(self.lower, parts))
 
     def _total(self, total: sp.Sum, form: str = "quadratic_form") -> Operand:

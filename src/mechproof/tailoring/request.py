@@ -24,7 +24,10 @@ from mechproof.derivation import (
     packaged_directory,
 )
 from mechproof.mechanisms.facts import check_domain
-from mechproof.record import Paper, Quantity, Root
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Answer, Verdict
+from mechproof.record import Equality, Paper, Periodicity, Quantity, Root
 from mechproof.record.substitution import resolve
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
@@ -151,13 +154,32 @@ def read_request(
     if module is None:
         none = f"{generated} has no kernels of {paper.system}: `mechproof regenerate` writes them"
         refuse("derivations", derivations, none)
-    conditions = [c for c in vars(module)["DOMAIN"] if quantity.name in c.quantities]
+    # A module whose kernels are defined everywhere has no conditions.
+    conditions = [c for c in vars(module).get("DOMAIN", ()) if quantity.name in c.quantities]
     check_domain(conditions, values)
     ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
     if ends is None and quantity.periodicity is None:
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
+    if quantity.periodicity is not None:
+        _check_periodicity(name, paper, quantity, quantity.periodicity)
     # One kernel is everybody's that unpickles it.
     return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)
+
+
+def _check_periodicity(name: str, paper: Paper, quantity: Quantity, repeats: Periodicity) -> None:
+    """Refuse a quantity that is not proved to come again as its derivation says."""
+    answer = prove_periodicity(paper, quantity, repeats)
+    if answer.verdict is not Verdict.PROVED:
+        reason = f"that it comes again after {repeats.period} is {answer.verdict}: {answer.reason}"
+        refuse("name", name, reason)
+
+
+def prove_periodicity(paper: Paper, quantity: Quantity, repeats: Periodicity) -> Answer:
+    """Decide whether a period on the value is more by the gain, wherever the quantity is meant."""
+    (running,) = quantity.arguments[0].symbols
+    here = sp.sympify(resolve(quantity.definition, paper.given))
+    there = here.subs(running, running + repeats.period)
+    return decide(Equality(there - here, repeats.gain), Domain.of(paper, quantity.on))
 
 
 def _read_size(
