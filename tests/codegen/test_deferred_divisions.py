@@ -119,3 +119,18 @@ def test_a_wrong_scale_is_seen() -> None:
     program = write(("_1", "tangent_above", "x"), ("_2", "multiply", "_1", "y"))
     with mp.workdps(DIGITS):
         assert run(program, 3) != run(program)
+
+
+def test_what_is_below_a_tangent_without_a_name_is_named() -> None:
+    program = write(
+        ("_1", "divide", "x", 2),
+        ("_2", "tan", "_1"),
+        ("_3", "square", "_2"),
+        ("_4", "add", 1, "_3"),
+        ("_5", "divide", 1, "_4"),
+    )
+    changed = defer_divisions(program)
+    used = [operand for step in changed.operations for operand in step.operands]
+    assert all(used.count(name) == 1 for name in used if str(name).startswith("_"))
+    with mp.workdps(DIGITS):
+        assert mp.almosteq(run(changed, 5)[0], run(program)[0], 10 ** (5 - DIGITS))

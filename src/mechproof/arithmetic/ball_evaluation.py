@@ -36,7 +36,7 @@ Evaluator = Callable[[Values], Ball]
 # A sum of more terms, or a product of more factors, is not written out.
 MOST_TERMS = 1000
 # Work limit: values of an integrand, for each bit of the precision.
-_MOST_VALUES = 100
+_MOST_VALUES = 500
 _ANALYTIC = sp.Dummy("analytic")
 # The midpoint and the radius of a ball, of its two parts if it is complex.
 _Parts = tuple[tuple[Any, Any], ...]

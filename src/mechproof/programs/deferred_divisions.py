@@ -73,8 +73,11 @@ class _Fractions:
         """Add the operations of a step; false where it needs a value with a denominator."""
         given = [self._find(operand) for operand in step.operands]
         if step.kind == "tan" and not given[0].below.powers:
-            angle = self._name(given[0].above, f"{step.result}_angle")
-            below = self._add("tangent_below", angle, result=f"{step.result}_below")
+            # What is below stands for more than one value.
+            count = sum(one.kind == "tangent_above" for one in self._operations)
+            name = f"tangent_{count + 1}" if is_unnamed(step.result) else step.result
+            angle = self._name(given[0].above, f"{name}_angle")
+            below = self._add("tangent_below", angle, result=f"{name}_below")
             self._add("tangent_above", angle, result=step.result)
             self._fractions[step.result] = Fraction(step.result, Degree({below: 1}))
             return True

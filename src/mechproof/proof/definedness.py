@@ -31,7 +31,8 @@ class InnerNeed(NamedTuple):
 
 def list_unshown_inside(expression: sp.Basic, domain: Domain) -> list[InnerNeed]:
     """List what terms of sums and integrands need to have values, as far as it is not shown."""
-    found = dict.fromkeys(_list_inside(domain.resolve(expression), ()))
+    resolved = domain.resolve(expression)
+    found = dict.fromkeys(_list_inside(resolved, ()) if resolved.has(ExprWithLimits) else ())
     return [one for one in found if not _is_shown_inside(one, domain)]
 
 
