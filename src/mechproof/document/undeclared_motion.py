@@ -88,18 +88,20 @@ def _find_ties(
     by: sp.Basic, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
 ) -> tuple[set[sp.Basic], list[Task]]:
     """Return the letters that constraints tie to one, and these."""
-    left = [
-        task
-        for n, task in enumerate(tasks)
-        if _is_given(task, rows[n]) and not task.residual.free_symbols & _list_rates(symbols)
-    ]
+    found = [task for n, task in enumerate(tasks) if _is_given(task, rows[n])]
+    left = [task for task in found if not _list_tied(task) & _list_rates(symbols)]
     reached, tied, given = {by}, set[sp.Basic](), list[Task]()
-    while near := [one for one in left if one.residual.free_symbols & reached]:
+    while near := [one for one in left if _list_tied(one) & reached]:
         left = [one for one in left if one not in near]
         reached = set[sp.Basic]().union(*(_list_running(one, by, symbols) for one in near))
         tied |= reached
         given += near
     return tied, given
+
+
+def _list_tied(task: Task) -> set[sp.Basic]:
+    letters: set[sp.Basic] = sp.sympify(task.residual).free_symbols
+    return letters
 
 
 def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
@@ -113,11 +115,12 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
 
     def may_move(letter: sp.Basic) -> bool:
         if letter in symbols.moving:
-            return symbols.moving[letter][0] != by
+            return bool(symbols.moving[letter][0] != by)
         unit = symbols.notation.dimensions.get(letter)
-        return {letter} in alone or (unit.is_angle if unit else letter in turning)
+        is_angle = unit.is_angle if unit else letter in turning
+        return {letter} in alone or bool(is_angle)
 
-    return {s for s in residual.free_symbols - {by} if may_move(s)}
+    return {s for s in _list_tied(task) - {by} if may_move(s)}
 
 
 def _is_given(task: Task, row: CheckedRow) -> bool:
@@ -159,7 +162,7 @@ def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]
     """Return the letters of a constraint that move; none of one of derivatives, or of a case."""
     if not _is_given(task, row):
         return set()
-    letters = sp.sympify(task.residual).free_symbols
+    letters = _list_tied(task)
     return set() if letters & _list_rates(symbols) else letters & symbols.moving.keys()
 
 
