@@ -48,6 +48,10 @@ CHECKED = [
     ),
     ([r"(-1)^{2m}=1", "--natural", "m"], ["PROVED"]),
     ([r"x+a>x", "--where", "a>0"], ["PROVED"]),
+    (["x^2=1", "--where", "x=1"], ["PROVED"]),
+    ([r"\tan A+\tan B+\tan C=\tan A\tan B\tan C", "--where", r"A+B+C=\pi"], ["PROVED"]),
+    ([r"\sin A+\sin B=\sin C", "--where", r"A+B+C=\pi"], ["REFUTED"]),
+    ([r"s(s-a)=\frac{(b+c)^2-a^2}4", "--where", r"s=\frac{a+b+c}2"], ["PROVED"]),
     # Of three textbooks of mechanisms, each as it is and with one misprint: the stroke of a slider
     # crank, the sides of a Cardan joint, the distance from the centre of an involute.
     ([STROKE.format(r"\lambda^2"), *CRANK], ["PROVED"]),
@@ -169,7 +173,9 @@ REFUSED = [
     ([r"\sum_{i<j}x_ix_j=1"], "first value"),
     ([r"y=2x,\ y=3x"], "defined twice"),
     ([r"x=-1", "--where", "x>0"], "--where says something"),
-    (["x^2=1", "--where", "x=1"], "by --let"),
+    (["x^2=1", "--where", "xy=1"], "by --let"),
+    (["x+y=1", "--where", "x=1-y", "--where", "y=1-x"], "given by itself"),
+    (["x+y=1", "--where", "x=1-y", "--let", "x=2"], "has a value already"),
     (["x^2=1", "--where", "x<0", "--where", "x>1"], "no value of x"),
     (["x^2=1", "--let", "x=y", "--let", "y=x"], "given by itself"),
     (["x^2=1", "--let", "x=1", "--let", "x=2"], "a value already"),

@@ -55,7 +55,7 @@ def check(
         Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
     ] = None,
     where: Annotated[
-        Texts, typer.Option("--where", help="A relation in which it is meant: 0<x<1.")
+        Texts, typer.Option("--where", help="In which it is meant: 0<x<1, A+B+C=\\pi.")
     ] = None,
     values: Annotated[
         Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")

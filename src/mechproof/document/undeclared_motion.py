@@ -111,7 +111,8 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
     """
     residual = sp.sympify(task.residual)
     turning = {s for call in residual.atoms(sp.sin, sp.cos, sp.tan) for s in call.free_symbols}
-    alone = [side.free_symbols for side in task.sign.sides if len(side.free_symbols) == 1]
+    sides = [side.free_symbols for side in task.sign.sides if side is not None]
+    alone = [letters for letters in sides if len(letters) == 1]
 
     def may_move(letter: sp.Basic) -> bool:
         if letter in symbols.moving:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -119,11 +119,11 @@ def _read_letters(pasted: Pasted) -> tuple[tuple[Variable, ...], Notation, list[
     counts = _find_counts(pasted)
     variables = _declare(pasted, counts)
     notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
-    variables = _give_values(variables, pasted, Reader(variables, notation, COMMAND))
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
-    _refuse_values(relations)
-    return variables, notation, relations
+    equations = [r for r in relations if isinstance(r, sp.Equality)]
+    variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
+    return variables, notation, [r for r in relations if r not in equations]
 
 
 def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:
@@ -289,27 +289,46 @@ def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Read
         )
 
 
-def _give_values(
-    variables: Sequence[Variable], pasted: Pasted, reader: Reader
-) -> tuple[Variable, ...]:
-    given: dict[sp.Basic, sp.Expr] = {}
+def _read_values(pasted: Pasted, reader: Reader) -> Iterator[tuple[sp.Basic, sp.Expr]]:
     for text in pasted.values:
         for relation in read_relations(text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"{text}: a value is written letter=expression")
-            if relation.lhs in given:
-                raise ValueError(f"{text}: {relation.lhs} has a value already")
-            given[relation.lhs] = relation.rhs
+            yield relation.lhs, relation.rhs
+
+
+def _solve(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
+    r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
+
+    It stands alone on a side, or has a number as its factor; of several the last is taken.
+    """
+    sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
+    alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
+    rest = equation.lhs - equation.rhs
+    for letter in sorted(rest.free_symbols, key=str, reverse=True):
+        factor = rest.diff(letter)
+        if factor.is_number and factor != 0:
+            alone.append((letter, sp.expand(letter - rest / factor)))
+    if not alone:
+        raise ValueError(
+            f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
+            "value of one by --let"
+        )
+    return alone[0]
+
+
+def _give_values(
+    variables: Sequence[Variable], values: Iterable[tuple[sp.Basic, sp.Expr]]
+) -> tuple[Variable, ...]:
+    given: dict[sp.Basic, sp.Expr] = {}
+    for letter, value in values:
+        if letter in given:
+            raise ValueError(f"--let {letter}={value}: {letter} has a value already")
+        given[letter] = value
     for symbol, value in given.items():
         if any(depends(s, {symbol}, given) for s in value.free_symbols):
             raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
     return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
-
-
-def _refuse_values(relations: Sequence[sp.Basic]) -> None:
-    for relation in relations:
-        if isinstance(relation, sp.Equality):
-            raise ValueError(f"--where {relation.lhs}={relation.rhs}: say a value by --let")
 
 
 def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
