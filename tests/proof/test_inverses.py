@@ -33,8 +33,43 @@ TABLES = {
             r"=\arccos\frac{\cos E-k}{1-k\cos E}",
             r"0\le k<1, 0\le E<\pi",
         ),
+        (
+            r"\operatorname{atan2}(1,x)=\frac\pi2-\arctan x",
+            r"\operatorname{atan2}(1,x)=\arctan\frac1x",
+            "",
+        ),
+        (
+            r"\operatorname{atan2}(\sin x,\cos x)=x",
+            r"\operatorname{atan2}(\sin x,\cos x)=x+2\pi",
+            r"-\pi<x\le\pi",
+        ),
+        (
+            r"\operatorname{atan2}(y,x)=\arccos\frac x{\sqrt{x^2+y^2}}",
+            r"\operatorname{atan2}(y,x)=\arcsin\frac y{\sqrt{x^2+y^2}}",
+            "y>0",
+        ),
+        (
+            r"\operatorname{atan2}(-y,-x)=\operatorname{atan2}(y,x)-\pi",
+            r"\operatorname{atan2}(-y,-x)=\operatorname{atan2}(y,x)+\pi",
+            "y>0",
+        ),
+        (
+            r"\operatorname{atan2}(y,x)+\operatorname{atan2}(x,y)=\frac\pi2",
+            r"\operatorname{atan2}(y,x)-\operatorname{atan2}(x,y)=\frac\pi2",
+            "x>0, y>0",
+        ),
+        (
+            r"\operatorname{atan2}(y,x)=2\arctan\frac{\sqrt{x^2+y^2}-x}y",
+            r"\operatorname{atan2}(y,x)=2\arctan\frac{\sqrt{x^2+y^2}+x}y",
+            "y>0",
+        ),
     ),
     TURNS: (
+        (
+            r"\arctan x+\arctan y=\pi+\arctan\frac{x+y}{1-xy}",
+            r"\arctan x+\arctan y=\arctan\frac{x+y}{1-xy}",
+            "x>0, xy>1",
+        ),
         (
             r"2\arctan\frac{A+\sqrt{A^2+B^2-C^2}}{B+C}"
             r"=\arctan\frac AB+\arccos\frac C{\sqrt{A^2+B^2}}",

@@ -137,3 +137,26 @@ def test_an_expression_beyond_the_rung_has_no_sign(name):
 
 def test_the_product_of_signs():
     assert StrictSign(-1, True).times(StrictSign(-1, False)) == StrictSign(1, False)
+
+
+@pytest.mark.parametrize(
+    ("expression", "sign"),
+    [
+        (1 - x * y, StrictSign(1, True)),
+        ((x * y - 1) / 3, StrictSign(-1, True)),
+        ((1 + x**2) / (x * y - 1), StrictSign(-1, True)),
+        (1 - x * y + (x + y) ** 2 / (1 - x * y), StrictSign(1, True)),
+        (sp.Rational(1, 2) - x * y, None),
+        ((x - y) * (1 - x * y), None),
+        (1 + x * y, None),
+    ],
+)
+def test_a_relation_says_the_sign_of_a_factor(expression: sp.Expr, sign: StrictSign | None) -> None:
+    assert find_sign(expression, Domain({}, (sp.Lt(x * y, 1),), {})) == sign
+    assert find_sign(expression, Domain({}, (), {})) is None
+
+
+def test_what_may_be_zero_divides_nothing() -> None:
+    domain = Domain({}, (sp.Le(x * y, 1),), {})
+    assert find_sign(1 - x * y, domain) == StrictSign(1, False)
+    assert find_sign(1 / (1 - x * y), domain) is None

@@ -18,7 +18,7 @@ from mechproof.proof.coordinates import list_terms
 from mechproof.proof.domain import Domain
 from mechproof.proof.inequalities import isolate_root, show_sign
 from mechproof.proof.polynomial_signs import sign_of_number
-from mechproof.proof.signs import is_shown
+from mechproof.proof.signs import find_sign, is_positive, is_shown
 from mechproof.record import Slack
 from mechproof.record.parts import has_parts
 
@@ -111,10 +111,39 @@ def _multiply_to_one(difference: sp.Expr, domain: Domain) -> bool:
 
 def _is_inverse(difference: sp.Expr, domain: Domain) -> bool:
     return any(
-        _has_value(node, sp.expand(node - difference / factor), domain)
+        check(node, _write_arcs(sp.expand(node - difference / factor), domain), domain)
         for node, factor in list_terms(difference)
-        if type(node) in _INVERSES
+        for kinds, check in ((tuple(_INVERSES), _has_value), ((sp.atan2,), _has_direction))
+        if isinstance(node, kinds)
     )
+
+
+def _write_arcs(value: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write the angle of a plane vector by an arctangent, where a half plane holds the vector."""
+
+    def write(y: sp.Expr, x: sp.Expr) -> sp.Expr:
+        if is_positive(x, domain):
+            return sp.atan(y / x)
+        sign = find_sign(y, domain)
+        if sign is None or not sign.strict:
+            return sp.atan2(y, x)
+        return sign.direction * sp.pi / 2 - sp.atan(x / y)
+
+    return value.replace(sp.atan2, write)
+
+
+def _has_direction(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an angle is that of a plane vector: where it points, within a turn."""
+    y, x = node.args
+    cosine, sine = sp.expand_trig(sp.cos(value)), sp.expand_trig(sp.sin(value))
+    if decide_equal(y * cosine, x * sine, domain) is None:
+        return False
+    needs = (
+        Slack(x * cosine + y * sine, True),
+        Slack(sp.pi - value, False),
+        Slack(sp.pi + value, True),
+    )
+    return all(_is_met(need, domain) for need in needs)
 
 
 def _has_value(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:

@@ -10,6 +10,7 @@ Yang (2005), who repeats it for every order of the symbols; here the domain stat
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
@@ -33,6 +34,8 @@ from mechproof.record.relations import Slack, find_slack
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
 MOST_MULTIPLIED = 100
+# Work limit: an expression of more operations is not factored.
+_MOST_FACTORED = 60
 
 
 def is_workable(expression: sp.Basic) -> bool:
@@ -55,7 +58,10 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     if sign is not None and sign.strict:
         return sign
     return (
-        _find_sign_with_roots(expression, domain) or _find_sign_in_box(expression, domain) or sign
+        _find_sign_with_roots(expression, domain)
+        or _find_sign_in_box(expression, domain)
+        or _find_sign_by_relations(expression, domain)
+        or sign
     )
 
 
@@ -97,6 +103,36 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
         else:
             within[cosine] = sp.Interval(least, 1, left_open=least == 0)
     return find_sign(above / below, replace(domain, within=within))
+
+
+def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Find the sign of a product with factors whose signs relations say, as xy < 1 does."""
+    said = [slack for slack in map(find_slack, domain.where) if slack]
+    said = [Slack(domain.resolve(value), strict) for value, strict in said]
+    said = [slack for slack in said if slack.value.free_symbols <= expression.free_symbols]
+    is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
+    if not (said and is_small and expression.is_rational_function(*expression.free_symbols)):
+        return None
+    direction, strict, is_met = 1, True, False
+    for factor in sp.Mul.make_args(sp.factor(expression)):
+        base, power = factor.as_base_exp()
+        found = _find_said(base, said)
+        is_met |= found is not None
+        found = found or (find_sign(base, domain) if base != expression else None)
+        if found is None or not (found.strict or power > 0):
+            return None
+        direction *= found.direction ** (int(power) % 2)
+        strict &= found.strict
+    return StrictSign(direction, strict) if is_met else None
+
+
+def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
+    """Return the sign of a number that is a multiple of one that a relation says."""
+    for value, strict in said:
+        ratio = sp.cancel(number / value)
+        if ratio.is_number and ratio != 0:
+            return StrictSign(1 if ratio > 0 else -1, strict)
+    return None
 
 
 def is_positive(expression: sp.Expr, domain: Domain) -> bool:
