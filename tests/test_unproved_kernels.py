@@ -57,6 +57,12 @@ COMMANDS = (("verify",), ("regenerate",), ("regenerate", "--check"), ("emit", "c
 ACCEPTED = {
     "wrong rivals": 'sin(x), RIGHT, Form("cosine", cos(x), key="printed")',
     "a definition that is declared": 'y, Form("sine", sin(x))',
+    "a large constant": 'x*Rational("6.02214076e23"), Form("f", x*Rational("6.02214076e23"))',
+    "a tangent without a name": '1/(1 + tan(x/2)**2), Form("f", 1/(1 + tan(x/2)**2))',
+    "where sides differ": (
+        "Piecewise((sin(x)/x, Ne(x, 0)), (1, True)), "
+        'Form("f", Piecewise((sin(x)/x, Ne(x, 0)), (1, True)))'
+    ),
     "a proved bound": 'x + 1/(1 + x**2), Form("its line", x, bound=S.One, states=within_one)',
 }
 

@@ -54,12 +54,22 @@ NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})
 # In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
 # a module, which the runtime asks of fractions, they are not.
 NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
+# All whole numbers up to it are doubles.
+_MOST_EXACT = 2**53
+
+
+def _write_compiled(number: float) -> str:
+    """Write a number; compiled whole numbers have 64 bits, and not all of them are doubles."""
+    return repr(number if abs(number) < _MOST_EXACT else float(number))
+
+
 # The functions of a language's own library, for angles that are reduced there.
 _LIBRARY = ("tan", "sin", "cos")
 # One number at a time; `exact` says whether what angles far out give is wanted, however long it
 # takes, or NaN.
 NUMBA = replace(
     _spell({k: row.numba for k, row in KINDS.items()}, ELEMENTARY),
+    number=_write_compiled,
     last=MappingProxyType({kind: EXACT for kind, (_, _, far) in BODIES.items() if far}),
 )
 NUMBA_FAR = replace(

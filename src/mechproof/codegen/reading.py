@@ -13,6 +13,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import zip_longest
 from traceback import extract_tb
@@ -20,7 +21,7 @@ from types import FunctionType, MappingProxyType
 from typing import Any
 
 from mechproof.programs.operations import KINDS
-from mechproof.programs.program import CONSTANTS
+from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.programs.trace import RecordedFunction, Tape, show
 
 # All that emitted code is made of.
@@ -207,5 +208,10 @@ def _list_parts(function: RecordedFunction | None) -> Iterator[object]:
         yield function.defaults
         yield f"ways through it: {len(function.ways)}"
         for way in function.ways:
-            yield from way.operations
-            yield way.outputs
+            yield from (replace(o, operands=_round(o.operands)) for o in way.operations)
+            yield _round(way.outputs)
+
+
+def _round(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
+    """Return operands with numbers of more bits than a double has as they are written."""
+    return tuple(float(one) if isinstance(one, int) else one for one in operands)

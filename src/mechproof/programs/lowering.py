@@ -38,8 +38,6 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
 # What papers may have: functions by SymPy's own names.
 _PLAIN = [head for head, kind in FUNCTIONS.items() if not KINDS[kind].head]
 KNOWN = ", ".join(sorted([*_PLAIN, *(kind.__name__ for kind in STEPS), "Root"]))
-# No larger power of ten is a double.
-_TENS = 22
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.CONSTANTS.items()})
 
 
@@ -110,25 +108,10 @@ class Lowering:
         if max(abs(exact.p), exact.q) > sys.float_info.max:
             raise NotImplementedError("a constant beyond the range of doubles")
         if exact.is_Integer:
-            return self._integer(int(exact))
+            return int(exact)
         if sp.Rational(float(exact)) == exact:
             return float(exact)
-        return self._add("divide", self._integer(int(exact.p)), self._integer(int(exact.q)))
-
-    def _integer(self, number: int) -> Operand:
-        """Return a whole number, of more bits than a double has as a product with powers of ten."""
-        if int(float(number)) == number:
-            return number
-        digits = str(number).rstrip("0")
-        tens = len(str(number)) - len(digits)
-        if int(float(digits)) != int(digits):
-            raise NotImplementedError(f"a constant of more than 53 bits: {number}")
-        # Whole numbers of a product would overflow where it is compiled.
-        result: Operand = float(digits)
-        for exponent in (*[_TENS] * (tens // _TENS), *[tens % _TENS] * (tens % _TENS > 0)):
-            ten = 10.0**exponent
-            result = ten if result == 1 else self._add("multiply", result, ten)
-        return result
+        return self._add("divide", int(exact.p), int(exact.q))
 
     def _constant(self, constant: sp.Basic) -> Operand:
         return CONSTANTS[constant]
