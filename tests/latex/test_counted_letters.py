@@ -38,6 +38,12 @@ def test_what_is_read(latex: str) -> None:
     assert read.meaning().of(member) == READ[latex]
 
 
+def test_brackets_in_brackets_are_read_once() -> None:
+    depth = 40
+    (member,) = READER.parse("s(" * depth + "s" + ")" * depth).chains[0].members
+    assert READER.parse("s").meaning().of(member) == s ** (depth + 1)
+
+
 def test_an_integral_is_over_what_stands_behind_a_letter() -> None:
     read = READER.parse(r"\int_0^1\cos xu\,du")
     integral = read.meaning().of(read.chains[0].members[0])

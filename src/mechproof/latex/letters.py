@@ -31,9 +31,13 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
     letter = left.base if isinstance(left, Power) else left
     if parser.text != "(" or not isinstance(letter, Letter) or letter.text in parser.bound:
         return
-    if isinstance(letter.symbol, sp.MatrixSymbol):
+    if isinstance(letter.symbol, sp.MatrixSymbol) or letter.text in parser.factors:
         return
-    if letter.text not in parser.factors and not _multiplies(parser, letter):
+    place = parser.place
+    if place not in parser.multiplied:
+        # Of brackets in brackets each would be read twice for the one around it.
+        parser.multiplied[place] = _multiplies(parser, letter)
+    if not parser.multiplied[place]:
         printed = parser.source.latex[letter.start : letter.end]
         raise parser.refuse(
             f"a bracket after {printed}: a factor, or the argument of a function?",

@@ -108,6 +108,8 @@ class Parser:
         self.tokens: Sequence[Token] = conditions.keep_gaps(tokens)
         self.last = last
         self.place = self.bars = self.norms = self.depth = 0
+        # Of places of brackets, whether they multiply the letter before.
+        self.multiplied: dict[int, bool] = {}
 
     # Walking --------------------------------------------------------------------------------
 
