@@ -261,12 +261,16 @@ class _Progress:
             origin=Origin.of(paper),
             paper=paper,
         )
-        if ledger.failures or self.only_kernels:
+        if self.only_kernels:
             return ledger
+        is_complete = not ledger.failures
         try:
-            ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
+            findings = list_findings(paper, ledger.judgements, is_complete=is_complete)
+            ledger = replace(ledger, findings=findings)
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
+        if ledger.failures:
+            return ledger
         if self.rest:
             ledger = _add_rest(ledger, self.rest)
         if self.whole and self.read and all(self.keys):
