@@ -359,3 +359,22 @@ def test_without_a_block_a_letter_that_may_be_a_sign_is_taken_or_named(
 def test_a_wrong_line_of_many_ends_nothing() -> None:
     found = outcomes(r"k=\frac{m}{", r"m=\begin{foo}", r"\lambda=\frac rl", r"u=\unknown{2}")
     assert found == ["not read", "not read", "DEFINITION", "not read"]
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        r"\quad\Rightarrow\quad ",
+        r"\Rightarrow ",
+        r"\quad\Longrightarrow\quad ",
+        r",\quad\text{hence}\quad ",
+        r",\quad\text{so that }",
+        r"\qquad\text{und}\qquad ",
+    ],
+)
+def test_words_and_arrows_part_equations(between: str) -> None:
+    assert outcomes(rf"k=mn{between}m=\frac kn") == ["DEFINITION", "PROVED"]
+
+
+def test_a_word_may_lead_to_an_equation() -> None:
+    assert outcomes("k=mn", r"\text{hence}\quad m=\frac kn") == ["DEFINITION", "PROVED"]

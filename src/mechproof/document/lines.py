@@ -45,8 +45,10 @@ _RANGE = re.compile(
 )
 _TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
-_WORD = r"\\(?:text|mbox|textrm|mathrm)\s*\{[\s\\;,~]*(?:and|or|resp\.?|,|;)?[\s\\;,~]*\}"
-_AND = re.compile(rf"(?:{_WORD})\Z")
+_LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
+_WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
+_AND = re.compile(rf"(?:{_WORD}|\\(?:Rightarrow|Longrightarrow|implies|iff)(?![A-Za-z])\s*)\Z")
+_LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
 _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
 
@@ -155,7 +157,8 @@ def _drop_leads(latex: LocatedText) -> LocatedText:
 
 def _clean(latex: LocatedText) -> LocatedText:
     """Drop what leads to an equation, and the stop behind it."""
-    latex = _drop_leads(latex.replace(_TITLE_AT_START, lambda _: "")).strip(end=".,;~")
+    latex = latex.replace(_TITLE_AT_START, lambda _: "").replace(_LINK_AT_START, lambda _: "")
+    latex = _drop_leads(latex).strip(end=".,;~")
     if (found := _RANGE.search(latex.string)) and found.start():
         latex = latex[: found.start()]
     while latex.string.endswith((*_BLANK[:6], ",\\")):
@@ -183,7 +186,7 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
 def _drop_and(latex: LocatedText) -> LocatedText:
     latex = _clean(latex)
     found = _AND.search(latex.string)
-    return latex[: found.start()] if found else latex
+    return _clean(latex[: found.start()]) if found else latex
 
 
 def _until_gap(string: str) -> str:
