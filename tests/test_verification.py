@@ -78,15 +78,3 @@ def test_a_row_that_is_wrongly_stated_has_no_judgement_and_holds_nothing_up(file
     assert failure == (
         f"{file}: row (3): RecordError: rebuilt: z3 is no declared symbol of the paper"
     )
-
-
-def test_a_row_that_is_wrongly_stated_hides_no_finding(file: Path) -> None:
-    told = 'Finding("(3)", "a cube", mend="(5)")'
-    text = TEXT.replace("int(n == 3)", 'int(n == 3) + symbols("z5") * int(n == 5)')
-    text = text.replace("VARIABLES, ROWS)", f"VARIABLES, ROWS, findings=({told},))")
-    file.write_text(text, encoding="utf-8")
-    (ledger,) = judge_derivations([file], use_cache=False)
-    assert len(ledger.failures) == 1
-    # What the paper tells of it rests on a row without a verdict.
-    assert [(f.number, f.verdict) for f in ledger.findings] == [("(3)", Verdict.REFUTED)]
-    assert "a cube" not in ledger.findings[0].wrong

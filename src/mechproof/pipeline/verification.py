@@ -261,16 +261,12 @@ class _Progress:
             origin=Origin.of(paper),
             paper=paper,
         )
-        if self.only_kernels:
+        if ledger.failures or self.only_kernels:
             return ledger
-        is_complete = not ledger.failures
         try:
-            findings = list_findings(paper, ledger.judgements, is_complete=is_complete)
-            ledger = replace(ledger, findings=findings)
+            ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
-        if ledger.failures:
-            return ledger
         if self.rest:
             ledger = _add_rest(ledger, self.rest)
         if self.whole and self.read and all(self.keys):

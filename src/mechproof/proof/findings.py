@@ -127,19 +127,15 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
     )
 
 
-def list_findings(
-    paper: Paper, judgements: Sequence[Judgement], *, is_complete: bool = True
-) -> tuple[LedgerFinding, ...]:
+def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[LedgerFinding, ...]:
     """List the findings of a paper, the gravest first, else in the order of its rows.
 
-    Rows without a verdict are none; where some have none, `is_complete` is false, and what the
-    paper says of a finding is left out if it rests on one. Raises `ValueError` for a cause that is
-    not wrong, a follower that does not follow and a mend that is not proved.
+    Rows without a verdict are none. Raises `ValueError` for a cause that is not wrong, a follower
+    that does not follow and a mend that is not proved.
     """
     judged = {j.number: j for j in judgements}
-    whole = [one for one in paper.findings if is_complete or _list_needed(one) <= judged.keys()]
-    named = {finding.row: finding for finding in whole}
-    following = {follower.row for finding in whole for follower in finding.followers}
+    named = {finding.row: finding for finding in paper.findings}
+    following = {follower.row for finding in paper.findings for follower in finding.followers}
     rows = [row for row in paper.rows if "ours" not in row.marks or row.number in named]
     found = (
         _describe(paper, row, named.get(row.number), judged)
@@ -147,12 +143,6 @@ def list_findings(
         if row.number in named or (_is_wrong(row, judged) and row.number not in following)
     )
     return tuple(sorted(found, key=lambda one: one.weight))
-
-
-def _list_needed(finding: Finding) -> set[str]:
-    """Return the rows whose verdicts a finding rests on."""
-    corrected = (_corrected_number(one.row, finding.row) for one in finding.followers)
-    return {finding.row, *corrected} | ({finding.mend} if finding.mend else set())
 
 
 def _is_wrong(row: Row, judged: Mapping[str, Judgement]) -> bool:
