@@ -91,8 +91,11 @@ INSIDE = [
     (r"\sum_{k=1}^n(\sqrt k)^2=\frac{n(n+1)}2", "", None),
     (r"\sum_{k=1}^n(\sqrt{n-k})^2=\frac{n(n-1)}2", "", None),
     (r"\int_0^1(\sqrt x)^2\,dx<1", "", None),
+    (r"\int_1^0(\sqrt x)^2\,dx=-\frac12", "", None),
 ]
 NOT_INSIDE = [
+    (r"\int_{-\infty}^\infty(\sqrt{-x})^2\mathrm e^{-x^2}\,dx=0", ""),
+    (r"\int_{-\infty}^0(\sqrt{-x-5})^2\mathrm e^x\,dx=-4", ""),
     (r"\int_0^2\frac{\sqrt{1-x}}{\sqrt{1-x}}\,dx=2", ""),
     (r"\int_0^2\frac{\arcsin3x}{\arcsin3x}\,dx=2", ""),
     (r"\int_0^2(\sqrt{1-x}-\sqrt{1-x})\,dx=0", ""),
@@ -114,6 +117,11 @@ def test_what_runs_has_values_where_it_runs(printed: str, where: str, wider: str
 @pytest.mark.parametrize(("printed", "where"), NOT_INSIDE)
 def test_what_runs_without_values_proves_nothing(printed: str, where: str) -> None:
     assert judge(printed, where)[0] not in ACCEPTED
+
+
+def test_what_is_needed_up_to_infinity_is_shown() -> None:
+    assert list_unshown_inside(sp.Integral(sp.sqrt(-y) * sp.exp(y), (y, -sp.oo, 0)), DOMAIN) == []
+    assert list_unshown_inside(sp.Integral(sp.sqrt(y) * sp.exp(y), (y, -sp.oo, 0)), DOMAIN)
 
 
 def test_what_is_not_shown_is_told_with_where_it_runs() -> None:

@@ -61,8 +61,7 @@ class Role(StrEnum):
 
 # What is taken as given.
 CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
-
-
+# A letter over which a part of a print goes alone, and the letters of that part.
 Varied = tuple[sp.Basic, frozenset[sp.Basic]]
 
 

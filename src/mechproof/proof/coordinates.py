@@ -36,6 +36,17 @@ class Coordinates:
     nonnegative: set[sp.Basic]
 
 
+def parametrise(variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr) -> tuple[sp.Expr, sp.Interval]:
+    """Return the variable by one that runs between numbers, and where that runs."""
+    if lower.is_number and upper.is_number:
+        return variable, sp.Interval(lower, upper)
+    if upper.is_infinite:
+        return lower + variable, sp.Interval(0, sp.oo)
+    if lower.is_infinite:
+        return upper + variable, sp.Interval(-sp.oo, 0)
+    return lower + (upper - lower) * variable, sp.Interval(0, 1)
+
+
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
     """Let a number of an interval be written by one that is positive or not negative."""
     if where in COUNTS and where != sp.S.Integers:

@@ -10,6 +10,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.cases import narrow
+from mechproof.proof.coordinates import parametrise
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_shown
@@ -55,13 +56,14 @@ def _count(node: ExprWithLimits) -> ExprWithLimits:
 def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
     """Tell whether a need is met wherever the variables run, also between whole numbers."""
     number, strict = one.need
-    for variable, low, high in one.limits:
+    for variable, *ends in one.limits:
+        low, high = ends[::-1] if (ends[0] > ends[1]) == sp.true else ends
         run = sp.Dummy(variable.name, real=True)
-        is_endless = high.is_infinite
-        place = low + (run if is_endless else (high - low) * run)
+        place, inside = parametrise(run, low, high)
         # At the ends of an integral its integrand need have no value.
-        is_open = not variable.is_integer
-        inside = sp.Interval(0, sp.oo if is_endless else 1, is_open, is_open)
+        inside = inside if variable.is_integer else inside.interior
+        if low == high:
+            place, inside = low, sp.S.Reals
         number, domain = number.subs(variable, place), domain.with_set(run, inside)
     return _is_shown(Slack(number, strict), domain)
 

@@ -20,6 +20,7 @@ from sympy.polys.polyerrors import PolynomialError
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
+from mechproof.proof.coordinates import parametrise
 from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
@@ -128,7 +129,7 @@ def _find_by_antiderivative(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
     """Return the difference of an antiderivative, of its limits where it has no values itself."""
-    place, run = _parametrise(variable, lower, upper)
+    place, run = parametrise(variable, lower, upper)
     inside = domain.with_set(variable, run.interior)
     slope = sp.diff(place, variable)
     running = _put(integrand, variable, place)
@@ -145,19 +146,6 @@ def _find_by_antiderivative(
         if low is not None and high is not None:
             return high - low
     return None
-
-
-def _parametrise(
-    variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
-) -> tuple[sp.Expr, sp.Interval]:
-    """Return the variable by one that runs between numbers, and where that runs."""
-    if lower.is_number and upper.is_number:
-        return variable, sp.Interval(lower, upper)
-    if upper.is_infinite:
-        return lower + variable, sp.Interval(0, sp.oo)
-    if lower.is_infinite:
-        return upper + variable, sp.Interval(-sp.oo, 0)
-    return lower + (upper - lower) * variable, sp.Interval(0, 1)
 
 
 def _put(expression: sp.Expr, variable: sp.Symbol, place: sp.Expr) -> sp.Expr:

@@ -2,9 +2,9 @@
 
 A number that is made of whole numbers by sums, products, quotients and roots, and of sines, cosines
 and tangents of parts of a turn, is the quotient of two algebraic integers whose conjugates have
-bounds. It is zero, or larger than what they and its degree give: the bound of Burnikel, Fleischer,
-Funke, Mehlhorn, Schirra and Schmitt (2009), whose third rule is used here, with twice the cosine of
-a part of a turn as a further algebraic integer: no conjugate of it is beyond two.
+bounds. It is zero, or larger than what they and its degree give: the bound of Burnikel, Funke,
+Mehlhorn, Schirra and Schmitt (2001), with twice the cosine of a part of a turn as a further
+algebraic integer, no conjugate of which is beyond two.
 """
 
 from __future__ import annotations
