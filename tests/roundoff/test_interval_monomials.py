@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from mechproof.arithmetic.cover import Boxes, cover_below
+from mechproof.arithmetic.cover import Boxes, are_below, cover_below, cut_again
 from mechproof.arithmetic.intervals import ONE, PI, Interval, between, exactly
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial, MixedBoxesError
@@ -218,3 +218,25 @@ def test_what_has_no_bound_is_below_no_aim() -> None:
 
 def test_a_cover_stops_when_there_are_enough_parts() -> None:
     assert cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 2.0, 20, 2).open is not None
+
+
+def test_a_cover_is_cut_again() -> None:
+    box = ((0.0, 1.0), (0.0, 1.0))
+    found = cover_below(edge, box, 2.0, 1000, 2)
+    parts, left = cut_again(box, 2, found.cuts)
+    assert len(parts) == found.count
+    assert not len(left)
+    assert np.all(are_below(edge(parts), 2.0))
+    sides = parts[:, :, 1] - parts[:, :, 0]
+    assert np.sum(sides[:, 0] * sides[:, 1]) == 1
+    assert len(np.unique(parts, axis=0)) == len(parts)
+
+
+def test_cuts_of_no_box_are_refused() -> None:
+    box = ((0.0, 1.0), (0.0, 1.0))
+    found = cover_below(edge, box, 2.0, 1000, 2)
+    for wrong in (found.cuts[:-1], np.where(found.cuts == 0, 2, found.cuts).astype(np.int8)):
+        with pytest.raises(ValueError, match="parts have the cuts"):
+            cut_again(box, 2, wrong)
+    _, left = cut_again(box, 2, np.append(found.cuts, np.int8(0)))
+    assert left.tolist() == [0]

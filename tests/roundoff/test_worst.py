@@ -11,7 +11,7 @@ import sympy as sp
 from certified import GROUP, claims, name_claim, subject_of, subjects
 from weights import first_of
 
-from mechproof.arithmetic.cover import Box
+from mechproof.arithmetic.cover import WHOLE, Box, Cover
 from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, extended, worst
@@ -164,7 +164,9 @@ def test_an_input_beyond_what_is_proved_refutes_the_proof(monkeypatch: pytest.Mo
     subject = subject_of(claim)
     at = {name: float.fromhex(text) for name, text in claim.at.items()}
     monkeypatch.setattr(certificate, "_lower_bound", lambda subject, low: claim.proved)
-    monkeypatch.setattr(certificate, "cover_all", lambda subject, aim, most: [])
+    region = next(list_regions(subject.form.charts[0]))
+    cover = Cover(1, ((claim.proved, region.box),), None, np.array([WHOLE], np.int8))
+    monkeypatch.setattr(certificate, "cover_all", lambda subject, aim, most: [(region, cover)])
     found = WorstRounding(claim.proved * 1.001, at)
     monkeypatch.setattr(certificate, "_search", lambda subject, covers: found)
     with pytest.raises(ArithmeticError, match=f"^{claim.quantity}\\..* at most {claim.proved}"):

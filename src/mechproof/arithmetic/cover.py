@@ -18,6 +18,9 @@ Box = tuple[Side, ...]
 # Many boxes: their sides, and of each the ends.
 Boxes = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
+# Of each part in its turn, the side across which it is cut, or that it is not.
+Cuts = NDArray[np.int8]
+WHOLE = -1
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-13
 # So many of the parts with the largest bounds are kept.
@@ -30,11 +33,12 @@ CUTS = 2
 
 @dataclass(frozen=True)
 class Cover:
-    """How many parts are below an aim, the worst of all, and one that is not below."""
+    """How many parts are below an aim, the worst of all, one that is not below, and the cuts."""
 
     count: int
     worst: tuple[tuple[float, Box], ...]
     open: Box | None
+    cuts: Cuts
 
 
 def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Cover:
@@ -44,10 +48,12 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
     """
     whole, count = as_boxes(box), 0
     worst: list[tuple[float, Box]] = []
+    cuts: list[Cuts] = []
     waiting = divide(whole, first)
     heights = bound(waiting)
     while len(waiting):
-        high = ~(np.isfinite(heights) & (heights <= aim))
+        high = ~are_below(heights, aim)
+        cuts.append(np.full(len(waiting), WHOLE, np.int8))
         count += int(np.sum(~high))
         worst = _keep_worst(worst, heights[~high], waiting[~high])
         waiting, heights = waiting[high], heights[high]
@@ -56,9 +62,33 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
         halves = halve(bound, waiting, heights, whole) if count + 2 * len(waiting) <= most else None
         if halves is None or halves.middle > aim:
             left = as_box(waiting[np.argmax(heights)])
-            return Cover(count, ((float(heights.max()), left), *worst), left)
+            highest = ((float(heights.max()), left), *worst)
+            return Cover(count, highest, left, np.concatenate(cuts))
+        cuts[-1][high] = halves.sides
         waiting, heights = halves.boxes, halves.heights
-    return Cover(count, tuple(worst), None)
+    return Cover(count, tuple(worst), None, np.concatenate(cuts))
+
+
+def are_below(heights: Array, aim: float) -> NDArray[np.bool_]:
+    """Say of which parts the bounds are below an aim; of what has none they are not."""
+    return np.isfinite(heights) & (heights <= aim)
+
+
+def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
+    """Return the parts of a box that `cover_below` divided so, and the cuts that are left over.
+
+    They cover the box whatever the cuts are; ValueError for cuts that end too soon or have no side.
+    """
+    waiting = divide(as_boxes(box), first)
+    parts = [waiting[:0]]
+    while len(waiting):
+        sides, cuts = cuts[: len(waiting)], cuts[len(waiting) :]
+        if len(sides) < len(waiting) or not np.all((sides >= WHOLE) & (sides < len(box))):
+            raise ValueError(f"{len(waiting)} parts have the cuts {sides.tolist()}")
+        parts.append(waiting[sides == WHOLE])
+        rows = np.flatnonzero(sides != WHOLE)
+        waiting = np.concatenate(_cut(waiting, rows, sides[rows].astype(np.intp)))
+    return np.concatenate(parts), cuts
 
 
 def _keep_worst(
@@ -85,11 +115,12 @@ def divide(whole: Boxes, sides: int) -> Boxes:
 class Halves:
     """Both halves of boxes, all the first before the second, with their bounds.
 
-    The bound at the middle of the highest box comes with them.
+    The sides across which they were cut and the bound at the middle of the highest come with them.
     """
 
     boxes: Boxes
     heights: Array
+    sides: NDArray[np.intp]
     middle: float
 
 
@@ -121,10 +152,10 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
     sides = np.where(lowest.min(axis=1) < heights, best, longest)
     chosen = np.concatenate(_cut(boxes, every, sides))
     if not cut.any():
-        return Halves(chosen, bound(chosen), float(found[0]))
+        return Halves(chosen, bound(chosen), sides, float(found[0]))
     known = np.full((2, *cut.shape), np.nan)
     known[:, cut] = found[1 + len(thin) :].reshape(2, -1)
-    return Halves(chosen, known[:, every, sides].ravel(), float(found[0]))
+    return Halves(chosen, known[:, every, sides].ravel(), sides, float(found[0]))
 
 
 def _flatten(boxes: Boxes, rows: NDArray[np.intp], sides: NDArray[np.intp]) -> Boxes:

@@ -1,9 +1,9 @@
 """Certificates: what is proved of the rounding errors of a system's kernels, as data.
 
-A claim of a kernel's stage is the largest bound over all boxes; who checks it divides the domain
-anew until every box is below it. FPTaylor and PRECiSA (Titolo et al. 2018) write proofs for HOL
-Light and PVS: nothing as strong is claimed here, where the checker is the prover with the bound as
-its aim. The worst input found stands beside it.
+A claim of a kernel's stage is the largest bound over all boxes; who checks it cuts the domain as it
+was cut before and bounds every box anew. FPTaylor and PRECiSA (Titolo et al. 2018) write proofs for
+HOL Light and PVS: nothing as strong is claimed here, where boxes are bounded by what found the
+claim. The worst input found stands beside it.
 """
 
 from __future__ import annotations
@@ -16,12 +16,14 @@ from functools import partial
 
 import numpy as np
 
-from mechproof.arithmetic.cover import WORST, Cover, cover_below
+from mechproof.arithmetic.cover import WORST, Cover, Cuts, are_below, cover_below, cut_again
+from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.cuts import read_cuts, write_cuts
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
@@ -39,8 +41,8 @@ class RoundingClaim:
     """A bound of the error of a stage in eps of its scale, and the worst error found.
 
     `where` says for which arguments, all if it is empty, `program` is the hash of steps and
-    coordinates, `boxes` how many show the bound, `open` what is not shown; `at` has the arguments
-    as hexadecimal texts.
+    coordinates, `boxes` how many show the bound, `cuts` which these are, `open` what is not shown;
+    `at` has the arguments as hexadecimal texts.
     """
 
     quantity: str
@@ -54,6 +56,7 @@ class RoundingClaim:
     open: str
     assumptions: tuple[str, ...]
     program: str
+    cuts: str
 
 
 @dataclass(frozen=True)
@@ -166,16 +169,49 @@ def holds(
     # Functions of NumPy differ between hosts, plain arithmetic does not.
     if subject.assumptions == (NORMAL,) and claim.found != _round_down(off.eps):
         return False
-    bounds = [(one.proved, one.boxes, one.open) for one in shown]
-    if (claim.proved, claim.boxes, claim.open) in bounds:
+    bounds = [(one.proved, one.boxes, one.open, one.cuts) for one in shown]
+    if (claim.proved, claim.boxes, claim.open, claim.cuts) in bounds:
         return True
-    # A wrong claim is known by one box too many.
-    covers = cover_all(subject, claim.proved, MOST if claim.open else claim.boxes)
-    return (_count(covers), _tell_open(covers)) == (claim.boxes, claim.open)
+    if claim.open:
+        covers = cover_all(subject, claim.proved, MOST)
+        return (_count(covers), _tell_open(covers)) == (claim.boxes, claim.open)
+    return is_shown(subject, claim)
+
+
+def is_shown(subject: ComputedStage, claim: RoundingClaim) -> bool:
+    """Say whether the boxes of a claim cover all regions and its bound is the largest, nearly."""
+    try:
+        heights = np.concatenate([*_bound_again(subject, read_cuts(claim.cuts))])
+    except ValueError:
+        return False
+    # Two numbers of so many digits: the largest bound may lie on one of them.
+    is_least = claim.proved - heights.max() < 2 * 10**-DIGITS
+    return bool(
+        len(heights) == claim.boxes and is_least and np.all(are_below(heights, claim.proved))
+    )
+
+
+def _bound_again(subject: ComputedStage, cuts: Cuts) -> Iterator[Array]:
+    """Bound the boxes of every region; ValueError for cuts that are not those of its regions."""
+    for region in _list_regions(subject):
+        boxes, cuts = cut_again(region.box, region.count_first(), cuts)
+        yield subject.bound(region, boxes)
+    if len(cuts):
+        raise ValueError(f"cuts that no region has: {cuts.tolist()}")
+
+
+def _list_regions(subject: ComputedStage) -> Iterator[ChartRegion]:
+    for chart in subject.form.charts:
+        yield from list_regions(chart)
 
 
 def _round_down(eps: float) -> float:
     cut: float = math.floor(eps * 10**DIGITS) / 10**DIGITS
+    return cut
+
+
+def _round_up(eps: float) -> float:
+    cut: float = math.ceil(eps * 10**DIGITS) / 10**DIGITS
     return cut
 
 
@@ -188,14 +224,13 @@ def _measure_again(subject: ComputedStage, claim: RoundingClaim) -> WorstRoundin
 def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[ChartRegion, Cover]]:
     """Show region by region that the error is at most an aim; the last may stay open."""
     covers: list[tuple[ChartRegion, Cover]] = []
-    for chart in subject.form.charts:
-        for region in list_regions(chart):
-            bound = partial(subject.bound, region)
-            left = most - _count(covers)
-            cover = cover_below(bound, region.box, aim, left, region.count_first())
-            covers.append((region, cover))
-            if cover.open is not None:
-                return covers
+    for region in _list_regions(subject):
+        bound = partial(subject.bound, region)
+        left = most - _count(covers)
+        cover = cover_below(bound, region.box, aim, left, region.count_first())
+        covers.append((region, cover))
+        if cover.open is not None:
+            break
     return covers
 
 
@@ -217,6 +252,8 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     before = [_measure_again(subject, known)] if known else []
     proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
     covers = cover_all(subject, proved, MOST)
+    if not _tell_open(covers):
+        proved = min(proved, _round_up(max(cover.worst[0][0] for _, cover in covers)))
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
     if worst.eps > proved:
         at = {name: value.hex() for name, value in worst.at.items()}
@@ -233,6 +270,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
         open=_tell_open(covers),
         assumptions=subject.assumptions,
         program=subject.digest,
+        cuts=write_cuts([cover.cuts for _, cover in covers]),
     )
 
 
