@@ -90,6 +90,17 @@ def test_relative_errors_are_bounded_where_the_value_does_not_vanish() -> None:
     assert bound_of(program_of("himmilbeau", RELATIVE), parts=2000).bound == np.inf
 
 
+@pytest.mark.parametrize("tiny", [Fraction(2) ** -1070, Fraction(2) ** -600])
+def test_what_falls_below_the_normal_range_is_not_searched(tiny: Fraction) -> None:
+    """There a real input, or what is multiplied, is not rounded to a share of itself."""
+    (core,) = read_cores("(FPCore (x) :pre (<= 0 x 1) (* x x))")
+    program = put_in_box(core.straight, core.box, Convention(True, True))
+    assert measure(program, {"x": tiny / 3}) == -1.0
+    assert measure(program, {"x": Fraction(1, 3)}) > 0
+    near = find_worst_input(program, (((0.0, float(tiny)),),))
+    assert near is None or near.error <= bound_of(program).bound
+
+
 def test_what_vanishes_with_an_input_keeps_a_relative_bound() -> None:
     """x/(x + 1) on [0, 999]: two roundings of half an ulp, down to zero."""
     largest = bound_of(program_of("t_div_t1", RELATIVE))

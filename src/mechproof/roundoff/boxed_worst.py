@@ -21,13 +21,15 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.roundoff import climb
 from mechproof.roundoff.boxed import BoxedProgram
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, look_up, run, run_steps
 
 BITS = 256
 DRAWN, SEED = 400, 1
 BY_LONG_DOUBLES, ROUNDS = climb.Schedule(300, 4), 100
 # Nearer to where the next double begins a real number may be rounded there.
 NEAREST = 1 - 2.0**-20
+# What is smaller and not zero is not rounded to a share of itself, as bounds take it.
+SMALLEST = float(np.finfo(float).tiny)
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
 
 
 def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
-    """Return the error at exact inputs, as balls have it; -1 outside the ranges."""
+    """Return the error at exact inputs, as balls have it; -1 outside the ranges, or near zero."""
     if any(not low <= at[name] <= high for name, (low, high) in program.ranges.items()):
         return -1.0
     given = {name: np.float64(float(value)) for name, value in at.items()}
@@ -76,11 +78,18 @@ def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
     if not np.isfinite(found):
         return -1.0
     with working_precision(BITS):
-        (exact,) = run(program.straight, {n: to_ball(v) for n, v in at.items()}, IN_BALLS)
+        values = run_steps(program.straight, {n: to_ball(v) for n, v in at.items()}, IN_BALLS)
+        if any(value != 0 and value.abs_upper() < SMALLEST for value in _list_balls(values)):
+            return -1.0
+        exact = look_up(values, program.straight.outputs[0], IN_BALLS)
         error = abs(arb(float(found)) - exact)
         error = error / abs(exact) if program.convention.relative else error
         # The lower end: as much it is for certain.
         return float(error.lower()) if error.is_finite() else -1.0
+
+
+def _list_balls(values: Mapping[str, Any]) -> Iterator[arb]:
+    return (value for value in values.values() if isinstance(value, arb))
 
 
 def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:
@@ -121,8 +130,11 @@ def _estimate(program: BoxedProgram, points: climb.Points) -> Array:
         (found,) = run(
             program.straight, dict(zip(program.straight.inputs, doubles, strict=True)), IN_DOUBLES
         )
-        (exact,) = run(program.straight, given, IN_EXTENDED)
+        values = run_steps(program.straight, given, IN_EXTENDED)
+        exact = look_up(values, program.straight.outputs[0], IN_EXTENDED)
         error = np.abs(found - exact)
         error = error / np.abs(exact) if program.convention.relative else error
         known = inside & np.isfinite(error)
+        for value in values.values():
+            known &= (value == 0) | (np.abs(value) >= SMALLEST)
         return np.where(known, error, -1.0).astype(float)

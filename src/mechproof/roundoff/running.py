@@ -94,13 +94,24 @@ def run(
     straight: StraightLineProgram | Program, given: Mapping[str, Any], arithmetic: Arithmetic
 ) -> tuple[Any, ...]:
     """Return the outputs at the values of the inputs, in an arithmetic."""
+    values = run_steps(straight, given, arithmetic)
+    return tuple(look_up(values, output, arithmetic) for output in straight.outputs)
+
+
+def run_steps(
+    straight: StraightLineProgram | Program, given: Mapping[str, Any], arithmetic: Arithmetic
+) -> Values:
+    """Return the values of inputs and of all steps, in an arithmetic."""
     values: Values = {**ENDLESS, **given}
     steps = straight.operations if isinstance(straight, Program) else straight.steps
-
-    def look_up(operand: Operand) -> Any:
-        return values[operand] if isinstance(operand, str) else arithmetic.number(operand)
-
     for step in steps:
-        operands = step.operands if step.kind == CONSTANT else map(look_up, step.operands)
+        operands = step.operands
+        if step.kind != CONSTANT:
+            operands = tuple(look_up(values, operand, arithmetic) for operand in operands)
         values[step.result] = arithmetic[step.kind](*operands)
-    return tuple(map(look_up, straight.outputs))
+    return values
+
+
+def look_up(values: Values, operand: Operand, arithmetic: Arithmetic) -> Any:
+    """Return the value of an operand, which is an input's, a step's or a number."""
+    return values[operand] if isinstance(operand, str) else arithmetic.number(operand)
