@@ -34,8 +34,8 @@ _FIRST = (
     decide_by_logarithms,
     decide_by_induction,
 )
-# A look at what is likely to be false.
-_POINTS, _PRECISIONS = 2, (64,)
+# A look at what is likely to be false: of numbers, which are soon computed, a better one.
+_POINTS, _PRECISIONS, _PRECISIONS_OF_NUMBERS = 2, (64,), (64, 2048)
 _LAST = (decide_by_inverse, decide_by_telescoping)
 
 
@@ -64,7 +64,9 @@ def _differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
     # Of a domain in which no point is found nothing is known yet.
     with suppress(RecordError):
         one, other = sides
-        return compare(one, other, domain, _POINTS, _PRECISIONS).counterexample is not None
+        has_letters = one.free_symbols or other.free_symbols
+        precisions = _PRECISIONS if has_letters else _PRECISIONS_OF_NUMBERS
+        return compare(one, other, domain, _POINTS, precisions).counterexample is not None
     return False
 
 

@@ -27,8 +27,8 @@ from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
 POINTS = 40
-# Where a point takes long.
-FEW = 10
+# Where a point takes long, and where it takes long to find that there is no value.
+FEW, FEWEST = 10, 4
 PRECISIONS = (64, 192, 512)
 # How many choices of counts.
 _CHOICES = 3
@@ -67,7 +67,7 @@ def compare(
     has_integrals = has_parts(printed, sp.Integral) or has_parts(rebuilt, sp.Integral)
     for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
         # Where integrals have no value at one point after another, each takes long.
-        if has_integrals and undecided >= FEW:
+        if has_integrals and undecided >= FEWEST:
             break
         left, right, decided = _enclose_both(printed, rebuilt, point, precisions)
         if decided == "apart":
