@@ -31,8 +31,8 @@ DERIVED = (".py", ".tex", ".json")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Let a part of the chosen tests be run, the same each time."""
-    told = "run one in N of the chosen tests, the same ones each time"
+    """Let a part of the thorough tests be run, the same each time."""
+    told = "run one in N of the thorough tests, the same ones each time"
     parser.addoption("--one-in", type=int, default=1, metavar="N", help=told)
 
 
@@ -73,13 +73,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
 def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what other parts of the tests have."""
-    count = config.getoption("one_in")
-    if count == 1:
-        return
-    kept = {*_take_share(items, count)}
-    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
-    items[:] = [item for item in items if item in kept]
+    """Leave out what other parts of the thorough tests have."""
+    thorough = [item for item in items if item.get_closest_marker("thorough")]
+    left_out = {*thorough} - {*_take_share(thorough, config.getoption("one_in"))}
+    if left_out:
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
+        items[:] = [item for item in items if item not in left_out]
 
 
 def _list_shown(items: list[pytest.Item]) -> Iterator[pytest.Item]:

@@ -1,9 +1,9 @@
-"""`--one-in N` keeps one in N of the chosen tests, by their names alone."""
+"""`--one-in N` keeps one in N of the thorough tests, by their names alone, and all others."""
 
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -17,6 +17,10 @@ class Item:
 
     path: Path
     name: str
+    mark: str = "thorough"
+
+    def get_closest_marker(self, name: str) -> bool:
+        return name == self.mark
 
 
 ITEMS = [Item(Path(f"test_{f}.py"), f"test_it[{number}]") for f in "abc" for number in range(35)]
@@ -48,6 +52,12 @@ def test_a_part_is_the_same_in_every_order_and_of_every_file(plugin: Any) -> Non
         mixed = random.Random(seed).sample(ITEMS, len(ITEMS))
         assert choose(plugin, 7, mixed)[0] == kept
     assert choose(plugin, 1, ITEMS) == ({f"{item.path} {item.name}" for item in ITEMS}, set())
+
+
+def test_what_is_not_thorough_is_kept(plugin: Any) -> None:
+    slow = [replace(item, name=f"{item.name} slow", mark="slow") for item in ITEMS]
+    kept, _ = choose(plugin, 7, [*ITEMS, *slow])
+    assert kept == {*choose(plugin, 7, ITEMS)[0], *choose(plugin, 1, slow)[0]}
 
 
 @pytest.mark.parametrize("count", [0, -1])
