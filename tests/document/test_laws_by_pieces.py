@@ -120,6 +120,31 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "not judged", "PROVED", "PROVED"],
     ),
+    "pieces in ranges of an angle that moves": (
+        [
+            r"x=r\cdot(1-\cos\varphi),\quad 0\le\varphi\le\pi/2",
+            r"x=r\cdot(\varphi-\pi/2+1),\quad\pi/2\le\varphi\le\pi",
+            r"\dot x=r\dot\varphi\sin\varphi,\quad 0\le\varphi\le\pi/2",
+            r"\ddot x=r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi,\quad 0<\varphi<\pi/2",
+            r"\dot x=r\dot\varphi,\quad\pi/2\le\varphi\le\pi",
+        ],
+        ["DEFINITION", "DEFINITION", *["PROVED"] * 4],
+    ),
+    "one range of an angle that moves, and a wrong velocity": (
+        [
+            r"x=r\cdot(1-\cos\varphi),\quad 0\le\varphi\le\pi/2",
+            r"\dot x=r\dot\varphi\cos\varphi",
+            r"\ddot x=r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi",
+        ],
+        ["DEFINITION", "REFUTED", "PROVED"],
+    ),
+    "a place in a range of an angle, another in one of time": (
+        [
+            r"x=r\cdot(1-\cos\varphi),\quad 0\le\varphi\le\pi/2",
+            r"x=r k,\quad t\ge0",
+        ],
+        ["DEFINITION", "DEFINITION"],
+    ),
     "pieces of a law are no contradiction": (
         [r"k=m,\quad m>0", r"k=-m,\quad m<0"],
         ["DEFINITION", "DEFINITION"],

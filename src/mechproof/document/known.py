@@ -147,6 +147,11 @@ class Known:
             if letter not in self.values:
                 self.define(letter, join_pieces(laws[letter]), self.name_law(letter))
 
+    def find_parted(self, letter: sp.Basic) -> sp.Basic:
+        """Return the letter of whose ranges the pieces are that give another or its rate."""
+        by, steps = self.symbols.find_steps(letter)
+        return next((self.laws[s][0].by for s in steps if s in self.laws), by)
+
     def name_law(self, letter: sp.Basic) -> str:
         """Return which equations print the pieces of a law."""
         return " and ".join(dict.fromkeys(one.name for one in self.laws[letter]))

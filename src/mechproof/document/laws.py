@@ -16,13 +16,14 @@ _CLOSED = (sp.Le, sp.Ge)
 
 @dataclass(frozen=True)
 class Piece:
-    """A value of a letter in a range of the one on which it depends, and who prints it.
+    """A value of a letter in a range of another one, `by`, and who prints it.
 
     The ends of the range are None where there is none.
     """
 
     name: str
     value: Any
+    by: sp.Basic
     where: tuple[sp.Basic, ...]
     low: sp.Expr | None
     high: sp.Expr | None
@@ -61,15 +62,18 @@ def read_piece(name: str, value: Any, relations: Sequence[sp.Basic], by: sp.Basi
         ends[lower] = (end, isinstance(relation, _CLOSED))
     low, high = (ends.get(lower, (None, False)) for lower in (True, False))
     where = tuple(relations)
-    return Piece(name, value, where, low[0], high[0], (low[1], high[1])) if ends else None
+    closed = low[1], high[1]
+    return Piece(name, value, by, where, low[0], high[0], closed) if ends else None
 
 
 def order_pieces(pieces: Sequence[Piece]) -> list[Piece]:
     """Return pieces in the order in which each begins where another ends; none if they do not.
 
-    Of those with the same range the first is meant.
+    Of those with the same range the first is meant. All are ranges of the same letter.
     """
     ranges: dict[Any, Piece] = {}
+    if any(piece.by != pieces[0].by for piece in pieces):
+        return []
     for piece in pieces:
         ranges.setdefault(piece.range, piece)
     starts = {low: piece for (low, _), piece in ranges.items()}

@@ -254,12 +254,21 @@ def _is_worked_out(node: Node) -> bool:
 def _note_piece(
     name: str, read: Print, condition: Chain, sides: tuple[sp.Basic, Any], known: Known
 ) -> None:
-    """Note what is printed of a letter in a range of the one on which it depends."""
+    """Note what is printed of a letter in a range of the one on which it depends.
+
+    Or of another one that depends on the same.
+    """
     symbol, value = sides
     by, steps = known.symbols.find_steps(symbol)
-    relations = read.meaning().relate(condition) if by not in steps else ()
-    if piece := read_piece(name, value, relations, by):
-        known.pieces.setdefault(symbol, []).append(piece)
+    if by in steps:
+        return
+    relations = read.meaning().relate(condition)
+    said = {letter for relation in relations for letter in relation.free_symbols}
+    with_it = {x for x in said & value.free_symbols if known.symbols.find_steps(x)[0] == by}
+    for letter in (by, *sorted(with_it - {*steps}, key=str)):
+        if piece := read_piece(name, value, relations, letter):
+            known.pieces.setdefault(symbol, []).append(piece)
+            return
 
 
 def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:

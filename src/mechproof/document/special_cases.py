@@ -54,7 +54,7 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     """
     if not isinstance(row.says, Equality) or sign.letter is None:
         return row
-    by, steps = known.symbols.find_steps(sign.letter)
+    by, steps = known.find_parted(sign.letter), known.symbols.find_steps(sign.letter)[1]
     sides = _choose_pieces(row.on, by, (row.says.printed, row.says.rebuilt), known)
     row = replace(row, says=replace(row.says, printed=sides[0], rebuilt=sides[1]))
     laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
@@ -63,9 +63,9 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     outer = dict.fromkeys(end for side in sides for end in list_outer_ends(side, by))
     if not (apart or outer):
         return row
-    text = "the interiors of the pieces" if apart else "the printed pieces"
+    text = "no two pieces meet" if apart else "a printed piece holds"
     part = row.on or Part("", {})
-    text = f"{part.text}, on {text}" if part.text else text
+    text = f"{part.text} and {text}" if part.text else text
     return replace(row, on=_narrow(Part(text, part.within, (*part.where, *apart)), outer, known))
 
 

@@ -100,7 +100,7 @@ class TaskMaker:
         A letter whose derivative is printed does not jump, nor does one at a place of two pieces.
         """
         for letter, pieces in self.known.laws.items():
-            by, steps = self.known.symbols.find_steps(letter)
+            by, steps = pieces[0].by, self.known.symbols.find_steps(letter)[1]
             order = steps.index(letter)
             is_smooth = not order and self.known.met[steps[1]] > 0
             for seam in find_seams(pieces):
