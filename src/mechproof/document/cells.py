@@ -14,6 +14,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.record import find_last_place
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 _SINGLE = re.compile(r"\\(?:mathrm|text|rm)\s+(?=[A-Za-z])")
 _DEGREE = re.compile(r"\^?\s*\{?\s*\\(?:circ|degree)(?![A-Za-z])\s*\}?|º")
 _MICRO = re.compile(r"\\mu(?![A-Za-z])\s*")
@@ -81,7 +82,7 @@ def name_unit(text: str) -> str:
     r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
     shown = _DEGREE.sub("°", _BLANK.sub(" ", _MICRO.sub("µ", text)).replace(r"\%", "%"))
     shown = drop_braces(shown)
-    while (inside := _UPRIGHT.sub(r"\1", shown)) != shown:
+    while (inside := _FRACTION.sub(_write_slash, _UPRIGHT.sub(r"\1", shown))) != shown:
         shown = inside
     shown = _SINGLE.sub("", shown)
     shown = spell_unit(shown.strip(" {}[]()")).replace("{", "").replace("}", "")
@@ -90,6 +91,12 @@ def name_unit(text: str) -> str:
     except UnitError:
         return ""
     return shown
+
+
+def _write_slash(fraction: re.Match[str]) -> str:
+    """Write a fraction of units with slashes, W/m^2/K."""
+    below = re.split(r"\s*(?:\\cdot|[\s·*])\s*", fraction[2].strip())
+    return "/".join((fraction[1], *below))
 
 
 def find_unit(text: str) -> Unit | None:

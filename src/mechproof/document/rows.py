@@ -12,6 +12,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document.block import Declared, read_block
+from mechproof.document.calculated_sizes import calculate_sizes
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.known import Known
@@ -186,7 +187,7 @@ class Document:
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
         self.known.said = printed.announced
-        read = reader.parse(latex, printed.name, int(branch is None))
+        read = calculate_sizes(reader.parse(latex, printed.name, int(branch is None)))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         refuse_units(read)

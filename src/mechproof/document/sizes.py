@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.document.cells import Head, Numeral
 from mechproof.document.conversions import (
     NEAR,
@@ -37,6 +38,7 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
+_PUT_IN = "the numbers that are put in give {}, the sizes {}: are others meant?"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
@@ -69,7 +71,7 @@ class Sizes:
         letters what any equation does.
         """
         if not sign.number:
-            return _SPECIAL
+            return self._put_in(sign, own, printed)
         if sign.given[1]:
             return convert(sign, own, self.known.symbols)
         is_constraint = sign.role is Role.CONSTRAINT
@@ -86,9 +88,32 @@ class Sizes:
             return None
         return self._round(sign, own, printed)
 
+    def _put_in(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> Equality | str:
+        """State that a calculation is a formula with the sizes put in; another accuses nobody."""
+        calculated = [side for side in sign.sides if not side.free_symbols]
+        if len(calculated) != 1 or any(isinstance(s, sp.MatrixBase) for s in sign.sides):
+            return _SPECIAL
+        sizes, formula = self._list_at(printed)[-1], _find_formula(sign)
+        settled = (self.known.settle(formula), self.known.settle(formula, stop=sizes))
+        formulas = [one for one in settled if one.free_symbols <= sizes.keys()]
+        unit = read_unit(sign.unit) if sign.unit else None
+        if not formulas:
+            return _missing(settled[0].free_symbols - sizes.keys())
+        if unit and not self._fits(formulas[0], own, unit):
+            return UNFIT
+        values = [one.xreplace(sizes) for one in self._read(formulas, own, unit)]
+        for value in values:
+            if balls.evaluate(value - calculated[0], {}).contains(0):
+                return Equality(value, calculated[0], "member")
+        put_in = (_show(value) for value in (calculated[0], *values[:1]))
+        return _PUT_IN.format(*put_in) if values else _SPECIAL
+
     def tell(self, sign: Sign, printed: Printed) -> str:
         """Say which printed sizes a number is compared at, and which sentences state anew."""
-        letters = self.known.settle(sign.value).free_symbols
+        formula = _find_formula(sign)
+        letters = self.known.settle(formula).free_symbols
+        if not sign.number:
+            letters |= self.known.settle(formula, stop=self._list_at(printed)[-1]).free_symbols
         used = self._list_used(letters)
         sizes = (f"{s} = {one.size.value} of {one.name}" for s, one in used.items())
         restated = self._name_restated(letters, printed)
@@ -106,6 +131,11 @@ class Sizes:
     def _list_sizes(self) -> dict[sp.Basic, RoundedSize]:
         usual = {s: RoundedSize(value) for s, value in self.known.symbols.usual.items()}
         return {s: one.size for s, one in self.printed.items()} | usual
+
+    def _list_at(self, printed: Printed) -> tuple[dict[sp.Basic, sp.Expr], ...]:
+        """Return the sizes of letters, and those with which the text has stated some anew."""
+        sizes = {s: size.value for s, size in self._list_sizes().items()}
+        return sizes, sizes | {s: x.value for s, x in self.restated.list_before(printed).items()}
 
     def _list_used(self, letters: Iterable[sp.Basic]) -> dict[sp.Basic, PrintedSize]:
         """Return the printed sizes among those at which a formula of letters is compared."""
@@ -162,10 +192,9 @@ class Sizes:
         if unit and value.free_symbols and not self._fits(value, own, unit):
             return UNFIT
         read = [*self._read(formulas, own, unit)]
-        exact = {s: size.value for s, size in self._list_sizes().items()}
-        anew = {s: one.value for s, one in self.restated.list_before(printed).items()}
+        exact, anew = self._list_at(printed)
         stated = [PrintedNumber(sign.number, one.xreplace(exact)) for one in read]
-        renewed = [PrintedNumber(sign.number, one.xreplace(exact | anew)) for one in read]
+        renewed = [PrintedNumber(sign.number, one.xreplace(anew)) for one in read]
         nearest = min(stated, key=_find_distance)
         is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
         values = [one.value for one in (*stated, *renewed)]
@@ -196,7 +225,7 @@ class Sizes:
         value = self.known.settle(sign.value)
         # A letter that has a size, too, may be meant by either.
         formulas = [*dict.fromkeys((value, self.known.settle(sign.value, stop=declared)))]
-        missing = sorted(map(str, value.free_symbols - sizes.keys()))
+        missing = value.free_symbols - sizes.keys()
         if not missing:
             return formulas
         formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
@@ -205,7 +234,7 @@ class Sizes:
         formulas = formulas or [x for x in others if x.free_symbols <= sizes.keys()]
         if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
             return Equality(value, sp.S.Zero, "member")
-        return formulas or f"it depends on sizes that are not declared: {', '.join(missing)}"
+        return formulas or _missing(missing)
 
     def _excuse(
         self,
@@ -343,6 +372,15 @@ def collect_sizes(
     kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
     numeric = frozenset(group for group, is_all in groups.items() if is_all)
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
+
+
+def _missing(letters: Iterable[sp.Basic]) -> str:
+    return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
+
+
+def _find_formula(sign: Sign) -> sp.Expr:
+    """Return the side beside a number, or beside what numbers that are put in give."""
+    return sign.value if sign.number else max(sign.sides, key=lambda side: len(side.free_symbols))
 
 
 def _find_distance(stated: PrintedNumber) -> float:

@@ -207,7 +207,7 @@ class TaskMaker:
         if isinstance(stated, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
         if stated:
-            is_size = isinstance(stated, PrintedNumber)
+            is_size = isinstance(stated, PrintedNumber) or not sign.number
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
             note = f"{row.note} {self.sizes.tell(sign, printed) if is_size else ''}".strip()
             row = replace(row, says=stated, note=note)

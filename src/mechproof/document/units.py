@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -143,6 +144,19 @@ def read_unit(text: str) -> Unit:
         between = _SIGN.match(text, factor.end())
         sign, place = (between[1], between.end()) if between else ("", len(text))
     return found
+
+
+def name_in_si(dimension: Dimension) -> str:
+    """Return the unit of SI of a dimension: N where it has a name, else kg m^2/s."""
+    named = _SCALES.get(dimension, {})
+    if name := next((name for name, scale in named.items() if scale == 1), ""):
+        return name
+    powers = zip(("kg", "m", "s", "K"), _list_powers(dimension), strict=True)
+    return " ".join(name if power == 1 else f"{name}^{power}" for name, power in powers if power)
+
+
+def _list_powers(dimension: Dimension) -> tuple[Any, ...]:
+    return dimension.mass, dimension.length, dimension.time, dimension.temperature
 
 
 def _split(product: str) -> list[str]:

@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
 from mechproof.latex.left_scripts import VECTORS
-from mechproof.latex.measures import read_measure
+from mechproof.latex.measures import read_measure, read_unit
 from mechproof.latex.names import find_brace
 from mechproof.latex.numerals import read_number
 from mechproof.latex.products import make_cross_matrix
@@ -90,7 +90,7 @@ def read_atom(parser: Parser) -> Node:
         return derivatives.read_limit(parser)
     if text == r"\int":
         return calculus.read_integral(parser)
-    return letters.read_letter(parser, None)
+    return read_unit(parser) or letters.read_letter(parser, None)
 
 
 def _read_fraction(parser: Parser, start: int) -> Node:

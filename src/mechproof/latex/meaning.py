@@ -35,6 +35,7 @@ from mechproof.latex.tree import (
     Approach,
     At,
     Bracket,
+    Calculated,
     Call,
     Cases,
     Chain,
@@ -235,6 +236,7 @@ def _any_matrix(parts: list[Any]) -> bool:
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Number: lambda meaning, node: sp.Rational(node.text),
     Measure: lambda meaning, node: sp.Rational(node.number.text),
+    Calculated: lambda meaning, node: node.value,
     Constant: lambda meaning, node: node.value,
     Letter: Meaning.letter,
     Bracket: lambda meaning, node: meaning.of(node.inside),

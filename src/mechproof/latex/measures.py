@@ -1,4 +1,4 @@
-r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, where a member of a relation is one."""
+r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, as a member or a part of one."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import sympy as sp
+
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import GAPS
 from mechproof.latex.tokens import QUANTITIES
-from mechproof.latex.tree import Add, Degrees, Measure, Node, Number, Product, walk
+from mechproof.latex.tree import Add, Calculated, Degrees, Measure, Node, Number, Product, walk
 from mechproof.latex.words import AND, ELSE, IF
 
 if TYPE_CHECKING:
@@ -21,24 +23,26 @@ _COMMAND = re.compile(r"\\[A-Za-z]+\*?|\{")
 _RAISED = r"\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
 _GAP = r"(?:\s|\\[,;:!])*"
 _POWER, _EXPONENT = re.compile(rf"{_GAP}\\(?:cdot|times){_GAP}10{_RAISED}"), re.compile(_RAISED)
+# Digits of what is calculated, far more than are printed.
+_DIGITS = 15
 _BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
 _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 
 
 def read_measure(parser: Parser) -> Number | Measure:
-    """Read a number, and the unit behind it if it is a member of its own."""
+    """Read a number, and the unit behind it: all that follows in its member, or what is upright."""
     is_first = begins_member(parser, parser.place)
     alone, name_unit = read_number(parser), parser.notation.name_unit
-    if not is_first or name_unit is None:
+    if name_unit is None:
         return alone
     place, number = parser.place, _take_power(parser, alone)
-    last = _find_end(parser)
-    unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
-    if last == parser.place or not unit:
-        parser.place = place
-        return alone
-    parser.place = last
-    return Measure(number, unit, start=number.start, end=parser.end)
+    for last in (_find_end(parser) if is_first else parser.place, _find_upright_end(parser)):
+        unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
+        if last > parser.place and unit:
+            parser.place = last
+            return Measure(number, unit, start=number.start, end=parser.end)
+    parser.place = place
+    return alone
 
 
 def _take_power(parser: Parser, number: Number) -> Number:
@@ -69,10 +73,66 @@ def _find_end(parser: Parser) -> int:
     while place < len(parser.tokens) and parser.tokens[place].text not in _ENDS:
         is_unit = _is_upright(parser, place)
         is_joint = parser.tokens[place].text in _BETWEEN or _is_micro(parser, place)
+        # Elsewhere it takes off another number.
+        if parser.tokens[place].text == "-" and parser.tokens[place - 1].text not in ("^", "{"):
+            return parser.place
         if not (is_unit or is_joint or _is_power(parser, place)):
             return parser.place
         has_unit, place = has_unit or is_unit, place + 1
     return place if has_unit else parser.place
+
+
+def read_unit(parser: Parser) -> Measure | None:
+    """Read a unit behind what is calculated, as one of it."""
+    place, name_unit = parser.place, parser.notation.name_unit
+    before = parser.tokens[place - 1].text if place else ""
+    if name_unit is None or parser.collects or not (before[-1:].isdigit() or before in ("}", ")")):
+        return None
+    start, last = parser.start, _find_upright_end(parser)
+    unit = (
+        name_unit(parser.source.latex[start : parser.tokens[last - 1].end]) if last > place else ""
+    )
+    if not unit:
+        return None
+    parser.place = last
+    return Measure(Number("1", start=start, end=start), unit, start=start, end=parser.end)
+
+
+def _find_upright_end(parser: Parser) -> int:
+    r"""Return the place behind a unit in upright signs, \mathrm{N}/\mathrm{mm}^2, else this one."""
+    last = _skip_factor(parser, parser.place)
+    while last > parser.place:
+        is_joint = last < len(parser.tokens) and parser.tokens[last].text in ("/", r"\cdot")
+        end = _skip_factor(parser, last + is_joint)
+        if end == last + is_joint:
+            break
+        last = end
+    return last
+
+
+def _skip_factor(parser: Parser, place: int) -> int:
+    """Return the place behind an upright sign with its exponent, or a fraction of such."""
+    if place < len(parser.tokens) and parser.tokens[place].text == r"\frac":
+        return _skip_group(parser, _skip_group(parser, place + 1)) or place
+    first = place + (place < len(parser.tokens) and _is_micro(parser, place))
+    if first >= len(parser.tokens) or not _is_upright(parser, first):
+        return place
+    match = _EXPONENT.match(parser.source.latex, parser.tokens[first].end)
+    end = first + 1
+    while match and end < len(parser.tokens) and parser.tokens[end].end <= match.end():
+        end += 1
+    return end
+
+
+def _skip_group(parser: Parser, place: int) -> int:
+    """Return the place behind a group of upright signs, 0 if it has others."""
+    texts = [token.text for token in parser.tokens[place:]]
+    if not place or texts[:1] != ["{"]:
+        return 0
+    end = place + 1
+    while (following := _skip_factor(parser, end)) > end:
+        end = following
+    return end + 1 if end > place + 1 and texts[end - place : end - place + 1] == ["}"] else 0
 
 
 def _is_upright(parser: Parser, place: int) -> bool:
@@ -99,14 +159,22 @@ def find_number(
 ) -> tuple[str, Any, str, tuple[str, str]]:
     """Return the digits of the side that is a number, with its sign, the other side, the unit.
 
-    Last come the digits and the unit of the other side, if it is a number with a unit, too.
+    Last come the digits and the unit of the other side, if it is a number with a unit, too. What
+    is calculated has no digits, but a unit.
     """
     for node, partner, other in zip(reversed(nodes), nodes, sides, strict=True):
         digits, unit = _read_digits(node)
         if digits:
-            is_given = isinstance(_split_sign(partner)[1], Measure)
-            return digits, other, unit, _read_digits(partner) if is_given else ("", "")
-    return "", None, "", ("", "")
+            return digits, other, unit, _read_given(partner)
+    units = [node.unit for node in nodes if isinstance(node, Calculated)]
+    return "", None, units[0] if len(units) == 1 else "", ("", "")
+
+
+def _read_given(node: Node) -> tuple[str, str]:
+    """Return the digits of a number with a unit, and that, too; of what is calculated all."""
+    if isinstance(node, Calculated):
+        return str(sp.N(node.value, _DIGITS)).lower().replace("+", ""), node.unit
+    return _read_digits(node) if isinstance(_split_sign(node)[1], Measure) else ("", "")
 
 
 def _read_digits(node: Node) -> tuple[str, str]:
@@ -136,5 +204,5 @@ def _split_sign(node: Node) -> tuple[str, Node]:
 
 
 def is_number(node: Node) -> bool:
-    """Return whether a node is a number, with a sign and a unit at most."""
-    return isinstance(_split_sign(node)[1], Number | Measure | Degrees)
+    """Return whether a node is a number, with a sign and a unit at most, or calculated."""
+    return isinstance(_split_sign(node)[1], Number | Measure | Degrees | Calculated)

@@ -13,6 +13,7 @@ from mechproof.latex.tree import (
     Approach,
     At,
     Bracket,
+    Calculated,
     Call,
     Cases,
     Chain,
@@ -164,6 +165,7 @@ def _chain(node: Chain) -> str:
 _RULES: Mapping[type, Callable[[Any], str]] = {
     Number: lambda node: str(node.text),
     Measure: lambda node: f"{node.number.text} {node.unit}",
+    Calculated: lambda node: write(node.of),
     Constant: lambda node: "oo" if node.value is sp.oo else str(node.text),
     Letter: _letter,
     Bracket: lambda node: write(node.inside),

@@ -32,6 +32,15 @@ class Measure(Node):
 
 
 @dataclass(frozen=True)
+class Calculated(Node):
+    """A calculation with units, the number that it gives, and in which unit."""
+
+    of: Node
+    value: sp.Expr
+    unit: str
+
+
+@dataclass(frozen=True)
 class Constant(Node):
     """A number with a name: pi, infinity."""
 

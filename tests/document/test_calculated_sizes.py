@@ -1,0 +1,131 @@
+"""Worked examples: sizes put into formulas, and calculations with units."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import CheckedPaper, check
+from mechproof.document.units import name_in_si, read_unit
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+LETTERS = r"""%% mechproof
+%% z_1 ; z_2 : numbers of teeth
+%% i : ratio [1]
+%% F : force [N]
+%% T : torque [N mm]
+%% d ; l : lengths [mm]
+%% A : area [mm^2]
+%% p : pressure [MPa]
+%% v : speed [m/s]
+%% n ; n_2 : speeds of rotation [1/min]
+%% \omega : angular speed [rad/s]
+%% P : power [kW]
+%% \varphi : angle [rad]
+%% \eta : efficiency
+%% end
+\begin{equation}i=\frac{z_2}{z_1}\end{equation}
+\begin{equation}F=\frac{2T}{d}\end{equation}
+\begin{equation}p=\frac FA\end{equation}
+\begin{equation}v=\pi dn\end{equation}
+"""
+SAID = (
+    r"For $z_1=24$, $z_2=84$, $T=150\,\mathrm{N\,m}$, $d=60\,\mathrm{mm}$ and "
+    r"$A=200\,\mathrm{mm^2}$ we get"
+)
+UNJUDGED = "not judged"
+
+
+def judge(*equations: str, said: str = "") -> CheckedPaper:
+    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    return check("paper.tex", f"{LETTERS}{said}\n{lines}")
+
+
+def outcomes(*equations: str, said: str = "") -> list[str]:
+    return [row.outcome for row in judge(*equations, said=said).rows[4:]]
+
+
+PUT_IN = {
+    r"i=\frac{84}{24}": ["PROVED"],
+    r"i=\frac{84}{23}": [UNJUDGED],
+    r"i=\frac{z_2}{z_1}=\frac{84}{24}=3.5": ["DEFINITION", "PROVED", "PROVED"],
+    r"i=\frac{84}{24}=3.6": ["PROVED", "REFUTED"],
+    r"F=\frac{2\cdot150\cdot10^3}{60}=5000\,\mathrm{N}": ["PROVED", "PROVED"],
+    r"F=\frac{2\cdot150}{0.06}=\SI{5}{kN}": ["PROVED", "PROVED"],
+    r"F=\frac{2\cdot150}{0.06}=\SI{5.5}{kN}": ["PROVED", "REFUTED"],
+    r"F=\frac{2\cdot150\,\mathrm{N\,m}}{60\,\mathrm{mm}}=5\,\mathrm{kN}": ["PROVED", "PROVED"],
+    r"F=\frac{2\cdot150\,\mathrm{N\,m}}{50\,\mathrm{mm}}=6\,\mathrm{kN}": [UNJUDGED, "PROVED"],
+    r"p=\frac{5000\,\mathrm{N}}{200\,\mathrm{mm^2}}=25\,\mathrm{MPa}": ["PROVED", "PROVED"],
+    r"p=\frac{\SI{5}{kN}}{\SI{2}{cm^2}}=\SI{25}{MPa}": ["PROVED", "PROVED"],
+    r"p=\frac{\SI{5}{kN}}{\SI{2}{cm^2}}=\SI{2.5}{MPa}": ["PROVED", "REFUTED"],
+    r"p=5\,\mathrm{kN}\cdot 2\,\mathrm{cm^2}": [UNJUDGED],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("latex", PUT_IN)
+def test_numbers_that_are_put_in_are_those_of_the_sentence_before(latex: str) -> None:
+    assert outcomes(latex, said=SAID) == PUT_IN[latex]
+
+
+def test_a_proof_says_which_sizes_are_put_in() -> None:
+    row = judge(r"i=\frac{84}{24}", said=SAID).rows[-1]
+    assert "z_1 = 24 in line 20, z_2 = 84 in line 20" in row.reason
+    row = judge(r"i=\frac{84}{23}", said=SAID).rows[-1]
+    assert "the numbers that are put in give 3.65217, the sizes 3.5" in row.reason
+
+
+def test_without_sizes_nothing_is_said_of_what_is_put_in() -> None:
+    found = outcomes(r"i=\frac{84}{24}=3.5", r"p=\frac{5\,\mathrm{kN}}{2\,\mathrm{cm}^2}")
+    assert found == [UNJUDGED, "PROVED", UNJUDGED]
+
+
+CALCULATED = {
+    r"\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}=250\,\mathrm{MPa}": ["PROVED"],
+    r"\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}=25\,\mathrm{MPa}": ["REFUTED"],
+    r"l=2\,\mathrm{m}-30\,\mathrm{cm}=1.7\,\mathrm{m}": ["DEFINITION", "PROVED"],
+    r"l=2(3+4)\,\mathrm{mm}=14\,\mathrm{mm}": ["DEFINITION", "PROVED"],
+    r"l=\sqrt{(3\,\mathrm{m})^2+(4\,\mathrm{m})^2}=5\,\mathrm{m}": ["DEFINITION", "PROVED"],
+    r"T=100\,\mathrm N\cdot\cos 60^\circ\cdot 0.5\,\mathrm m=25\,\mathrm{Nm}": [
+        "DEFINITION",
+        "PROVED",
+    ],
+    r"\varphi=\arctan\frac{3\,\mathrm{mm}}{4\,\mathrm{mm}}=36.9^\circ": ["DEFINITION", "PROVED"],
+    r"\eta=\frac{8\,\mathrm{kW}}{10\,\mathrm{kW}}=80\,\%": ["DEFINITION", "PROVED"],
+    r"\pi\cdot0.1\,\mathrm m\cdot3000\,\mathrm{min^{-1}}=15.7\,\mathrm{m/s}": ["PROVED"],
+    r"\pi\cdot0.1\,\mathrm m\cdot3000\,\mathrm{min^{-1}}=98.7\,\mathrm{m/s}": ["REFUTED"],
+    r"n_2=\frac{1500\,\mathrm{min^{-1}}}{3}=500\,\mathrm{min^{-1}}": ["DEFINITION", "PROVED"],
+    r"n_2=2\,\mathrm{m}\cdot1500\,\mathrm{min^{-1}}=50\,\mathrm{m/s}": ["not read"],
+    r"\omega=2\pi\cdot\frac{1500}{60}\,\mathrm{s^{-1}}=157\,\mathrm{rad/s}": [
+        "DEFINITION",
+        "PROVED",
+    ],
+    r"7850\,\frac{\mathrm{kg}}{\mathrm{m}^3}\cdot 1\,\text{dm}^3=7.85\,\text{kg}": ["PROVED"],
+    r"9.81\,\mathrm{\frac{m}{s^2}}\cdot 10\,\mathrm{kg}=98.1\,\mathrm{N}": ["PROVED"],
+    r"1.2\cdot10^3\,\mathrm N\cdot2=2.4\,\mathrm{kN}": ["PROVED"],
+    r"l=2\,\mathrm{m}+30\,\mathrm{s}": ["not read"],
+    r"F=d\cdot3\,\mathrm{N/mm}": ["not read"],
+    r"F=\sqrt{-4\,\mathrm{N^2}}": ["not read"],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("latex", CALCULATED)
+def test_calculations_with_units_give_sizes(latex: str) -> None:
+    assert outcomes(latex) == CALCULATED[latex]
+
+
+def test_units_that_do_not_fit_are_told() -> None:
+    (row,) = judge(r"l=2\,\mathrm{m}+30\,\mathrm{s}").rows[4:]
+    assert "2 m has dimension L but 30 s has T" in row.reason
+
+
+@pytest.mark.parametrize(
+    ("unit", "name"),
+    [("N/mm^2", "Pa"), ("kN m", "Nm"), ("km/h", "m s^-1"), ("1", ""), ("l", "m^3")],
+)
+def test_dimensions_have_units_of_si(unit: str, name: str) -> None:
+    dimension = read_unit(unit).dimension
+    assert name_in_si(dimension) == name
+    assert read_unit(name).dimension == dimension
+    assert read_unit(name).scale == 1
