@@ -95,6 +95,7 @@ CALCULATED = {
     r"\pi\cdot0.1\,\mathrm m\cdot3000\,\mathrm{min^{-1}}=15.7\,\mathrm{m/s}": ["PROVED"],
     r"\pi\cdot0.1\,\mathrm m\cdot3000\,\mathrm{min^{-1}}=98.7\,\mathrm{m/s}": ["REFUTED"],
     r"n_2=\frac{1500\,\mathrm{min^{-1}}}{3}=500\,\mathrm{min^{-1}}": ["DEFINITION", "PROVED"],
+    r"n_2=1500\,\mathrm{min^{-1}}-300\,\mathrm{rpm}=1200\,\mathrm{rpm}": ["DEFINITION", "PROVED"],
     r"n_2=2\,\mathrm{m}\cdot1500\,\mathrm{min^{-1}}=50\,\mathrm{m/s}": ["not read"],
     r"\omega=2\pi\cdot\frac{1500}{60}\,\mathrm{s^{-1}}=157\,\mathrm{rad/s}": [
         "DEFINITION",

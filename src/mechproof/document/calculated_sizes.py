@@ -5,13 +5,13 @@ A member that has numbers with units and no letter is the size that it gives.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
 import sympy as sp
 
-from mechproof.document.units import REVOLUTIONS, name_in_si, read_unit
+from mechproof.document.units import REVOLUTIONS, Unit, name_in_si, read_unit
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, walk
@@ -46,25 +46,32 @@ def _calculate(read: Print, member: Node) -> Node:
     units = {name: read_unit(size.unit) for size, name in names.items()}
     value = read.meaning().of(_replace(member, lambda size: _name(size, names[size])))
     try:
-        # Nothing is of any dimension.
-        dimension = infer(value, {n: unit.dimension for n, unit in units.items()}) or NUMBER
+        scales, unit = _find_scales(value, units)
     except DimensionError as error:
         reason = f"units that do not fit together: {error}".replace("_", "")
         raise read.source.refuse(first.start, reason) from error
-    scales = {name: unit.scale for name, unit in units.items()}
-    unit = name_in_si(dimension)
-    if turning := [name for name, scale in scales.items() if scale == REVOLUTIONS]:
-        # Beside pi they are turns; alone they are what they are in the result.
-        is_turned = value.has(sp.pi)
-        scales |= dict.fromkeys(turning, sp.Rational(1, 60) if is_turned else sp.S.One)
-        unit = unit if is_turned else _MINUTE
-        if not is_turned and not (dimension == FREQUENCY and len(scales) == len(turning) == 1):
-            reason = "revolutions by the minute beside other units: as turns or as radians?"
-            raise read.source.refuse(first.start, reason)
     number = value.xreplace({n: sp.Rational(s.number.text) * scales[n] for s, n in names.items()})
     if not (number.is_real and number.is_finite):
         raise read.source.refuse(first.start, f"a calculation that gives no size, but {number}")
     return Calculated(member, number, unit, start=member.start, end=member.end)
+
+
+def _find_scales(
+    value: sp.Expr, units: Mapping[sp.Basic, Unit]
+) -> tuple[dict[sp.Basic, sp.Expr], str]:
+    """Return how large the units of a calculation are in that of its result, and this.
+
+    Revolutions by the minute are turns beside pi; alone they are what they are in the result.
+    """
+    # Nothing is of any dimension.
+    dimension = infer(value, {name: unit.dimension for name, unit in units.items()}) or NUMBER
+    turning = {name for name, unit in units.items() if unit.scale == REVOLUTIONS}
+    if dimension == FREQUENCY and turning == units.keys() and not value.has(sp.pi):
+        return dict.fromkeys(units, sp.S.One), _MINUTE
+    if turning and not value.has(sp.pi):
+        raise DimensionError("revolutions by the minute beside others, as turns or as radians?")
+    turns = dict.fromkeys(turning, sp.Rational(1, 60))
+    return {name: unit.scale for name, unit in units.items()} | turns, name_in_si(dimension)
 
 
 def _name(size: Measure, name: sp.Dummy) -> Letter:
