@@ -75,6 +75,37 @@ def test_a_proof_says_which_sizes_are_put_in() -> None:
     assert "the numbers that are put in give 3.65217, the sizes 3.5" in row.reason
 
 
+STEP_BY_STEP = r"""%% mechproof
+%% P : power [kW]
+%% n : speed [1/min]
+%% T : torque [N m]
+%% d : diameter [mm]
+%% F ; F_r : forces [N]
+%% \alpha : angle [deg]
+%% end
+For $P=5.5\,\mathrm{kW}$, $n=1450\,\mathrm{min}^{-1}$, $d=50\,\mathrm{mm}$ and $\alpha=20^\circ$
+\begin{align}
+T&=9550\,\frac Pn=9550\cdot\frac{5.5}{1450}=36.2\,\mathrm{N\,m}\\
+F&=\frac{2T}d=\frac{2\cdot36.2\cdot10^3\,\mathrm{N\,mm}}{50\,\mathrm{mm}}=1448\,\mathrm{N}\\
+F_r&=F\tan\alpha=1448\,\mathrm{N}\cdot\tan20^\circ=527\,\mathrm{N}\\
+F_r&=F\tan\alpha=1450\,\mathrm{N}\cdot\tan20^\circ=528\,\mathrm{N}\\
+F_r&=F\tan\alpha=1484\,\mathrm{N}\cdot\tan20^\circ=540\,\mathrm{N}
+\end{align}
+"""
+
+
+def test_numbers_that_are_put_in_may_be_those_of_equations_before() -> None:
+    rows = check("paper.tex", STEP_BY_STEP).rows
+    found = [row for row in rows if "second" in row.name]
+    assert [row.outcome for row in found] == ["PROVED"] * 3 + [UNJUDGED] * 2
+    assert "The text says P = 5.5 in line 9, n = 1450 in line 9." in found[0].reason
+    assert "At T = 36.2 of (1). The text says d = 50 in line 9." in found[1].reason
+    assert "At F = 1448 of (2). The text says \\alpha = 20 in line 9." in found[2].reason
+    assert "which rounding may explain" in found[3].reason
+    assert "are others meant?" in found[4].reason
+    assert all(row.outcome == "PROVED" for row in rows if "third" in row.name)
+
+
 def test_without_sizes_nothing_is_said_of_what_is_put_in() -> None:
     found = outcomes(r"i=\frac{84}{24}=3.5", r"p=\frac{5\,\mathrm{kN}}{2\,\mathrm{cm}^2}")
     assert found == [UNJUDGED, "PROVED", UNJUDGED]

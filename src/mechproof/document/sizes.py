@@ -39,12 +39,17 @@ _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 _SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
 _PUT_IN = "the numbers that are put in give {}, the sizes {}: are others meant?"
+_ROUNDED_IN = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
 _SAID = "it agrees with {}, but not with its formula, which gives {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _BARE = "it holds for the numbers as they stand, but not in the units of their letters"
+
+
+# By such a share what rounded numbers give may be off.
+_NEAR = 0.01
 
 
 @dataclass(frozen=True)
@@ -89,34 +94,54 @@ class Sizes:
         return self._round(sign, own, printed)
 
     def _put_in(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> Equality | str:
-        """State that a calculation is a formula with the sizes put in; another accuses nobody."""
+        """State that a calculation is a formula with sizes put in; another accuses nobody."""
+        formula, unit = _find_formula(sign), read_unit(sign.unit) if sign.unit else None
         calculated = [side for side in sign.sides if not side.free_symbols]
         if len(calculated) != 1 or any(isinstance(s, sp.MatrixBase) for s in sign.sides):
             return _SPECIAL
-        sizes, formula = self._list_at(printed)[-1], _find_formula(sign)
-        settled = (self.known.settle(formula), self.known.settle(formula, stop=sizes))
-        formulas = [one for one in settled if one.free_symbols <= sizes.keys()]
-        unit = read_unit(sign.unit) if sign.unit else None
-        if not formulas:
-            return _missing(settled[0].free_symbols - sizes.keys())
-        if unit and not self._fits(formulas[0], own, unit):
+        if unit and not self._fits(formula, own, unit):
             return UNFIT
-        values = [one.xreplace(sizes) for one in self._read(formulas, own, unit)]
-        for value in values:
-            if balls.evaluate(value - calculated[0], {}).contains(0):
-                return Equality(value, calculated[0], "member")
-        put_in = (_show(value) for value in (calculated[0], *values[:1]))
-        return _PUT_IN.format(*put_in) if values else _SPECIAL
+        given, values = calculated[0], [*self._work_out(sign, own, printed)]
+        if found := next((value for value, _ in values if _is_same(value, given)), None):
+            return Equality(found, given, "member")
+        if not values:
+            return _missing(self.known.settle(formula).free_symbols - self._list_sizes().keys())
+        nearest = min((value for value, _ in values), key=lambda value: _measure_off(value, given))
+        is_near = _measure_off(nearest, given) <= _NEAR * abs(sp.N(given))
+        return (_ROUNDED_IN if is_near else _PUT_IN).format(_show(given), _show(nearest))
 
-    def tell(self, sign: Sign, printed: Printed) -> str:
+    def _work_out(
+        self, sign: Sign, own: sp.Basic | None, printed: Printed
+    ) -> Iterator[tuple[sp.Expr, str]]:
+        """Yield what a formula gives at the sizes, or with numbers before it, and at which."""
+        formula, unit = _find_formula(sign), read_unit(sign.unit) if sign.unit else None
+        for numbers in ({}, self._list_numbers(sign, printed)):
+            sizes = self._list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
+            settled = (self.known.settle(formula), self.known.settle(formula, stop=sizes))
+            for one in dict.fromkeys(settled):
+                if one.free_symbols <= sizes.keys():
+                    told = self._tell(one.free_symbols, numbers, printed)
+                    yield from ((v.xreplace(sizes), told) for v in self._read([one], own, unit))
+
+    def tell(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
         """Say which printed sizes a number is compared at, and which sentences state anew."""
-        formula = _find_formula(sign)
-        letters = self.known.settle(formula).free_symbols
-        if not sign.number:
-            letters |= self.known.settle(formula, stop=self._list_at(printed)[-1]).free_symbols
-        used = self._list_used(letters)
-        sizes = (f"{s} = {one.size.value} of {one.name}" for s, one in used.items())
-        restated = self._name_restated(letters, printed)
+        if sign.number:
+            return self._tell(self.known.settle(sign.value).free_symbols, {}, printed)
+        given = next(side for side in sign.sides if not side.free_symbols)
+        found = (
+            told for value, told in self._work_out(sign, own, printed) if _is_same(value, given)
+        )
+        return next(found)
+
+    def _tell(
+        self,
+        letters: Iterable[sp.Basic],
+        numbers: Mapping[sp.Basic, PrintedSize],
+        printed: Printed,
+    ) -> str:
+        used = {**self._list_used(letters), **{s: numbers[s] for s in letters if s in numbers}}
+        sizes = (f"{s} = {_show_exactly(one.size.value)} of {one.name}" for s, one in used.items())
+        restated = self._name_restated({*letters} - numbers.keys(), printed)
         anew = f"The text says {restated}." if restated else ""
         return f"At {', '.join(sizes)}. {anew}".strip() if used else anew
 
@@ -124,7 +149,7 @@ class Sizes:
         """Name the sizes among those of letters that a sentence before an equation states anew."""
         found = self.restated.list_before(printed)
         return ", ".join(
-            f"{s} = {found[s].value} in line {found[s].line}"
+            f"{s} = {_show_exactly(found[s].value)} in line {found[s].line}"
             for s in sorted(found.keys() & {*letters}, key=str)
         )
 
@@ -291,13 +316,7 @@ class Sizes:
 
     def _name_rounded(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
         """Return with which numbers before it one agrees, as far as these may have been rounded."""
-        before = self.order[: self.order.index(printed.name)]
-        last = {
-            s: one
-            for s, ones in self.numbers.items()
-            for one in ones
-            if one.name in before and s not in (sign.letter, *self.known.symbols.usual)
-        }
+        last = self._list_numbers(sign, printed)
         rounded = {s: one for s, one in last.items() if not self._is_exact(one)}
         letters = self.known.settle(sign.value, stop=rounded).free_symbols
         used = {s: rounded[s] for s in sorted(letters & rounded.keys(), key=str)}
@@ -305,6 +324,16 @@ class Sizes:
         if not self._is_near_at(sign, own, given, used.values()):
             return ""
         return ", ".join(f"{s} of {one.name}" for s, one in used.items())
+
+    def _list_numbers(self, sign: Sign, printed: Printed) -> dict[sp.Basic, PrintedSize]:
+        """Return the last numbers of letters that have a formula, before an equation."""
+        before = self.order[: self.order.index(printed.name)]
+        return {
+            s: one
+            for s, ones in self.numbers.items()
+            for one in ones
+            if one.name in before and s not in (sign.letter, *self.known.symbols.usual)
+        }
 
     def _name_said(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
         """Return which letter has a quantity that a sentence says if a number agrees with it."""
@@ -383,6 +412,15 @@ def _find_formula(sign: Sign) -> sp.Expr:
     return sign.value if sign.number else max(sign.sides, key=lambda side: len(side.free_symbols))
 
 
+def _is_same(value: sp.Expr, given: sp.Expr) -> bool:
+    return bool(balls.evaluate(value - given, {}).contains(0))
+
+
+def _measure_off(value: sp.Expr, given: sp.Expr) -> float:
+    off = abs(sp.N(value - given))
+    return float(off) if off.is_Float else math.inf
+
+
 def _find_distance(stated: PrintedNumber) -> float:
     """Return how far a number is from the value that is stated of it."""
     distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
@@ -392,6 +430,11 @@ def _find_distance(stated: PrintedNumber) -> float:
 def _show(value: sp.Expr) -> str:
     number = sp.N(value, 6)
     return f"{float(number):g}" if number.is_real else str(number)
+
+
+def _show_exactly(value: sp.Expr) -> str:
+    """Return a number as a decimal if that is all of it."""
+    return short if sp.Rational(short := _show(value)) == value else str(value)
 
 
 def _is_sum(value: Any) -> bool:

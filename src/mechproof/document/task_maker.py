@@ -209,7 +209,7 @@ class TaskMaker:
         if stated:
             is_size = isinstance(stated, PrintedNumber) or not sign.number
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
-            note = f"{row.note} {self.sizes.tell(sign, printed) if is_size else ''}".strip()
+            note = f"{row.note} {self.sizes.tell(sign, own, printed) if is_size else ''}".strip()
             row = replace(row, says=stated, note=note)
         turned = turn_units(row, sign, own, self.known)
         if isinstance(turned, str):
