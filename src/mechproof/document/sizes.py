@@ -13,7 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.arithmetic import balls
 from mechproof.document.cells import Head, Numeral
 from mechproof.document.conversions import (
     NEAR,
@@ -37,19 +36,13 @@ from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
-_SPECIAL = "a single value: nothing says for which sizes, or to how many digits"
-_PUT_IN = "the numbers that are put in give {}, the sizes {}: are others meant?"
-_ROUNDED_IN = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
+SINGLE = "a single value: nothing says for which sizes, or to how many digits"
 OTHERS = "it is not the number at the sizes of"
 _ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
 _BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
 _SAID = "it agrees with {}, but not with its formula, which gives {}"
 _RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
 _BARE = "it holds for the numbers as they stand, but not in the units of their letters"
-
-
-# By such a share what rounded numbers give may be off.
-_NEAR = 0.01
 
 
 @dataclass(frozen=True)
@@ -76,7 +69,7 @@ class Sizes:
         letters what any equation does.
         """
         if not sign.number:
-            return self._put_in(sign, own, printed)
+            return SINGLE
         if sign.given[1]:
             return convert(sign, own, self.known.symbols)
         is_constraint = sign.role is Role.CONSTRAINT
@@ -93,52 +86,17 @@ class Sizes:
             return None
         return self._round(sign, own, printed)
 
-    def _put_in(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> Equality | str:
-        """State that a calculation is a formula with sizes put in; another accuses nobody."""
-        formula, unit = _find_formula(sign), read_unit(sign.unit) if sign.unit else None
-        calculated = [side for side in sign.sides if not side.free_symbols]
-        if len(calculated) != 1 or any(isinstance(s, sp.MatrixBase) for s in sign.sides):
-            return _SPECIAL
-        if unit and not self._fits(formula, own, unit):
-            return UNFIT
-        given, values = calculated[0], [*self._work_out(sign, own, printed)]
-        if found := next((value for value, _ in values if _is_same(value, given)), None):
-            return Equality(found, given, "member")
-        if not values:
-            return _missing(self.known.settle(formula).free_symbols - self._list_sizes().keys())
-        nearest = min((value for value, _ in values), key=lambda value: _measure_off(value, given))
-        is_near = _measure_off(nearest, given) <= _NEAR * abs(sp.N(given))
-        return (_ROUNDED_IN if is_near else _PUT_IN).format(_show(given), _show(nearest))
-
-    def _work_out(
-        self, sign: Sign, own: sp.Basic | None, printed: Printed
-    ) -> Iterator[tuple[sp.Expr, str]]:
-        """Yield what a formula gives at the sizes, or with numbers before it, and at which."""
-        formula, unit = _find_formula(sign), read_unit(sign.unit) if sign.unit else None
-        for numbers in ({}, self._list_numbers(sign, printed)):
-            sizes = self._list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
-            settled = (self.known.settle(formula), self.known.settle(formula, stop=sizes))
-            for one in dict.fromkeys(settled):
-                if one.free_symbols <= sizes.keys():
-                    told = self._tell(one.free_symbols, numbers, printed)
-                    yield from ((v.xreplace(sizes), told) for v in self._read([one], own, unit))
-
-    def tell(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+    def tell(self, sign: Sign, printed: Printed) -> str:
         """Say which printed sizes a number is compared at, and which sentences state anew."""
-        if sign.number:
-            return self._tell(self.known.settle(sign.value).free_symbols, {}, printed)
-        given = next(side for side in sign.sides if not side.free_symbols)
-        found = (
-            told for value, told in self._work_out(sign, own, printed) if _is_same(value, given)
-        )
-        return next(found)
+        return self.tell_used(self.known.settle(sign.value).free_symbols, {}, printed)
 
-    def _tell(
+    def tell_used(
         self,
         letters: Iterable[sp.Basic],
         numbers: Mapping[sp.Basic, PrintedSize],
         printed: Printed,
     ) -> str:
+        """Say at which printed sizes letters are taken, of some the `numbers` of equations."""
         used = {**self._list_used(letters), **{s: numbers[s] for s in letters if s in numbers}}
         sizes = (f"{s} = {_show_exactly(one.size.value)} of {one.name}" for s, one in used.items())
         restated = self._name_restated({*letters} - numbers.keys(), printed)
@@ -157,7 +115,7 @@ class Sizes:
         usual = {s: RoundedSize(value) for s, value in self.known.symbols.usual.items()}
         return {s: one.size for s, one in self.printed.items()} | usual
 
-    def _list_at(self, printed: Printed) -> tuple[dict[sp.Basic, sp.Expr], ...]:
+    def list_at(self, printed: Printed) -> tuple[dict[sp.Basic, sp.Expr], ...]:
         """Return the sizes of letters, and those with which the text has stated some anew."""
         sizes = {s: size.value for s, size in self._list_sizes().items()}
         return sizes, sizes | {s: x.value for s, x in self.restated.list_before(printed).items()}
@@ -214,17 +172,17 @@ class Sizes:
         if not isinstance(formulas, list):
             return formulas
         value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
-        if unit and value.free_symbols and not self._fits(value, own, unit):
+        if unit and value.free_symbols and not self.fits(value, own, unit):
             return UNFIT
-        read = [*self._read(formulas, own, unit)]
-        exact, anew = self._list_at(printed)
+        read = [*self.read(formulas, own, unit)]
+        exact, anew = self.list_at(printed)
         stated = [PrintedNumber(sign.number, one.xreplace(exact)) for one in read]
         renewed = [PrintedNumber(sign.number, one.xreplace(anew)) for one in read]
         nearest = min(stated, key=_find_distance)
         is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
         values = [one.value for one in (*stated, *renewed)]
         if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
-            return _FEW.format(_show(nearest.value))
+            return _FEW.format(show(nearest.value))
         if found := next(filter(agrees, (*stated, *renewed)), None):
             return found
         if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
@@ -234,7 +192,7 @@ class Sizes:
         excuse = self._excuse(sign, own, printed, read, nearest) if may_excuse else ""
         return excuse or self._doubt(value, unit, printed) or nearest
 
-    def _fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
+    def fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
         """Return whether a formula may be counted in a unit; with a letter as far as is known."""
         found = self._infer(value)
         return found == unit.dimension or (
@@ -259,7 +217,7 @@ class Sizes:
         formulas = formulas or [x for x in others if x.free_symbols <= sizes.keys()]
         if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
             return Equality(value, sp.S.Zero, "member")
-        return formulas or _missing(missing)
+        return formulas or tell_missing(missing)
 
     def _excuse(
         self,
@@ -278,9 +236,9 @@ class Sizes:
         if not sign.value.free_symbols and any(differs_by_unit(one, number) for one in read):
             return _BARE_NUMBERS
         if names := self._name_rounded(sign, own, printed):
-            return _ROUNDED.format(names, _show(nearest.value))
+            return _ROUNDED.format(names, show(nearest.value))
         names = self._name_said(sign, own, printed)
-        return _SAID.format(names, _show(nearest.value)) if names else ""
+        return _SAID.format(names, show(nearest.value)) if names else ""
 
     def _doubt(self, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
         """Say why a number may not be meant at the sizes that are printed."""
@@ -293,7 +251,7 @@ class Sizes:
             return f"{OTHERS} {names}: are these meant, or others?"
         return ""
 
-    def _read(
+    def read(
         self,
         formulas: Sequence[sp.Expr],
         own: sp.Basic | None,
@@ -316,7 +274,7 @@ class Sizes:
 
     def _name_rounded(self, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
         """Return with which numbers before it one agrees, as far as these may have been rounded."""
-        last = self._list_numbers(sign, printed)
+        last = self.list_numbers(sign, printed)
         rounded = {s: one for s, one in last.items() if not self._is_exact(one)}
         letters = self.known.settle(sign.value, stop=rounded).free_symbols
         used = {s: rounded[s] for s in sorted(letters & rounded.keys(), key=str)}
@@ -325,7 +283,7 @@ class Sizes:
             return ""
         return ", ".join(f"{s} of {one.name}" for s, one in used.items())
 
-    def _list_numbers(self, sign: Sign, printed: Printed) -> dict[sp.Basic, PrintedSize]:
+    def list_numbers(self, sign: Sign, printed: Printed) -> dict[sp.Basic, PrintedSize]:
         """Return the last numbers of letters that have a formula, before an equation."""
         before = self.order[: self.order.index(printed.name)]
         return {
@@ -361,7 +319,7 @@ class Sizes:
         if not (letters & given.keys() and letters <= sizes.keys()):
             return False
         unit, number = read_unit(sign.unit) if sign.unit else None, Numeral(sign.number, sp.S.One)
-        read = self._read([formula], own, unit, numbers)
+        read = self.read([formula], own, unit, numbers)
         return any(is_near(one, number, sizes) for one in read)
 
     def _is_exact(self, one: PrintedSize) -> bool:
@@ -370,7 +328,7 @@ class Sizes:
         formula = self.known.settle(letter)
         exact = {s: size.value for s, size in sizes.items()}
         return formula.free_symbols <= sizes.keys() and one.size.value in [
-            value.xreplace(exact) for value in self._read([formula], letter, None)
+            value.xreplace(exact) for value in self.read([formula], letter, None)
         ]
 
     def _are_beside(self, used: Iterable[PrintedSize], group: int) -> bool:
@@ -403,22 +361,9 @@ def collect_sizes(
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
-def _missing(letters: Iterable[sp.Basic]) -> str:
+def tell_missing(letters: Iterable[sp.Basic]) -> str:
+    """Say which sizes a formula needs that nothing says."""
     return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
-
-
-def _find_formula(sign: Sign) -> sp.Expr:
-    """Return the side beside a number, or beside what numbers that are put in give."""
-    return sign.value if sign.number else max(sign.sides, key=lambda side: len(side.free_symbols))
-
-
-def _is_same(value: sp.Expr, given: sp.Expr) -> bool:
-    return bool(balls.evaluate(value - given, {}).contains(0))
-
-
-def _measure_off(value: sp.Expr, given: sp.Expr) -> float:
-    off = abs(sp.N(value - given))
-    return float(off) if off.is_Float else math.inf
 
 
 def _find_distance(stated: PrintedNumber) -> float:
@@ -427,14 +372,15 @@ def _find_distance(stated: PrintedNumber) -> float:
     return float(distance) if distance.is_Float else math.inf
 
 
-def _show(value: sp.Expr) -> str:
+def show(value: sp.Expr) -> str:
+    """Return a number to six digits."""
     number = sp.N(value, 6)
     return f"{float(number):g}" if number.is_real else str(number)
 
 
 def _show_exactly(value: sp.Expr) -> str:
     """Return a number as a decimal if that is all of it."""
-    return short if sp.Rational(short := _show(value)) == value else str(value)
+    return short if sp.Rational(short := show(value)) == value else str(value)
 
 
 def _is_sum(value: Any) -> bool:

@@ -16,6 +16,7 @@ from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
+from mechproof.document.put_in_sizes import state_put_in
 from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
     have_same_letters,
@@ -186,7 +187,7 @@ class TaskMaker:
             row = replace(row, note=note)
         special = list_values(row, self.known)
         row = specialise(row, special, self.known)
-        if sign.role is Role.NUMBER and special:
+        if sign.role is Role.NUMBER and sign.number and special:
             value = put_in(sign.value, special, self.known)
             sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
         if sign.role in (Role.DERIVATIVE, Role.REPEATED):
@@ -195,22 +196,28 @@ class TaskMaker:
         is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
         if is_number and not sign.value.has(sp.Limit):
             sign = replace(sign, role=Role.NUMBER)
-        if sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
+        note = ""
+        is_calculated = sign.role is Role.NUMBER and not sign.number
+        if is_calculated:
+            found = state_put_in(sign, own, printed, self.sizes)
+            stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
+        elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed)
         if sign.role is Role.SIZE:
             said = replace(sign, role=Role.NUMBER)
             formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
-            found = [(one, self.sizes.state(one, own, printed)) for one in formulas]
-            told = [one for one in found if isinstance(one[1], PrintedNumber)]
-            told += [one for one in found if str(one[1]).startswith(OTHERS)]
+            judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
+            told = [one for one in judged if isinstance(one[1], PrintedNumber)]
+            told += [one for one in judged if str(one[1]).startswith(OTHERS)]
             sign, stated = told[0] if told else (sign, None)
         if isinstance(stated, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
         if stated:
-            is_size = isinstance(stated, PrintedNumber) or not sign.number
+            is_size = isinstance(stated, PrintedNumber)
+            note = self.sizes.tell(sign, printed) if is_size else note
+            is_size |= is_calculated
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
-            note = f"{row.note} {self.sizes.tell(sign, own, printed) if is_size else ''}".strip()
-            row = replace(row, says=stated, note=note)
+            row = replace(row, says=stated, note=f"{row.note} {note}".strip())
         turned = turn_units(row, sign, own, self.known)
         if isinstance(turned, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, turned)
