@@ -15,6 +15,19 @@ MOTION = (
     r"=-\frac{\partial u}{\partial\varphi}"
 )
 CASES = {
+    "parts with braces and names, and signs with marks": (
+        [
+            r"x=\underbrace{2r}_{\text{crank}}+\overbrace{l}^{=1}=2r+l",
+            r"x=\underbrace{2r}_{\text{crank}}+\underbrace{2l}_{\text{rod}}",
+            r"x\overset{!}{=}2r+l",
+            r"x\stackrel{(1)}{=}2r-l",
+            r"\color{blue}x=\textcolor{red}{2r}+l",
+            r"x\overset{?}{=}2r+l",
+            r"\overset{!}{x}=2r+l",
+            r"x=2\underbrace{r+l}_{a}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED", "PROVED", *["not read"] * 3],
+    ),
     "thousands are parted by thin spaces": (
         [
             r"60\,000=6\cdot10^4",
@@ -65,6 +78,21 @@ CASES = {
         ["DEFINITION", "DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
     ),
 }
+
+
+@pytest.mark.parametrize(
+    ("package", "found"),
+    [
+        (r"\usepackage{amsmath, icomma}", ["DEFINITION", "PROVED", "REFUTED"]),
+        (r"\usepackage{amsmath}", ["not read", "DEFINITION"]),
+    ],
+)
+def test_commas_are_decimal_where_the_text_loads_what_makes_them_so(
+    package: str, found: list[str]
+) -> None:
+    block = f"{package}\n%% mechproof\n%% a_{{1,2}} ; b : numbers\n%% end\n"
+    parts = (r"a_{1,2}=3,5\cdot b=\frac72b", r"a_{1,2}=\frac92b")
+    assert judge_parts(block, *parts) == found
 
 
 @pytest.mark.slow

@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.document.block import Declared, read_block
 from mechproof.document.calculated_sizes import calculate_sizes
+from mechproof.document.commas import join_thousands, mark_decimals
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.known import Known
@@ -39,7 +40,6 @@ from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
-from mechproof.document.thousands import join_thousands
 from mechproof.latex import Reader, ReadingError
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Paper
@@ -60,7 +60,7 @@ class Document:
 
     def __init__(self, source: Source) -> None:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
-        source = replace(source, text=join_thousands(source.text))
+        source = replace(source, text=join_thousands(mark_decimals(source.text)))
         self.source, self.files = source, source.files
         self.system = _name_system(source.files.names[0])
         self.printed = list(find_displays(source.text))

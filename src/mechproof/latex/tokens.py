@@ -16,6 +16,7 @@ from mechproof.latex.characters import read_script
 from mechproof.latex.errors import PrintedText
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
+from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
@@ -28,6 +29,12 @@ _SUFFIXES = {r"\prime": "'", **dict.fromkeys((r"\cdot", r"\ast", r"\star"), STAR
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 # What marks its argument, but says nothing of it.
 _MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
+# What marks its argument with a brace, and names it behind that sign.
+_BRACES = {r"\underbrace": "_", r"\overbrace": "^"}
+# What writes something above or below a sign; a question is none.
+_STACKS = (r"\overset", r"\underset", r"\stackrel")
+_QUESTION = "?"
+_COLOURS = (r"\color", r"\textcolor")
 _DEGREE = ("°", r"\degree")
 
 
@@ -156,6 +163,17 @@ class _Normaliser:
                 self.groups[-1:] = []
             inner[-1:] = [replace(t, end=last.end) for t in inner[-1:]]
             return inner
+        if first.text in _BRACES:
+            inner = self._read_argument()[1:-1]
+            while self._peek() == _BRACES[first.text]:
+                self._take()
+                self._read_argument()
+            return inner
+        if first.text in _STACKS and (relation := self._read_stack()):
+            return [relation]
+        if first.text in _COLOURS:
+            self._read_argument()
+            return self._read_argument()[1:-1] if first.text == r"\textcolor" else []
         if first.text in QUANTITIES:
             return self._read_quantity(first)
         if first.text in UPRIGHT:
@@ -168,6 +186,16 @@ class _Normaliser:
             return [self._read_environment(first)]
         text = same_sign(first.text)
         return self._read_arguments(Token(text, first.start, first.end))
+
+    def _read_stack(self) -> Token | None:
+        """Read a relation with something above or below it; nothing else is read."""
+        place = self.place
+        above, below = self._read_argument()[1:-1], self._read_argument()[1:-1]
+        is_asked = any(_QUESTION in sign.text for sign in above)
+        if len(below) == 1 and below[0].text in RELATIONS and not is_asked:
+            return below[0]
+        self.place = place
+        return None
 
     def _read_quantity(self, first: Token) -> list[Token]:
         r"""Read \SI{66}{mm} as a number with a unit in upright letters behind it."""

@@ -1,4 +1,4 @@
-"""Commas that part thousands, 1{,}000, in a text whose decimals have points."""
+"""Commas between digits: decimal ones, and those that part thousands, 1{,}000."""
 
 from __future__ import annotations
 
@@ -10,9 +10,19 @@ from mechproof.document.text import LocatedText
 _COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
 _NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")
 _THOUSANDS = re.compile(r"[1-9]\d{0,2}(?:\{,\}\d{3})+")
+# With this package a comma is decimal where no blank follows; in indices it parts numbers.
+_ICOMMA = re.compile(r"\\usepackage\s*(?:\[[^\]]*\])?\s*\{[^{}]*\bicomma\b[^{}]*\}")
+_DECIMAL = re.compile(r"_\{[^{}]*\}|\\(?:\w*ref|label|tag|cite)\*?\{[^{}]*\}|(?<=\d),(?=\d)")
 _WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
 # A point may part thousands, too: 1.500.
 _POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
+
+
+def mark_decimals(text: LocatedText) -> LocatedText:
+    """Return a text with 3{,}5 for 3,5, if it says so of its commas."""
+    if not _ICOMMA.search(text.string):
+        return text
+    return text.replace(_DECIMAL, lambda match: "{,}" if match[0] == "," else match[0])
 
 
 def join_thousands(text: LocatedText) -> LocatedText:
