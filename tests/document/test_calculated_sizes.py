@@ -45,6 +45,65 @@ def outcomes(*equations: str, said: str = "") -> list[str]:
     return [row.outcome for row in judge(*equations, said=said).rows[4:]]
 
 
+# Sizes of several units, and letters in others.
+UNITS = r"""%% mechproof
+%% F ; G : forces [N]
+%% A : area [mm^2]
+%% p : pressure [MPa]
+%% T : torque [N m]
+%% \omega : angular speed [rad/s]
+%% P : power [kW]
+%% v : speed [m/s]
+%% d : diameter [m]
+%% n ; n_s : speeds [1/min]
+%% s : slip [%]
+%% end
+For $F=12\,\mathrm{kN}$, $A=50\,\mathrm{mm^2}$, $T=49\,\mathrm{N\,m}$, $\omega=150\,\mathrm{rad/s}$,
+$d=50\,\mathrm{mm}$, $n=1450\,\mathrm{min}^{-1}$ and $n_s=1500\,\mathrm{min}^{-1}$
+"""
+IN_UNITS = {
+    # The numbers are those of N/mm^2 all along, or of no unit that fits.
+    r"p=\frac FA=\frac{12000}{50}=240\,\mathrm{MPa}": ["PROVED", "PROVED"],
+    r"p=\frac FA=\frac{12000}{50}=240\,\mathrm{Pa}": ["PROVED", "REFUTED"],
+    r"p=\frac FA=\frac{12000}{50}=0.00024\,\mathrm{MPa}": ["PROVED", "REFUTED"],
+    r"p=\frac FA=\frac{12000}{50}=240\,\mathrm{kg}": ["PROVED", UNJUDGED],
+    r"P=T\omega=49\cdot150=7350\,\mathrm{W}": ["PROVED", "PROVED"],
+    r"P=T\omega=49\cdot150=7.35\,\mathrm{kW}": ["PROVED", "PROVED"],
+    r"P=T\omega=49\cdot150=7350\,\mathrm{kW}": ["PROVED", "REFUTED"],
+    r"P=T\omega=\frac{49\cdot150}{1000}=7.35\,\mathrm{W}": ["PROVED", "REFUTED"],
+    r"v=\pi dn=\pi\cdot0.05\cdot1450=227.8\,\mathrm{m/min}": [UNJUDGED, UNJUDGED],
+    r"v=\pi dn=\pi\cdot0.05\cdot1450=227.8\,\mathrm{m/s}": [UNJUDGED, UNJUDGED],
+    r"s=\frac{n_s-n}{n_s}=\frac{50}{1500}=3.33\,\%": ["PROVED", "PROVED"],
+    r"s=\frac{n_s-n}{n_s}=\frac{50}{1500}=0.0333\,\%": ["PROVED", UNJUDGED],
+    # Rounded intermediate numbers.
+    r"G=\frac{2T}d=\frac{98}{0.05}=1960\,\mathrm{N}": ["PROVED", "PROVED"],
+    r"p=\frac FA=\frac{12000}{50.3}=240\,\mathrm{MPa}": [UNJUDGED, UNJUDGED],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("latex", IN_UNITS)
+def test_numbers_without_units_have_those_of_the_result(latex: str) -> None:
+    rows = check("paper.tex", f"{UNITS}\n\\begin{{equation}}{latex}\\end{{equation}}\n").rows
+    assert [row.outcome for row in rows[1:]] == IN_UNITS[latex]
+
+
+ROUNDED = {
+    r"\frac{3.14\cdot7^2}4=38.48": [UNJUDGED],
+    r"\frac{3.14\cdot7^2}4=39.5": ["REFUTED"],
+    r"\frac{1000\,\mathrm N}{38.5\,\mathrm{mm^2}}=25.98\,\mathrm{MPa}": [UNJUDGED],
+    r"\frac{1000\,\mathrm N}{38.5\,\mathrm{mm^2}}=26.98\,\mathrm{MPa}": ["REFUTED"],
+    r"\omega=2\pi\cdot24.17=151.8": ["DEFINITION", UNJUDGED],
+    r"\omega=2\pi\cdot24=151.8": ["DEFINITION", "REFUTED"],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("latex", ROUNDED)
+def test_decimals_that_are_put_in_may_be_rounded(latex: str) -> None:
+    assert outcomes(latex) == ROUNDED[latex]
+
+
 PUT_IN = {
     r"i=\frac{84}{24}": ["PROVED"],
     r"i=\frac{84}{23}": [UNJUDGED],
@@ -127,13 +186,22 @@ CALCULATED = {
     r"\pi\cdot0.1\,\mathrm m\cdot3000\,\mathrm{min^{-1}}=98.7\,\mathrm{m/s}": ["REFUTED"],
     r"n_2=\frac{1500\,\mathrm{min^{-1}}}{3}=500\,\mathrm{min^{-1}}": ["DEFINITION", "PROVED"],
     r"n_2=1500\,\mathrm{min^{-1}}-300\,\mathrm{rpm}=1200\,\mathrm{rpm}": ["DEFINITION", "PROVED"],
-    r"n_2=2\,\mathrm{m}\cdot1500\,\mathrm{min^{-1}}=50\,\mathrm{m/s}": ["not read"],
+    r"0.2\,\mathrm{mm}\cdot1450\,\mathrm{min^{-1}}=290\,\mathrm{mm/min}": ["PROVED"],
+    r"\frac{\pi\cdot1450\,\mathrm{min}^{-1}}{30}=151.8\,\mathrm{s^{-1}}": ["not read"],
+    r"\frac{1500\,\mathrm{min}^{-1}-1450\,\mathrm{rpm}}{1500\,\mathrm{rpm}}=0.0333": ["PROVED"],
     r"\omega=2\pi\cdot\frac{1500}{60}\,\mathrm{s^{-1}}=157\,\mathrm{rad/s}": [
         "DEFINITION",
         "PROVED",
     ],
     r"7850\,\frac{\mathrm{kg}}{\mathrm{m}^3}\cdot 1\,\text{dm}^3=7.85\,\text{kg}": ["PROVED"],
     r"9.81\,\mathrm{\frac{m}{s^2}}\cdot 10\,\mathrm{kg}=98.1\,\mathrm{N}": ["PROVED"],
+    r"\frac{10}2\,\text{kN}=5\,\text{kN}": ["PROVED"],
+    r"\sqrt{3^2+4^2}\,\frac{\mathrm m}{\mathrm s}=5\,\mathrm{m/s}": ["PROVED"],
+    r"160\cdot10^5\,\frac{\mathrm{N}}{\mathrm{m}^2}=16\,\mathrm{MPa}": ["PROVED"],
+    r"25\,\mathrm{cm^3}\cdot1000\,\frac{1}{\mathrm{min}}=25\,\mathrm{l/min}": ["PROVED"],
+    r"4.19\,\mathrm{kJ/(kg\,K)}\cdot2\,\mathrm{kg}=8.38\,\mathrm{kJ/K}": ["PROVED"],
+    r"v=\sqrt{2\,\mathrm{m/s}\cdot2\,\mathrm m}": ["not read"],
+    r"F=2\min(T,d)": ["ILL_FORMED"],
     r"1.2\cdot10^3\,\mathrm N\cdot2=2.4\,\mathrm{kN}": ["PROVED"],
     r"l=2\,\mathrm{m}+30\,\mathrm{s}": ["not read"],
     r"F=d\cdot3\,\mathrm{N/mm}": ["not read"],
@@ -154,7 +222,7 @@ def test_units_that_do_not_fit_are_told() -> None:
 
 @pytest.mark.parametrize(
     ("unit", "name"),
-    [("N/mm^2", "Pa"), ("kN m", "Nm"), ("km/h", "m s^-1"), ("1", ""), ("l", "m^3")],
+    [("N/mm^2", "Pa"), ("kN m", "Nm"), ("km/h", "m s^-1"), ("1", "1"), ("l", "m^3")],
 )
 def test_dimensions_have_units_of_si(unit: str, name: str) -> None:
     dimension = read_unit(unit).dimension

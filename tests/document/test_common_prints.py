@@ -39,6 +39,14 @@ CASES = {
         ],
         ["PROVED", "REFUTED", "PROVED", "not read", "not read", "not read"],
     ),
+    "thousands are parted by points beside decimal commas": (
+        [r"12.500=1{,}25\cdot10^4", r"12.500=12{,}5"],
+        ["PROVED", "REFUTED"],
+    ),
+    "points are decimal beside commas": (
+        [r"12.500=1{,}25\cdot10", r"1.5=1{,}5"],
+        ["PROVED", "PROVED"],
+    ),
     "a value is printed at an angle in degrees": (
         [TURN, r"s(90^\circ)=r", r"s(30^\circ)=\frac r2", r"s(90^\circ)=2r", r"r(90^\circ)=2r"],
         ["DEFINITION", "PROVED", "PROVED", "REFUTED", "not read"],

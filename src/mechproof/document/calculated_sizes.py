@@ -5,16 +5,19 @@ A member that has numbers with units and no letter is the size that it gives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import fields, replace
 from typing import Any
 
 import sympy as sp
 
-from mechproof.document.units import REVOLUTIONS, Unit, name_in_si, read_unit
+from mechproof.arithmetic import balls
+from mechproof.document.cells import Numeral
+from mechproof.document.scales import RoundedSize, has_sixty, spread
+from mechproof.document.units import ONE, REVOLUTIONS, Unit, list_powers, name_in_si, read_unit
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, walk
+from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, walk
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.record import FREQUENCY, NUMBER
 
@@ -42,18 +45,49 @@ def _calculate(read: Print, member: Node) -> Node:
             f"a number with a unit, {first.unit}, beside letters",
             "Print the number alone, in the unit of the letters.",
         )
-    names = {size: sp.Dummy(f"{size.number.text} {size.unit}", positive=True) for size in sizes}
-    units = {name: read_unit(size.unit) for size, name in names.items()}
-    value = read.meaning().of(_replace(member, lambda size: _name(size, names[size])))
     try:
-        scales, unit = _find_scales(value, units)
+        value, given, unit = _work_out(read, member)
     except DimensionError as error:
         reason = f"units that do not fit together: {error}".replace("_", "")
         raise read.source.refuse(first.start, reason) from error
-    number = value.xreplace({n: sp.Rational(s.number.text) * scales[n] for s, n in names.items()})
+    number = value.xreplace({name: size.value for name, size in given.items()})
     if not (number.is_real and number.is_finite):
-        raise read.source.refuse(first.start, f"a calculation that gives no size, but {number}")
+        raise read.source.refuse(first.start, "a calculation that gives no real number")
     return Calculated(member, number, unit, start=member.start, end=member.end)
+
+
+def find_span(read: Print, member: Node) -> tuple[float, float] | None:
+    """Return between what a calculation lies whose decimals are rounded, None if it has none."""
+    member = member.of if isinstance(member, Calculated) else member
+    if is_number(member) or any(isinstance(node, Letter) for node in walk(member)):
+        return None
+    value, sizes, _ = _work_out(read, member)
+    found = balls.evaluate(value, {name: spread(size) for name, size in sizes.items()})
+    rounded = any(size.half for size in sizes.values())
+    return (float(found.lower()), float(found.upper())) if rounded and found.is_finite() else None
+
+
+def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, RoundedSize], str]:
+    """Return what a member calculates of names for its sizes and decimals, these, and its unit."""
+    found = [node for node in walk(member) if isinstance(node, Measure | Number)]
+    inside = {node.number for node in found if isinstance(node, Measure)}
+    names = {
+        node: sp.Dummy(_show(node), positive=True)
+        for node in found
+        if isinstance(node, Measure) or ("." in node.text and node not in inside)
+    }
+    units = {
+        name: read_unit(node.unit) if isinstance(node, Measure) else ONE
+        for node, name in names.items()
+    }
+    value = read.meaning().of(_replace(member, names))
+    scales, unit = _find_scales(value, units)
+    sizes = {}
+    for node, name in names.items():
+        number = Numeral(_find_digits(node), sp.S.One)
+        half = number.half_place * scales[name] if number.is_decimal else sp.S.Zero
+        sizes[name] = RoundedSize(number.value * scales[name], half)
+    return value, sizes, unit
 
 
 def _find_scales(
@@ -61,27 +95,34 @@ def _find_scales(
 ) -> tuple[dict[sp.Basic, sp.Expr], str]:
     """Return how large the units of a calculation are in that of its result, and this.
 
-    Revolutions by the minute are turns beside pi; alone they are what they are in the result.
+    Revolutions by the minute are turns; alone they are what they are in the result.
     """
     # Nothing is of any dimension.
     dimension = infer(value, {name: unit.dimension for name, unit in units.items()}) or NUMBER
-    turning = {name for name, unit in units.items() if unit.scale == REVOLUTIONS}
-    if dimension == FREQUENCY and turning == units.keys() and not value.has(sp.pi):
-        return dict.fromkeys(units, sp.S.One), _MINUTE
-    if turning and not value.has(sp.pi):
-        raise DimensionError("revolutions by the minute beside others, as turns or as radians?")
-    turns = dict.fromkeys(turning, sp.Rational(1, 60))
-    return {name: unit.scale for name, unit in units.items()} | turns, name_in_si(dimension)
+    if any(power != int(power) for power in list_powers(dimension)):
+        raise DimensionError(f"a root of {dimension}")
+    scales = {name: unit.scale for name, unit in units.items()}
+    turning = {name for name, scale in scales.items() if scale == REVOLUTIONS}
+    others = {name for name, unit in units.items() if unit != ONE} - turning
+    if turning and dimension == FREQUENCY and not (others or value.has(sp.pi)):
+        return scales | dict.fromkeys(turning, sp.S.One), _MINUTE
+    if turning and value.has(sp.pi) and has_sixty(value):
+        raise DimensionError("revolutions by the minute, which are turned or not")
+    return scales | dict.fromkeys(turning, sp.Rational(1, 60)), name_in_si(dimension)
 
 
-def _name(size: Measure, name: sp.Dummy) -> Letter:
-    return Letter(name, size.unit, start=size.start, end=size.end)
+def _find_digits(node: Measure | Number) -> str:
+    return node.number.text if isinstance(node, Measure) else node.text
 
 
-def _replace(part: Any, change: Callable[[Measure], Node]) -> Any:
-    """Return a part of a print with other nodes instead of numbers with a unit."""
-    if isinstance(part, Measure):
-        return change(part)
+def _show(node: Measure | Number) -> str:
+    return f"{_find_digits(node)} {node.unit if isinstance(node, Measure) else ''}".strip()
+
+
+def _replace(part: Any, names: Mapping[Any, sp.Dummy]) -> Any:
+    """Return a part of a print with names for some of its nodes."""
+    if isinstance(part, Node) and part in names:
+        return Letter(names[part], str(names[part]), start=part.start, end=part.end)
     if isinstance(part, Node):
-        return replace(part, **{f.name: _replace(vars(part)[f.name], change) for f in fields(part)})
-    return tuple(_replace(one, change) for one in part) if isinstance(part, tuple) else part
+        return replace(part, **{f.name: _replace(vars(part)[f.name], names) for f in fields(part)})
+    return tuple(_replace(one, names) for one in part) if isinstance(part, tuple) else part

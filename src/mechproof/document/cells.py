@@ -81,11 +81,12 @@ class Numeral:
 def name_unit(text: str) -> str:
     r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
     shown = _DEGREE.sub("°", _BLANK.sub(" ", _MICRO.sub("µ", text)).replace(r"\%", "%"))
-    shown = drop_braces(shown)
+    shown = _SINGLE.sub("", drop_braces(shown))
     while (inside := _FRACTION.sub(_write_slash, _UPRIGHT.sub(r"\1", shown))) != shown:
         shown = inside
-    shown = _SINGLE.sub("", shown)
-    shown = spell_unit(shown.strip(" {}[]()")).replace("{", "").replace("}", "")
+    shown = spell_unit(shown.strip(" {}[]")).replace("{", "").replace("}", "")
+    if shown.startswith("(") and shown.endswith(")"):
+        shown = shown[1:-1]
     try:
         read_unit(shown)
     except UnitError:
@@ -95,7 +96,7 @@ def name_unit(text: str) -> str:
 
 def _write_slash(fraction: re.Match[str]) -> str:
     """Write a fraction of units with slashes, W/m^2/K."""
-    below = re.split(r"\s*(?:\\cdot|[\s·*])\s*", fraction[2].strip())
+    below = re.split(r"\s*(?:\\cdot\s*|[\s·*])\s*", fraction[2].strip())
     return "/".join((fraction[1], *below))
 
 

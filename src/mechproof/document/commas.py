@@ -1,4 +1,4 @@
-"""Commas between digits: decimal ones, and those that part thousands, 1{,}000."""
+"""Commas and points between digits: decimal ones, and those that part thousands, 1{,}000."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ _ICOMMA = re.compile(r"\\usepackage\s*(?:\[[^\]]*\])?\s*\{[^{}]*\bicomma\b[^{}]*
 _DECIMAL = re.compile(r"_\{[^{}]*\}|\\(?:\w*ref|label|tag|cite)\*?\{[^{}]*\}|(?<=\d),(?=\d)")
 _WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
 # A point may part thousands, too: 1.500.
+_PARTING = re.compile(r"(?<=\d)\.(?=\d{3}(?!\d))")
 _POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
 
 
@@ -26,10 +27,13 @@ def mark_decimals(text: LocatedText) -> LocatedText:
 
 
 def join_thousands(text: LocatedText) -> LocatedText:
-    """Return a text without the commas that part thousands; where one is decimal, all may be."""
+    """Return a text without what parts thousands: commas, or points beside decimal commas."""
     numbers = _NUMBER.findall(text.string)
-    if not numbers or not all(map(_THOUSANDS.fullmatch, numbers)):
+    if not numbers:
         return text
     prints = (_WORDS.sub(" ", one.latex.string) for one in find_displays(text))
     has_points = any(map(_POINT.search, prints))
+    if not all(map(_THOUSANDS.fullmatch, numbers)):
+        # Beside decimal commas points part thousands.
+        return text if has_points else text.replace(_PARTING, lambda match: "")
     return text.replace(_COMMA, lambda match: "") if has_points else text

@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.conversions import UNFIT
+from mechproof.document.cells import Numeral
+from mechproof.document.conversions import NEAR, UNFIT
 from mechproof.document.displays import Printed
 from mechproof.document.roles import Sign
+from mechproof.document.scales import RoundedSize, agrees, spread
 from mechproof.document.sizes import SINGLE, Sizes, show, tell_missing
-from mechproof.document.units import read_unit
-from mechproof.record import Equality
+from mechproof.document.units import Unit, is_share, read_unit
+from mechproof.record import Equality, PrintedNumber
 
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
 _ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
+_UNSHOWN = "the calculation gives {}, but that this is in {} is not shown"
 # By such a share what rounded numbers give may be off.
 _NEAR = 0.01
 
@@ -41,8 +44,8 @@ def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Size
     if unit and not sizes.fits(formula, own, unit):
         return UNFIT
     values = []
-    for settled, at, told in _list_settled(formula, sign, printed, sizes):
-        for value in (one.xreplace(at) for one in sizes.read([settled], own, unit)):
+    for settled, at, told in _list_settled(formula, sign, own, printed, sizes):
+        for value in (one.xreplace(at) for one in _read(settled, formula, own, unit, sizes)):
             if balls.evaluate(value - given, {}).contains(0):
                 return PutIn(Equality(value, given, "member"), told)
             values.append(value)
@@ -54,14 +57,72 @@ def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Size
     return (_ROUNDED if is_near else _OTHERS).format(show(given), show(nearest))
 
 
+def state_result(
+    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes
+) -> PrintedNumber | Equality | str | None:
+    """State that a number is what is calculated, and in its unit what the formula before gives."""
+    plain = sizes.state(sign, own, printed)
+    if not isinstance(plain, PrintedNumber):
+        return plain
+    if not sign.unit:
+        return NEAR if may_be_rounded(plain, sign) else plain
+    unit, is_right = read_unit(sign.unit), agrees(plain)
+    if is_share(unit):
+        share = PrintedNumber(sign.number, sign.value / unit.scale)
+        is_open = is_right and not agrees(share)
+        return _UNSHOWN.format(show(sign.value), sign.unit) if is_open else plain
+    if not sizes.fits(sign.formula, own, unit):
+        return _UNSHOWN.format(show(plain.value), sign.unit) if is_right else plain
+    values = [
+        one.xreplace(at)
+        for settled, at, _ in _list_settled(sign.formula, sign, own, printed, sizes)
+        for one in sizes.read([settled], own, unit)
+    ]
+    if any(agrees(PrintedNumber(sign.number, value)) for value in values):
+        return plain if is_right else NEAR
+    asked = replace(sign, number="", unit=sign.given[1], sides=(sign.formula, sign.value))
+    if isinstance(state_put_in(asked, own, printed, sizes), PutIn):
+        # Its numbers are those of the sizes, unrounded.
+        number = sp.Rational(sign.number)
+        nearest = min(values, key=lambda value: _measure_off(value, number), default=plain.value)
+        return PrintedNumber(sign.number, nearest)
+    if may_be_rounded(plain, sign):
+        return NEAR
+    is_own = own is not None and sizes.known.symbols.scales.get(own) == unit.scale
+    if not is_right or sign.given[1] or (is_own and not values):
+        return plain
+    return _UNSHOWN.format(show(plain.value), sign.unit)
+
+
+def may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
+    """Return whether a number may be that of a calculation whose decimals are rounded."""
+    if sign.span is None or not sign.value or agrees(stated):
+        return False
+    low, high = (sp.Rational(end) * stated.value / sign.value for end in sign.span)
+    number = Numeral(sign.number, sp.S.One)
+    printed = spread(RoundedSize(number.value, number.half_place))
+    return bool(balls.to_ball(low).union(balls.to_ball(high)).overlaps(printed))
+
+
+def _read(
+    settled: sp.Expr, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None, sizes: Sizes
+) -> Iterator[sp.Expr]:
+    """Yield what a formula may give, in a unit; without one in that of its letter, or of SI."""
+    yield from sizes.read([settled], own, unit)
+    dimension = sizes.infer(formula)
+    if unit is None and dimension is not None:
+        yield from sizes.read([settled], own, Unit(dimension))
+
+
 def _list_settled(
-    formula: sp.Expr, sign: Sign, printed: Printed, sizes: Sizes
+    formula: sp.Expr, sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes
 ) -> Iterator[tuple[sp.Expr, dict[sp.Basic, sp.Expr], str]]:
     """Yield a formula of letters that have sizes, these, and what is told of them.
 
     First the sizes that are declared or said, then with the numbers of equations before.
     """
-    for numbers in ({}, sizes.list_numbers(sign, printed)):
+    numbered = {s: one for s, one in sizes.list_numbers(sign, printed).items() if s != own}
+    for numbers in ({}, numbered):
         at = sizes.list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
         settled = (sizes.known.settle(formula), sizes.known.settle(formula, stop=at))
         for one in dict.fromkeys(settled):

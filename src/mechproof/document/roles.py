@@ -15,6 +15,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.calculated_sizes import find_span
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import define_now
 from mechproof.document.laws import read_piece
@@ -75,7 +76,8 @@ class Sign:
     give. `printed` are the letters of both sides as they are printed, `factor`
     the digits of their only decimal, if it is a factor. `varied` are letters over which a part goes
     alone, by which it is differentiated or integrated, or of which a value is put in, each with
-    the letters of that part.
+    the letters of that part. `formula` is what stands before a calculation that a number is of,
+    `span` between what this lies whose decimals are rounded.
     """
 
     role: Role
@@ -90,6 +92,8 @@ class Sign:
     printed: frozenset[sp.Basic] = frozenset()
     varied: tuple[Varied, ...] = ()
     factor: str = ""
+    formula: Any = None
+    span: tuple[float, float] | None = None
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -128,13 +132,33 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
             )
         ]
         _note_others(name, found, known)
-        signs += found
+        found = [_add_span(read, *one) for one in zip(found, pairwise(chain.members), strict=True)]
+        signs += found[:1] + [_add_formula(*two) for two in pairwise(found)]
     for sign in signs:
         if sign.role is Role.CONSTRAINT:
             known.constrained.update(*(side.free_symbols for side in sign.sides))
     for chain in read.chains:
         known.met.update(_list_letters(chain))
     return signs
+
+
+def _add_formula(before: Sign, sign: Sign) -> Sign:
+    """Return a sign with the formula before the calculation at its left."""
+    formula = before.letter if before.sides[0] is None else before.sides[0]
+    has_letters = isinstance(formula, sp.Expr) and formula.free_symbols
+    return replace(sign, formula=formula) if _is_of_calculation(sign) and has_letters else sign
+
+
+def _add_span(read: Print, sign: Sign, nodes: tuple[Node, ...]) -> Sign:
+    """Return a sign with what the calculation beside its number may give unrounded."""
+    if not _is_of_calculation(sign):
+        return sign
+    return replace(sign, span=find_span(read, nodes[sign.sides[0] is not sign.value]))
+
+
+def _is_of_calculation(sign: Sign) -> bool:
+    is_expression = bool(sign.number) and isinstance(sign.value, sp.Expr)
+    return is_expression and not sign.value.free_symbols
 
 
 def _list_letters(nodes: Any) -> frozenset[sp.Basic]:

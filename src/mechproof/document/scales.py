@@ -72,9 +72,9 @@ class Result:
 
 def is_near(formula: sp.Expr, number: Numeral, sizes: Mapping[sp.Basic, RoundedSize]) -> bool:
     """Return whether a number may be that of a formula at sizes that round to those given."""
-    values = {symbol: _spread(size.value, size.half) for symbol, size in sizes.items()}
+    values = {symbol: spread(size) for symbol, size in sizes.items()}
     found = balls.evaluate(formula, values)
-    printed = _spread(sp.Rational(number.digits), number.half_place)
+    printed = spread(RoundedSize(sp.Rational(number.digits), number.half_place))
     return not found.is_finite() or bool(found.overlaps(printed))
 
 
@@ -83,7 +83,7 @@ def agrees(says: PrintedNumber) -> bool:
     return decide_number(says, says.value).verdict is Verdict.PROVED
 
 
-def _has_sixty(formula: sp.Expr) -> bool:
+def has_sixty(formula: sp.Expr) -> bool:
     """Return whether a number of a formula may have half a minute's seconds as a factor."""
     return any(not (one.p % 15 and one.q % 15) for one in formula.atoms(sp.Rational))
 
@@ -94,8 +94,9 @@ def may_turn_units(formula: sp.Expr) -> bool:
     return any(one.is_Float or max(abs(one.p), one.q) >= _FACTOR for one in numbers)
 
 
-def _spread(value: sp.Expr, half: sp.Expr) -> balls.Ball:
-    return balls.to_ball(value - half).union(balls.to_ball(value + half))
+def spread(size: RoundedSize) -> balls.Ball:
+    """Return all values that round to a size."""
+    return balls.to_ball(size.value - size.half).union(balls.to_ball(size.value + size.half))
 
 
 class Scales:
@@ -172,7 +173,7 @@ class Scales:
         angles = [sp.S.One] if has_pi or not counts else []
         if has_pi or counts:
             angles.append(_TURN)
-        if has_pi and _has_sixty(formula):
+        if has_pi and has_sixty(formula):
             angles.append(REVOLUTIONS)
         scale = unit.scale if unit else self._scale(own, sp.S.One)
         values = (self.to_si(formula, a) / scale * (a if turns else 1) for a in angles)

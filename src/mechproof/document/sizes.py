@@ -131,13 +131,13 @@ class Sizes:
 
         A unit behind the number is enough where the letters have units.
         """
-        symbols, dimension = self.known.symbols, self._infer(sign.value)
+        symbols, dimension = self.known.symbols, self.infer(sign.value)
         if own is not None:
             return None if sign.unit and dimension and own not in symbols.scales else own
         own = None if sign.unit else symbols.find_alike(sign.value.free_symbols)
         return own if dimension == symbols.find_dimension(own) else None
 
-    def _infer(self, value: Any) -> Dimension | None:
+    def infer(self, value: Any) -> Dimension | None:
         """Return the dimension of a value, None where its letters have none or it mixes some."""
         known = {s: self.known.symbols.find_dimension(s) for s in value.free_symbols}
         known |= {
@@ -154,7 +154,7 @@ class Sizes:
     def _constrain(self, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
         """State what a number says of letters whose sizes are not all known."""
         value, number = sign.value, sp.Rational(sign.number)
-        scales, dimension = Scales(self.known.symbols), self._infer(sign.value)
+        scales, dimension = Scales(self.known.symbols), self.infer(sign.value)
         if not sign.unit:
             is_fit = number != 0 and own is not None and _is_sum(value)
             is_fit &= dimension == self.known.symbols.find_dimension(own)
@@ -194,7 +194,7 @@ class Sizes:
 
     def fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
         """Return whether a formula may be counted in a unit; with a letter as far as is known."""
-        found = self._infer(value)
+        found = self.infer(value)
         return found == unit.dimension or (
             own is not None and (found is None or may_turn_units(value))
         )
@@ -244,7 +244,7 @@ class Sizes:
         """Say why a number may not be meant at the sizes that are printed."""
         used = self._list_used(value.free_symbols)
         units = {one.head.unit for one in used.values()}
-        if unit is None and len(units) > 1 and self._infer(value) != NUMBER:
+        if unit is None and len(units) > 1 and self.infer(value) != NUMBER:
             return "it has no unit, and the sizes have several"
         if used and not self._are_beside(used.values(), printed.group):
             names = ", ".join(dict.fromkeys(one.name for one in used.values()))

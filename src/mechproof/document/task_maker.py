@@ -10,13 +10,14 @@ import sympy as sp
 
 from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
+from mechproof.document.conversions import NEAR
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
-from mechproof.document.put_in_sizes import state_put_in
+from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
     have_same_letters,
@@ -201,6 +202,8 @@ class TaskMaker:
         if is_calculated:
             found = state_put_in(sign, own, printed, self.sizes)
             stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
+        elif sign.role is Role.NUMBER and sign.formula is not None:
+            stated = state_result(sign, own, printed, self.sizes)
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed)
         if sign.role is Role.SIZE:
@@ -210,6 +213,9 @@ class TaskMaker:
             told = [one for one in judged if isinstance(one[1], PrintedNumber)]
             told += [one for one in judged if str(one[1]).startswith(OTHERS)]
             sign, stated = told[0] if told else (sign, None)
+        claim = row.says if stated is None else stated
+        is_rounded = isinstance(claim, PrintedNumber) and may_be_rounded(claim, sign)
+        stated = NEAR if is_rounded and sign.formula is None else stated
         if isinstance(stated, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
         if stated:

@@ -53,13 +53,21 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     NUMBER / _TIME: {"Hz": _TEN**0, "kHz": _TEN**3},
     _FORCE: {"N": _TEN**0, "kN": _TEN**3, "mN": _TEN**-3, "MN": _TEN**6},
     _FORCE * LENGTH: {
-        **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3, "J": _TEN**0, "kJ": _TEN**3},
+        **{
+            "Nm": _TEN**0,
+            "kNm": _TEN**3,
+            "Nmm": _TEN**-3,
+            "J": _TEN**0,
+            "kJ": _TEN**3,
+            "MJ": _TEN**6,
+        },
         **{"kWh": 36 * _TEN**5, "Wh": sp.Integer(3600)},
     },
     _FORCE / LENGTH**2: {
         **{"Pa": _TEN**0, "kPa": _TEN**3, "MPa": _TEN**6, "GPa": _TEN**9, "bar": _TEN**5},
+        **{"hPa": _TEN**2, "mbar": _TEN**2},
     },
-    _FORCE * LENGTH / _TIME: {"W": _TEN**0, "kW": _TEN**3},
+    _FORCE * LENGTH / _TIME: {"W": _TEN**0, "kW": _TEN**3, "MW": _TEN**6, "mW": _TEN**-3},
 }
 # Angles and numbers have one dimension here.
 _ANGLES = {
@@ -151,11 +159,13 @@ def name_in_si(dimension: Dimension) -> str:
     named = _SCALES.get(dimension, {})
     if name := next((name for name, scale in named.items() if scale == 1), ""):
         return name
-    powers = zip(("kg", "m", "s", "K"), _list_powers(dimension), strict=True)
-    return " ".join(name if power == 1 else f"{name}^{power}" for name, power in powers if power)
+    powers = zip(("kg", "m", "s", "K"), list_powers(dimension), strict=True)
+    shown = (name if power == 1 else f"{name}^{power}" for name, power in powers if power)
+    return " ".join(shown) or "1"
 
 
-def _list_powers(dimension: Dimension) -> tuple[Any, ...]:
+def list_powers(dimension: Dimension) -> tuple[Any, ...]:
+    """Return the powers of kg, m, s and K in the unit of SI of a dimension."""
     return dimension.mass, dimension.length, dimension.time, dimension.temperature
 
 

@@ -62,7 +62,7 @@ def read_atom(parser: Parser) -> Node:
     if text == r"\frac" and derivatives.is_derivative(parser):
         return derivatives.read_derivative(parser)
     if text == r"\frac":
-        return _read_fraction(parser, start)
+        return read_unit(parser) or _read_fraction(parser, start)
     if text == r"\sqrt":
         return _read_root(parser, start)
     if text == r"\binom":

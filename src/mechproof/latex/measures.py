@@ -52,7 +52,7 @@ def _take_power(parser: Parser, number: Number) -> Number:
     match = times or (_EXPONENT.match(latex, parser.end) if is_ten else None)
     if match is None:
         return number
-    while parser.start < match.end() and parser.text:
+    while parser.text and parser.tokens[parser.place].end <= match.end():
         parser.take()
     power = int(match["braced"] or match["digit"])
     # A power of ten alone is exact.
@@ -84,24 +84,38 @@ def _find_end(parser: Parser) -> int:
 
 def read_unit(parser: Parser) -> Measure | None:
     """Read a unit behind what is calculated, as one of it."""
-    place, name_unit = parser.place, parser.notation.name_unit
-    before = parser.tokens[place - 1].text if place else ""
-    if name_unit is None or parser.collects or not (before[-1:].isdigit() or before in ("}", ")")):
-        return None
-    start, last = parser.start, _find_upright_end(parser)
-    unit = (
-        name_unit(parser.source.latex[start : parser.tokens[last - 1].end]) if last > place else ""
-    )
+    unit, last, start = *_find_unit(parser), parser.start
     if not unit:
         return None
     parser.place = last
     return Measure(Number("1", start=start, end=start), unit, start=start, end=parser.end)
 
 
+def is_unit(parser: Parser) -> bool:
+    """Return whether a unit stands behind what is calculated."""
+    return bool(_find_unit(parser)[0])
+
+
+def _find_unit(parser: Parser) -> tuple[str, int]:
+    """Return the unit behind what is calculated, nothing for none, and the place behind it."""
+    place, name_unit = parser.place, parser.notation.name_unit
+    before = parser.tokens[place - 1].text if place else ""
+    if name_unit is None or parser.collects or not (before[-1:].isdigit() or before in ("}", ")")):
+        return "", place
+    last = _find_upright_end(parser)
+    if last == place:
+        return "", place
+    return name_unit(parser.source.latex[parser.start : parser.tokens[last - 1].end]), last
+
+
 def _find_upright_end(parser: Parser) -> int:
     r"""Return the place behind a unit in upright signs, \mathrm{N}/\mathrm{mm}^2, else this one."""
-    last = _skip_factor(parser, parser.place)
-    while last > parser.place:
+    return _skip_unit(parser, parser.place)
+
+
+def _skip_unit(parser: Parser, place: int) -> int:
+    last = _skip_factor(parser, place)
+    while last > place:
         is_joint = last < len(parser.tokens) and parser.tokens[last].text in ("/", r"\cdot")
         end = _skip_factor(parser, last + is_joint)
         if end == last + is_joint:
@@ -117,6 +131,8 @@ def _skip_factor(parser: Parser, place: int) -> int:
     first = place + (place < len(parser.tokens) and _is_micro(parser, place))
     if first >= len(parser.tokens) or not _is_upright(parser, first):
         return place
+    if parser.source.latex.startswith(r"\min", parser.tokens[first].start):
+        return place
     match = _EXPONENT.match(parser.source.latex, parser.tokens[first].end)
     end = first + 1
     while match and end < len(parser.tokens) and parser.tokens[end].end <= match.end():
@@ -125,13 +141,11 @@ def _skip_factor(parser: Parser, place: int) -> int:
 
 
 def _skip_group(parser: Parser, place: int) -> int:
-    """Return the place behind a group of upright signs, 0 if it has others."""
+    """Return the place behind a group of upright signs, or with a one, 0 if it has others."""
     texts = [token.text for token in parser.tokens[place:]]
     if not place or texts[:1] != ["{"]:
         return 0
-    end = place + 1
-    while (following := _skip_factor(parser, end)) > end:
-        end = following
+    end = place + 2 if texts[1:2] == ["1"] else _skip_unit(parser, place + 1)
     return end + 1 if end > place + 1 and texts[end - place : end - place + 1] == ["}"] else 0
 
 

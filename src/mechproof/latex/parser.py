@@ -26,6 +26,7 @@ from mechproof.latex import (
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.measures import is_unit
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
@@ -258,7 +259,7 @@ class Parser:
             return self.bars > 0
         if self.text == r"\|":
             return self.norms > 0
-        is_word = self.text.startswith((r"\text", r"\end"))
+        is_word = self.text.startswith((r"\text", r"\end")) and not is_unit(self)
         ends = self.text in ENDING or self.text in self.signs
         return is_word or ends or calculus.is_over(self) or conditions.is_bracketed(self)
 
