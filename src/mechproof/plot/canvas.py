@@ -120,6 +120,8 @@ def tick_degrees(axis: Axis, span: float) -> None:
     """Tick an axis of so many degrees every 30, or at multiples or parts of it that can be read."""
     from matplotlib.ticker import MultipleLocator
 
+    # Of a computed angle the last digits are rounding.
+    span = float(f"{span:.9g}")
     fitting = (step for step in DEGREES if step <= span / 2 and span <= MOST_TICKS * step)
     step = 30.0 if 60 <= span <= MOST_TICKS * 30 else next(fitting, span / 2)
     axis.set_major_locator(MultipleLocator(step))

@@ -54,17 +54,17 @@ class Program:
     def _list_as_read(self) -> tuple[Operation, ...]:
         made = {step.result: step for step in self.operations}
         listed: dict[Operand, Operation] = {}
-
-        def visit(operand: Operand) -> None:
-            if operand in made and operand not in listed:
-                step = made[str(operand)]
-                for used in step.operands:
-                    visit(used)
-                listed[operand] = step
-
         named = [result for result in made if not result.startswith(TEMPORARY)]
-        for operand in (*named, *self.outputs):
-            visit(operand)
+        # A sum of many terms is nested deeper than Python calls.
+        waiting: list[Operand] = [*reversed([*named, *self.outputs])]
+        while waiting:
+            operand = waiting[-1]
+            step = made.get(str(operand)) if operand not in listed else None
+            missing = [x for x in step.operands if x in made and x not in listed] if step else []
+            waiting += reversed(missing)
+            if not missing:
+                waiting.pop()
+                listed.update({operand: step} if step else {})
         return tuple(listed.values())
 
     def count_operations(self) -> int:
