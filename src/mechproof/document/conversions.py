@@ -13,7 +13,7 @@ from mechproof.document.symbols import Symbols
 from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
-UNFIT = "a number with a unit that is not said to be that of its letters"
+UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
 NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 

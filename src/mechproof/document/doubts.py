@@ -169,7 +169,7 @@ def doubt_by_unread(
         ]
         if names := ", ".join(left.number for left in between):
             first = "it differs" if _is_refuted(rows[n]) else "it holds"
-            reason = f"{first}, but {names}, which is not read, may define a letter of it anew"
+            reason = f"{first}, but {names}, not read, may define a letter of it anew"
             yield n, make_row(task, reason)
 
 

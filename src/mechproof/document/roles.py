@@ -28,6 +28,7 @@ from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
     Approach,
     At,
+    Calculated,
     Chain,
     Derivation,
     Extremum,
@@ -132,8 +133,8 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
             )
         ]
         _note_others(name, found, known)
-        found = [_add_span(read, *one) for one in zip(found, pairwise(chain.members), strict=True)]
-        signs += found[:1] + [_add_formula(*two) for two in pairwise(found)]
+        beside = zip(found, [None, *found[:-1]], pairwise(chain.members), strict=True)
+        signs += [_add_calculation(read, *one) for one in beside]
     for sign in signs:
         if sign.role is Role.CONSTRAINT:
             known.constrained.update(*(side.free_symbols for side in sign.sides))
@@ -142,23 +143,16 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
     return signs
 
 
-def _add_formula(before: Sign, sign: Sign) -> Sign:
-    """Return a sign with the formula before the calculation at its left."""
-    formula = before.letter if before.sides[0] is None else before.sides[0]
-    has_letters = isinstance(formula, sp.Expr) and formula.free_symbols
-    return replace(sign, formula=formula) if _is_of_calculation(sign) and has_letters else sign
-
-
-def _add_span(read: Print, sign: Sign, nodes: tuple[Node, ...]) -> Sign:
-    """Return a sign with what the calculation beside its number may give unrounded."""
-    if not _is_of_calculation(sign):
+def _add_calculation(read: Print, sign: Sign, before: Sign | None, nodes: tuple[Node, ...]) -> Sign:
+    """Return a sign between a calculation and a number, with the formula before, and the span."""
+    if not (sign.number and isinstance(sign.value, sp.Expr)) or sign.value.free_symbols:
         return sign
-    return replace(sign, span=find_span(read, nodes[sign.sides[0] is not sign.value]))
-
-
-def _is_of_calculation(sign: Sign) -> bool:
-    is_expression = bool(sign.number) and isinstance(sign.value, sp.Expr)
-    return is_expression and not sign.value.free_symbols
+    node = nodes[sign.sides[0] is not sign.value]
+    if is_number(node) and not isinstance(node, Calculated):
+        return sign
+    first = before and (before.letter if before.sides[0] is None else before.sides[0])
+    has_letters = isinstance(first, sp.Expr) and first.free_symbols
+    return replace(sign, formula=first if has_letters else None, span=find_span(read, node))
 
 
 def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
