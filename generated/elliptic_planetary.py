@@ -646,7 +646,7 @@ def jerk(
 
     Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
     makes of them, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and
-    1e-300 <= R2 and R1 <= 1e90*R2 and (e = 0 or 1e-100 <= e).
+    1e-300 <= R2 and R1 <= 1e75*R2 and (e = 0 or 1e-100 <= e).
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
     at most 33 eps with np.tan within 1 ulp, found 15.05; at most 40.25 eps compiled, found
@@ -742,7 +742,7 @@ def largest_acceleration(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 20 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
-    1e90*R2.
+    1e75*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 11.66 eps
     with NumPy's functions, found 6.69; at most 11.66 eps compiled, found 6.69.
@@ -822,7 +822,7 @@ def angle_of_smallest_acceleration(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 4.5 eps with
     np.arctan2 within 1 ulp, found 3.09; at most 5.47 eps compiled, found 3.46.
@@ -898,7 +898,7 @@ def largest_jerk(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 21 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
-    1e90*R2.
+    1e75*R2.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
@@ -976,7 +976,7 @@ def smallest_jerk(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 6.54 eps
     with NumPy's functions, found 5.94; at most 6.54 eps compiled, found 5.94.
@@ -1030,7 +1030,7 @@ def angle_of_largest_jerk(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 8 eps of the value and what the rounding of 10*e - square makes of it,
-    where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 

@@ -102,7 +102,8 @@ ANGLE_OF_JERK = Piecewise((pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
 # of which the square in its denominator has 7.3. root_jerk 2: the largest jerk 21, the smallest 7.
 # The jerk itself is a difference, of whose terms it has the accuracy;
 # cos(x) is one itself, of the squares of the half angle's parts.
-SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**90 * R2)
+# The cube of R1/R2 over the fifth power of 1 - e is met on the way, and is a double.
+SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**75 * R2)
 # Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
 EITHER_TERM = Scale(

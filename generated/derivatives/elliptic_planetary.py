@@ -428,7 +428,7 @@ def jerk(
     """Differentiate `jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where |x| <=
-    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2
+    2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2
     and (e = 0 or 1e-100 <= e).
 
     """
@@ -598,7 +598,7 @@ def largest_acceleration(
     """Differentiate `largest_acceleration` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
-    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
@@ -738,7 +738,7 @@ def angle_of_smallest_acceleration(
     """Differentiate `angle_of_smallest_acceleration` by its arguments, in their order.
 
     In rad per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300
-    <= R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
@@ -846,7 +846,7 @@ def smallest_jerk(
     """Differentiate `smallest_jerk` by its arguments, in their order.
 
     In 1 per unit of each argument. Accuracy, tested: 4 eps of its conditioning, where 1e-300 <=
-    R1 and 1e-300 <= R2 and R1 <= 1e90*R2.
+    R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
