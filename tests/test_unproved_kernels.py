@@ -112,12 +112,13 @@ def test_what_is_proved_is_shipped(
 def test_a_row_that_says_less_than_the_definition_is_found_by_running(
     arguments: str, tmp_path: Path
 ) -> None:
-    folder = write(tmp_path, arguments)
-    result = run("regenerate", "--derivations", str(folder))
-    assert result.exit_code == 1
-    assert "its program gives" in result.output
-    assert "its definition" in result.output
-    assert not (tmp_path / "generated").exists()
+    folder, out = write(tmp_path, arguments), tmp_path / "c"
+    for command in (("regenerate",), ("emit", "c", "--out", str(out))):
+        result = run(*command, "--derivations", str(folder))
+        assert result.exit_code == 1
+        assert "its program gives" in result.output
+        assert "its definition" in result.output
+    assert [path.name for path in tmp_path.iterdir()] == ["derivations"]
 
 
 def test_a_row_of_the_paper_cannot_stand_for_the_row_of_a_kernel(tmp_path: Path) -> None:

@@ -57,7 +57,7 @@ def validate(subjects: Iterator[Subject]) -> None:
                 if hasattr(module, kernel.name):
                     _check_rounding(subject, kernel, getattr(module, kernel.name))
         if subject.quantity.forms and subject.modules[0] is not None:
-            _check_meaning(subject)
+            check_meaning(subject)
             _check_compiled(subject)
         if subject.quantity.forms and subject.quantity.accuracy:
             _check_accuracy(subject)
@@ -79,8 +79,11 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
         raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
 
 
-def _check_meaning(subject: Subject) -> None:
-    """Compare the shipped programs with the definition, which a row may state in other words."""
+def check_meaning(subject: Subject) -> None:
+    """Compare the shipped programs with the definition, which a row may state in other words.
+
+    Raises `TranslationError` with the function, the point, and both values.
+    """
     quantity, functions = subject.quantity, list_functions(subject.paper)
     (kernel,) = (f for f in functions if f.quantity is quantity and f.is_shipped)
     arguments = _take(subject, list_sets(subject, SHARE)[0], ENCLOSED)

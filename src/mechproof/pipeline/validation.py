@@ -8,9 +8,10 @@ from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from mechproof.codegen.reading import TranslationError
 from mechproof.derivation import load_paper
 from mechproof.lab.subject import Subject, make_subjects
-from mechproof.lab.validation import validate
+from mechproof.lab.validation import check_meaning, validate
 from mechproof.record import Paper
 from mechproof.tools.cache import Store, make_key
 from mechproof.tools.processes import WorkerError, run_tasks
@@ -22,6 +23,22 @@ LAYERS = (
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 PASSED = Store("validated.json")
+
+
+def list_unmeant(paper: Paper, place: Path) -> list[str]:
+    """Name kernels whose rows say less than their definition, and that compute something else."""
+    found = []
+    for subject in make_subjects(paper, place, None):
+        if not any(form.on or form.states for form in subject.quantity.shipped):
+            continue
+        try:
+            check_meaning(subject)
+        except TranslationError as error:
+            found.append(f"{paper.system}: {error}")
+        except (ValueError, NotImplementedError):
+            # It has no kernel, as is said where it would be written.
+            continue
+    return found
 
 
 class ValidationError(RuntimeError):
