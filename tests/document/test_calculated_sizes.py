@@ -215,6 +215,13 @@ def test_calculations_with_units_give_sizes(latex: str) -> None:
     assert outcomes(latex) == CALCULATED[latex]
 
 
+@pytest.mark.parametrize("latex", [r"l=3\,\mathrm{s}", r"l=\frac12\,\mathrm{s}"])
+def test_a_size_has_the_dimension_of_its_letter(latex: str) -> None:
+    (row,) = judge(latex).rows[4:]
+    assert row.outcome == UNJUDGED
+    assert "l has dimension L but the unit s has T" in row.reason
+
+
 def test_units_that_do_not_fit_are_told() -> None:
     (row,) = judge(r"l=2\,\mathrm{m}+30\,\mathrm{s}").rows[4:]
     assert "2 m has dimension L but 30 s has T" in row.reason

@@ -65,6 +65,15 @@ def _list_turns(
     return [1 / (2 * sp.pi) if counted[0] else 2 * sp.pi]
 
 
+def tell_misfit(sign: Sign, symbols: Symbols) -> str:
+    """Say that a letter is printed in a unit of another dimension than its own; nothing if not."""
+    own = symbols.find_dimension(sign.letter) if sign.letter is not None else None
+    if not sign.unit or own is None or read_unit(sign.unit).dimension == own:
+        return ""
+    other = read_unit(sign.unit).dimension
+    return f"{sign.letter} has dimension {own} but the unit {sign.unit} has {other}"
+
+
 def may_count(number: sp.Expr, unit: Unit) -> bool:
     """Return whether a formula of numbers may count in a unit; degrees are radians there."""
     is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational

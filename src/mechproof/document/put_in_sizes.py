@@ -83,6 +83,8 @@ def state_result(
     asked = replace(sign, number="", unit=sign.given[1], sides=(sign.formula, sign.value))
     if isinstance(state_put_in(asked, own, printed, sizes), PutIn):
         # Its numbers are those of the sizes, unrounded.
+        if not is_right:
+            return plain
         number = sp.Rational(sign.number)
         nearest = min(values, key=lambda value: _measure_off(value, number), default=plain.value)
         return PrintedNumber(sign.number, nearest)

@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
-from mechproof.document.conversions import NEAR
+from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
@@ -206,6 +206,8 @@ class TaskMaker:
             stated = state_result(sign, own, printed, self.sizes)
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed)
+        if sign.role is Role.SIZE and (misfit := tell_misfit(sign, self.known.symbols)):
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, misfit)
         if sign.role is Role.SIZE:
             said = replace(sign, role=Role.NUMBER)
             formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))

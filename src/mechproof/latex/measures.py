@@ -131,7 +131,9 @@ def _skip_factor(parser: Parser, place: int) -> int:
     first = place + (place < len(parser.tokens) and _is_micro(parser, place))
     if first >= len(parser.tokens) or not _is_upright(parser, first):
         return place
-    if parser.source.latex.startswith(r"\min", parser.tokens[first].start):
+    following = parser.tokens[first + 1].text if first + 1 < len(parser.tokens) else ""
+    is_function = parser.tokens[first].text == r"\min" and following in ("(", r"\{", "_")
+    if is_function or parser.source.latex.startswith(r"\min", parser.tokens[first].start):
         return place
     match = _EXPONENT.match(parser.source.latex, parser.tokens[first].end)
     end = first + 1
