@@ -15,6 +15,7 @@ from mechproof.arithmetic import balls
 from mechproof.document.cells import Numeral
 from mechproof.document.scales import RoundedSize, has_sixty, spread
 from mechproof.document.units import ONE, REVOLUTIONS, Unit, list_powers, name_in_si, read_unit
+from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, walk
@@ -61,7 +62,11 @@ def find_span(read: Print, member: Node) -> tuple[float, float] | None:
     member = member.of if isinstance(member, Calculated) else member
     if is_number(member) or any(isinstance(node, Letter) for node in walk(member)):
         return None
-    value, sizes, _ = _work_out(read, member)
+    try:
+        value, sizes, _ = _work_out(read, member)
+    except (ReadingError, DimensionError):
+        # Where one of its decimals stands, no name may.
+        return None
     found = balls.evaluate(value, {name: spread(size) for name, size in sizes.items()})
     rounded = any(size.half for size in sizes.values())
     return (float(found.lower()), float(found.upper())) if rounded and found.is_finite() else None
