@@ -165,6 +165,15 @@ def test_numbers_that_are_put_in_may_be_those_of_equations_before() -> None:
     assert all(row.outcome == "PROVED" for row in rows if "third" in row.name)
 
 
+def test_numbers_may_be_those_at_the_sizes_of_a_sentence() -> None:
+    numbers = (r"F=\frac{2T}d=5.00\,\mathrm{kN}", r"F=5.01\,\mathrm{kN}", r"p=25.0\,\mathrm{MPa}")
+    rows = judge(*numbers, said=SAID).rows[4:]
+    assert [row.outcome for row in rows] == ["DEFINITION", "PROVED", UNJUDGED, "PROVED"]
+    assert "The text says T = 150000 in line 20, d = 60 in line 20." in rows[1].reason
+    assert "sizes that are not declared: T, d" in rows[2].reason
+    assert outcomes(*numbers)[1:] == [UNJUDGED] * 3
+
+
 def test_without_sizes_nothing_is_said_of_what_is_put_in() -> None:
     found = outcomes(r"i=\frac{84}{24}=3.5", r"p=\frac{5\,\mathrm{kN}}{2\,\mathrm{cm}^2}")
     assert found == [UNJUDGED, "PROVED", UNJUDGED]

@@ -169,6 +169,8 @@ class Sizes:
     ) -> PrintedNumber | Equality | str:
         """Return what a number says of a formula at the sizes, or why that is not judged."""
         formulas = self._find_formulas(sign)
+        if isinstance(formulas, str):
+            return self._round_as_said(sign, own, printed) or formulas
         if not isinstance(formulas, list):
             return formulas
         value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
@@ -191,6 +193,21 @@ class Sizes:
         may_excuse = has_letters or (own and unit)
         excuse = self._excuse(sign, own, printed, read, nearest) if may_excuse else ""
         return excuse or self._doubt(value, unit, printed) or nearest
+
+    def _round_as_said(
+        self, sign: Sign, own: sp.Basic | None, printed: Printed
+    ) -> PrintedNumber | str:
+        """State that a number is that of a formula at sizes that sentences say, if it is."""
+        sizes, unit = self.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
+        settled = (self.known.settle(sign.value), self.known.settle(sign.value, stop=sizes))
+        formulas = [x for x in settled if x != sign.letter and x.free_symbols <= sizes.keys()]
+        if not formulas or (unit and not self.fits(formulas[0], own, unit)):
+            return ""
+        values = [one.xreplace(sizes) for one in self.read(formulas, own, unit)]
+        stated = [PrintedNumber(sign.number, value) for value in values]
+        if _FEW_DIGITS.match(sign.number):
+            stated = [one for one in stated if one.value == sp.Rational(sign.number)]
+        return next(filter(agrees, stated), "")
 
     def fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
         """Return whether a formula may be counted in a unit; with a letter as far as is known."""
