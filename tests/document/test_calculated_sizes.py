@@ -88,6 +88,14 @@ def test_numbers_without_units_have_those_of_the_result(latex: str) -> None:
     assert [row.outcome for row in rows[1:]] == IN_UNITS[latex]
 
 
+@pytest.mark.parametrize("number", ["200", "1257"])
+def test_nothing_is_said_of_turns_that_no_letter_counts(number: str) -> None:
+    calculation = r"\frac{10\,\mathrm{m/s}}{0.05\,\mathrm m}"
+    assert outcomes(rf"{calculation}={number}\,\mathrm{{rad/s}}") == [UNJUDGED]
+    found = {"200": "PROVED", "1257": "REFUTED"}[number]
+    assert outcomes(rf"\omega={calculation}={number}\,\mathrm{{rad/s}}")[1:] == [found]
+
+
 ROUNDED = {
     r"\frac{3.14\cdot7^2}4=38.48": [UNJUDGED],
     r"\frac{3.14\cdot7^2}4=39.5": ["REFUTED"],

@@ -87,3 +87,24 @@ def test_a_bound_holds_wherever_it_is_stated(name: str) -> None:
     errors = scaled_errors(subject, kernel, points)
     worst = int(np.argmax(np.where(np.isnan(errors), np.inf, errors)))
     assert errors[worst] <= subject.quantity.accuracy.ulp, [c[worst] for c in points]
+
+
+def test_no_step_of_the_jerk_overflows_where_its_bound_is_stated() -> None:
+    """The first input is the one that was met beyond; at the second R1/R2 is as large as may be."""
+    subject = find_subject("elliptic_planetary.jerk")
+    kernel = import_module("mechproof.kernels.elliptic_planetary").jerk
+    ratio = 1e75 * (1 - 2.0**-50)
+    points = tuple(
+        np.array(pair)
+        for pair in (
+            (2.3952193734660827e-88, 2 * np.pi / ratio),
+            (7.052731365051122e-22, ratio),
+            (2.688578798115918e-110, 1.0),
+            (0.9999999999999994, 1 - 2.0**-53),
+        )
+    )
+    with np.errstate(over="ignore"):
+        errors = scaled_errors(subject, kernel, points)
+    assert subject.quantity.accuracy is not None
+    assert errors[0] == -1
+    assert 0 <= errors[1] <= subject.quantity.accuracy.ulp

@@ -24,6 +24,8 @@ Ends = Any
 Mask = Any
 # The spacing of doubles at 1, and by how much of itself a number is moved to the nearest at most.
 EPS, UNIT = 2.0**-52, 2.0**-53
+# What is smaller and not zero is not rounded to a share of itself.
+LEAST_NORMAL = 2.0**-1022
 # Twice what an end is off by to nearest.
 OUTWARD = EPS
 # Products of two such are no matter of the range.

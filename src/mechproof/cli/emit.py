@@ -105,10 +105,10 @@ def emit_c(
 
 def _judge(systems: list[str] | None, derivations: Path | None) -> Iterator[tuple[Path, Paper]]:
     """Prove the kernels of systems, unless they have not changed since, and yield the papers."""
-    locations = find_locations(systems or (), find_places(derivations, None))
-    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
     from mechproof.pipeline.validation import list_unmeant
 
+    locations = find_locations(systems or (), find_places(derivations, None))
+    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
     judged = [*zip(locations, ledgers, strict=True)]
     others = [text for place, ledger in judged for text in list_unmeant(ledger.paper, place)]
     refuse_failures(ledgers, others)

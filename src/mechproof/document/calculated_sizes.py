@@ -14,7 +14,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.cells import Numeral
 from mechproof.document.scales import RoundedSize, has_sixty, spread
-from mechproof.document.units import ONE, REVOLUTIONS, Unit, list_powers, name_in_si, read_unit
+from mechproof.document.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
@@ -104,7 +104,7 @@ def _find_scales(
     """
     # Nothing is of any dimension.
     dimension = infer(value, {name: unit.dimension for name, unit in units.items()}) or NUMBER
-    if any(power != int(power) for power in list_powers(dimension)):
+    if any(power != int(power) for power in dimension.powers):
         raise DimensionError(f"a root of {dimension}")
     scales = {name: unit.scale for name, unit in units.items()}
     turning = {name for name, scale in scales.items() if scale == REVOLUTIONS}

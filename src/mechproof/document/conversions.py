@@ -14,6 +14,7 @@ from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
+_TURNED = "turns, or radians? no letter says in which of them the calculation counts"
 NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -25,7 +26,10 @@ def convert(sign: Sign, own: sp.Basic | None, symbols: Symbols) -> PrintedNumber
     digits, unit = sign.given[0], read_unit(sign.given[1])
     meant = [read_unit(sign.unit)] if sign.unit else [*_list_units(own, unit, symbols)]
     ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
-    ratios += [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant, own, symbols)]
+    turned = [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant, own, symbols)]
+    if turned and own is None and sign.is_calculated:
+        return _TURNED
+    ratios += turned
     if not ratios or sp.nan in ratios:
         return UNFIT
     value, number = sp.Rational(digits), sp.Rational(sign.number)

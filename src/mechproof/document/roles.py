@@ -78,7 +78,7 @@ class Sign:
     the digits of their only decimal, if it is a factor. `varied` are letters over which a part goes
     alone, by which it is differentiated or integrated, or of which a value is put in, each with
     the letters of that part. `formula` is what stands before a calculation that a number is of,
-    `span` between what this lies whose decimals are rounded.
+    `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
     """
 
     role: Role
@@ -95,6 +95,7 @@ class Sign:
     factor: str = ""
     formula: Any = None
     span: tuple[float, float] | None = None
+    is_calculated: bool = False
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -152,7 +153,8 @@ def _add_calculation(read: Print, sign: Sign, before: Sign | None, nodes: tuple[
         return sign
     first = before and (before.letter if before.sides[0] is None else before.sides[0])
     has_letters = isinstance(first, sp.Expr) and first.free_symbols
-    return replace(sign, formula=first if has_letters else None, span=find_span(read, node))
+    formula, span = first if has_letters else None, find_span(read, node)
+    return replace(sign, formula=formula, span=span, is_calculated=True)
 
 
 def _list_letters(nodes: Any) -> frozenset[sp.Basic]:

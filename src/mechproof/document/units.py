@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -53,14 +52,8 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     NUMBER / _TIME: {"Hz": _TEN**0, "kHz": _TEN**3},
     _FORCE: {"N": _TEN**0, "kN": _TEN**3, "mN": _TEN**-3, "MN": _TEN**6},
     _FORCE * LENGTH: {
-        **{
-            "Nm": _TEN**0,
-            "kNm": _TEN**3,
-            "Nmm": _TEN**-3,
-            "J": _TEN**0,
-            "kJ": _TEN**3,
-            "MJ": _TEN**6,
-        },
+        **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3},
+        **{"J": _TEN**0, "kJ": _TEN**3, "MJ": _TEN**6},
         **{"kWh": 36 * _TEN**5, "Wh": sp.Integer(3600)},
     },
     _FORCE / LENGTH**2: {
@@ -155,18 +148,13 @@ def read_unit(text: str) -> Unit:
 
 
 def name_in_si(dimension: Dimension) -> str:
-    """Return the unit of SI of a dimension: N where it has a name, else kg m^2/s."""
+    """Return the unit of SI of a dimension: N where it has a name, else m^2 kg s^-1."""
     named = _SCALES.get(dimension, {})
     if name := next((name for name, scale in named.items() if scale == 1), ""):
         return name
-    powers = zip(("kg", "m", "s", "K"), list_powers(dimension), strict=True)
+    powers = zip(("m", "kg", "s", "K"), dimension.powers, strict=True)
     shown = (name if power == 1 else f"{name}^{power}" for name, power in powers if power)
     return " ".join(shown) or "1"
-
-
-def list_powers(dimension: Dimension) -> tuple[Any, ...]:
-    """Return the powers of kg, m, s and K in the unit of SI of a dimension."""
-    return dimension.mass, dimension.length, dimension.time, dimension.temperature
 
 
 def _split(product: str) -> list[str]:

@@ -18,6 +18,7 @@ import sympy as sp
 from flint import arb
 
 from mechproof.arithmetic.balls import evaluate
+from mechproof.arithmetic.intervals import LEAST_NORMAL
 from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import blocks
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
@@ -29,7 +30,7 @@ from mechproof.lab.sampling.points import TUNE, PointSet, choose_evenly, draw_po
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs.code import KernelCode, Stage
-from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.kernel import Kernel, build_functions, list_functions
 from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
 
@@ -41,8 +42,6 @@ ROW = 3
 SHARE = 0.05
 # Of a value and its ball: a ball wider than this part of the value says nothing.
 TELLING = 1e-6
-# What a zero that is computed may be off by.
-UNDERFLOW = 2.0**-1022
 
 
 def validate(subjects: Iterator[Subject]) -> None:
@@ -74,7 +73,7 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
             values = np.ravel(result)
             for value, ball in zip(values, balls, strict=True):
                 _require_inside(kernel.name, point, float(value), ball)
-        telling += all(ball.rad() <= TELLING * abs(ball).upper() + UNDERFLOW for ball in balls)
+        telling += all(ball.rad() <= TELLING * abs(ball).upper() + LEAST_NORMAL for ball in balls)
     if not telling:
         raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
 
@@ -84,7 +83,7 @@ def check_meaning(subject: Subject) -> None:
 
     Raises `TranslationError` with the function, the point, and both values.
     """
-    quantity, functions = subject.quantity, list_functions(subject.paper)
+    quantity, functions = subject.quantity, build_functions(subject.paper).kernels
     (kernel,) = (f for f in functions if f.quantity is quantity and f.is_shipped)
     arguments = _take(subject, list_sets(subject, SHARE)[0], ENCLOSED)
     truth = find_truth(subject, arguments)

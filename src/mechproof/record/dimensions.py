@@ -47,8 +47,13 @@ class Dimension:
     def __truediv__(self, other: Dimension) -> Dimension:
         return self * other**-1
 
+    @property
+    def powers(self) -> tuple[Power, Power, Power, Power]:
+        """Return the powers of length, mass, time and temperature."""
+        return self.length, self.mass, self.time, self.temperature
+
     def __str__(self) -> str:
-        powers = zip("LMTK", (self.length, self.mass, self.time, self.temperature), strict=True)
+        powers = zip("LMTK", self.powers, strict=True)
         return "·".join(n if p == 1 else f"{n}^{p}" for n, p in powers if p) or "1"
 
 

@@ -17,7 +17,7 @@ from flint import arb
 
 from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.cover import Box
-from mechproof.arithmetic.intervals import Array
+from mechproof.arithmetic.intervals import LEAST_NORMAL, Array
 from mechproof.roundoff import climb
 from mechproof.roundoff.boxed import BoxedProgram
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
@@ -28,8 +28,6 @@ DRAWN, SEED = 400, 1
 BY_LONG_DOUBLES, ROUNDS = climb.Schedule(300, 4), 100
 # Nearer to where the next double begins a real number may be rounded there.
 NEAREST = 1 - 2.0**-20
-# What is smaller and not zero is not rounded to a share of itself, as bounds take it.
-SMALLEST = float(np.finfo(float).tiny)
 
 
 @dataclass(frozen=True)
@@ -79,7 +77,7 @@ def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
         return -1.0
     with working_precision(BITS):
         values = run_steps(program.straight, {n: to_ball(v) for n, v in at.items()}, IN_BALLS)
-        if any(value != 0 and value.abs_upper() < SMALLEST for value in _list_balls(values)):
+        if any(value != 0 and value.abs_upper() < LEAST_NORMAL for value in _list_balls(values)):
             return -1.0
         exact = look_up(values, program.straight.outputs[0], IN_BALLS)
         error = abs(arb(float(found)) - exact)
@@ -136,5 +134,5 @@ def _estimate(program: BoxedProgram, points: climb.Points) -> Array:
         error = error / np.abs(exact) if program.convention.relative else error
         known = inside & np.isfinite(error)
         for value in values.values():
-            known &= (value == 0) | (np.abs(value) >= SMALLEST)
+            known &= (value == 0) | (np.abs(value) >= LEAST_NORMAL)
         return np.where(known, error, -1.0).astype(float)
