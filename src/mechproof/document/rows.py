@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.document.block import Declared, read_block
 from mechproof.document.calculated_sizes import calculate_sizes
+from mechproof.document.collected_sizes import collect_sizes
 from mechproof.document.commas import join_thousands, mark_decimals
 from mechproof.document.complex_parts import find_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
@@ -33,7 +34,6 @@ from mechproof.document.roles import Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
 from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
-from mechproof.document.sizes import collect_sizes
 from mechproof.document.solutions import SIGN, read_signs
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare

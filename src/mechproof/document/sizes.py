@@ -24,13 +24,12 @@ from mechproof.document.conversions import (
 )
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
-from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
+from mechproof.document.printed_sizes import PrintedSize
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near, may_turn_units
 from mechproof.document.units import Unit, read_unit
 from mechproof.proof.dimensions import DimensionError, infer
-from mechproof.proof.verdict import Left
 from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
 
 # One digit, or zeros of which nobody knows whether they are digits.
@@ -352,30 +351,6 @@ class Sizes:
         """Return whether nothing but numbers stands between sizes and the display of a number."""
         groups = {group, *(one.group for one in used)}
         return {*range(min(groups) + 1, max(groups))} <= self.numeric
-
-
-def collect_sizes(
-    equations: Iterable[tuple[Printed, Sequence[Sign] | Left]],
-    known: Known,
-    restated: RestatedSizes,
-) -> Sizes:
-    """Collect the sizes that are printed; a letter that is printed with two of them has none."""
-    read = [(one, [] if isinstance(signs, Left) else signs) for one, signs in equations]
-    found: dict[sp.Basic, list[PrintedSize]] = {}
-    numbers: dict[sp.Basic, list[PrintedSize]] = {}
-    groups: dict[int, bool] = {}
-    for printed, signs in read:
-        is_numeric = bool(signs) and bool(signs[-1].number)
-        groups[printed.group] = groups.get(printed.group, True) and is_numeric
-        for sign in signs:
-            if sign.role is Role.SIZE and sign.letter is not None and sign.number:
-                found.setdefault(sign.letter, []).append(read_size(sign, printed, known))
-        for letter, one in list_numbers(printed, signs, known):
-            numbers.setdefault(letter, []).append(one)
-    sizes = {s: {one.size.value * one.unit for one in ones} for s, ones in found.items()}
-    kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
-    numeric = frozenset(group for group, is_all in groups.items() if is_all)
-    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
 def tell_missing(letters: Iterable[sp.Basic]) -> str:
