@@ -246,7 +246,7 @@ def test_units_that_do_not_fit_are_told() -> None:
 
 @pytest.mark.parametrize(
     ("unit", "name"),
-    [("N/mm^2", "Pa"), ("kN m", "Nm"), ("km/h", "m s^-1"), ("1", "1"), ("l", "m^3")],
+    [("N/mm^2", "Pa"), ("kN m", "Nm"), ("km/h", "m s^-1"), ("1", "1"), ("l", "m^3"), ("V/A", "Ω")],
 )
 def test_dimensions_have_units_of_si(unit: str, name: str) -> None:
     dimension = read_unit(unit).dimension

@@ -60,7 +60,7 @@ CASES = {
             r"3\,\mathrm{mm}=3",
             r"3\,\mathrm{mm}>3",
         ],
-        ["PROVED", "REFUTED", "PROVED", "REFUTED", "not judged", "not read"],
+        ["PROVED", "REFUTED", "PROVED", "REFUTED", "not judged", "not judged"],
     ),
     "an energy by an angle of which it has the rate only": (
         [KINETIC, rf"{BY_ANGLE}=0", rf"{BY_ANGLE}=1"],

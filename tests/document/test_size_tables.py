@@ -276,6 +276,8 @@ UNITS = {
     r"$\mathrm{mm}$": "mm",
     r"$^\circ$": "°",
     r"\%": "%",
+    r"\kilo\ohm": "kΩ",
+    r"{\rm m/s}": "m/s",
 }
 
 

@@ -125,6 +125,20 @@ UNITS = {
     "m/s^2": Dimension(length=1, time=-2),
     "N m": Dimension(length=2, mass=1, time=-2),
     "kg·m^{2}": Dimension(length=2, mass=1),
+    "V/A": Dimension(length=2, mass=1, time=-3, current=-2),
+    "N m/A": Dimension(length=2, mass=1, time=-2, current=-1),
+    "J/(mol K)": Dimension(length=2, mass=1, time=-2, temperature=-1, amount=-1),
+}
+# Both have one dimension.
+ALIKE = {
+    "V A": "W",
+    "Ω": "V/A",
+    "kΩ": "k\u2126",
+    "F V": "A s",
+    "H A": "Wb",
+    "T m^2": "Wb",
+    "S": "1/Ω",
+    "V s/rad": "N m/A",
 }
 
 
@@ -133,7 +147,14 @@ def test_units_have_dimensions(text: str) -> None:
     assert read_unit(text).dimension == UNITS[text]
 
 
+@pytest.mark.parametrize(("one", "other"), ALIKE.items())
+def test_electrical_units_are_those_of_the_others(one: str, other: str) -> None:
+    assert read_unit(one) == read_unit(other)
+
+
 def test_units_have_sizes() -> None:
+    assert read_unit("mH").scale == read_unit("A/V ms").scale / read_unit("S^2").scale
+    assert read_unit("µF").scale == read_unit("uF").scale == sp.Rational(1, 10**6)
     assert read_unit("N mm").scale == sp.Rational(1, 1000)
     assert read_unit("km/h").scale == sp.Rational(5, 18)
     assert read_unit("deg/s").scale == sp.pi / 180

@@ -34,6 +34,11 @@ COLLECTED = [
     (r"\text{drift}+\mathrm{gain}_1", [r"\text{drift}", r"\mathrm{gain}_{1}"]),
     (r"\mathrm{m}+2x\mathrm{m}", [r"\mathrm{m}"]),
     (r"\mathbf{q}_1\cdot\vec{q}\cdot q", [r"\mathbf{q}_{1}", r"\vec{q}", "q"]),
+    (
+        r"\underline{q}_1\cdot{\bf q}\cdot{\rm gain}",
+        [r"\underline{q}_{1}", r"\mathbf{q}", r"\mathrm{gain}"],
+    ),
+    (r"q_{\rm max}+q_{\mathrm{max}}", [r"q_{\max}"]),
     # Of a row of letters from a on none is Euler's number or a differential.
     (r"a+b+c+d+e", ["a", "b", "c", "d", "e"]),
     (r"\begin{vmatrix}a&b\\c&d\end{vmatrix}", ["a", "b", "c", "d"]),

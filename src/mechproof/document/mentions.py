@@ -26,11 +26,10 @@ _NO_SIZE = (Approach, Derivation, Extremum, Table)
 def refuse_units(read: Print) -> None:
     """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
     for chain in read.chains:
-        limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
         # A number that is turned into another unit needs no letter.
         is_turned = chain.relations and all(is_number(node) for node in chain.members[:2])
-        first = {0 if chain.relations else -1}
-        beside = {*(() if is_turned else first), *limits, *(n + 1 for n in limits)}
+        is_limit = chain.relations and chain.relations[0] not in (*EQUAL, r"\approx")
+        beside = set() if is_turned or is_limit else {0}
         if any(isinstance(node, _NO_SIZE) for node in walk(chain.members[0])):
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):

@@ -22,7 +22,7 @@ from mechproof.document.laws import read_piece
 from mechproof.document.relations import read_relations
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
-from mechproof.latex.measures import find_factor, find_number, is_number
+from mechproof.latex.measures import find_factor, find_number, find_unit, is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
@@ -79,6 +79,7 @@ class Sign:
     alone, by which it is differentiated or integrated, or of which a value is put in, each with
     the letters of that part. `formula` is what stands before a calculation that a number is of,
     `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
+    Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
     """
 
     role: Role
@@ -96,6 +97,8 @@ class Sign:
     formula: Any = None
     span: tuple[float, float] | None = None
     is_calculated: bool = False
+    units: tuple[str, str] = ("", "")
+    limited: tuple[Any, Any] = (None, None)
 
 
 def give_values(texts: Sequence[str], known: Known) -> None:
@@ -184,7 +187,9 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     nodes = chain.members[left : left + 2]
     is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
     if chain.relations[left] not in EQUAL and not is_rounded:
-        return Sign(Role.RELATION)
+        units = (find_unit(nodes[0]), find_unit(nodes[1]))
+        limited = (_work_out(read, nodes[0], known), _work_out(read, nodes[1], known))
+        return Sign(Role.RELATION, units=units, limited=limited if any(units) else (None, None))
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
     for node in nodes:
         if isinstance(node, Extremum):

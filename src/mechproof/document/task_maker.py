@@ -14,6 +14,7 @@ from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
+from mechproof.document.limits import state_limit
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
@@ -226,7 +227,8 @@ class TaskMaker:
             is_size |= is_calculated
             sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
             row = replace(row, says=stated, note=f"{row.note} {note}".strip())
-        turned = turn_units(row, sign, own, self.known)
+        limited = state_limit(row, sign, self.known)
+        turned = limited if isinstance(limited, str) else turn_units(limited, sign, own, self.known)
         if isinstance(turned, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, turned)
         row = replace(turned, says=split_branches(turned.statement, self.known))
@@ -239,7 +241,7 @@ class TaskMaker:
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         letters |= list_related(row.says) | _list_printed(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        is_number = stated is not None or sign.role is Role.SIZE
+        is_number = stated is not None or sign.role is Role.SIZE or any(sign.units)
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
         has_units &= not any(map(_raises_by_letter, sides))
         paper = self.papers[has_units]

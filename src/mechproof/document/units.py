@@ -30,37 +30,61 @@ class Unit:
 
 ONE = Unit(NUMBER)
 _TIME, _MASS = Dimension(time=1), Dimension(mass=1)
+_TEMPERATURE, _CURRENT = Dimension(temperature=1), Dimension(current=1)
+_AMOUNT = Dimension(amount=1)
 _FORCE = _MASS * LENGTH / _TIME**2
+_POWER = _FORCE * LENGTH / _TIME
+_VOLTAGE, _CHARGE = _POWER / _CURRENT, _CURRENT * _TIME
+_FLUX = _VOLTAGE * _TIME
 _TURN, _TEN = 2 * sp.pi, sp.Integer(10)
 _DEGREE = sp.pi / 180
 # One a minute, in radians a second.
 REVOLUTIONS = _TURN / 60
 _BY_THE_MINUTE = ("rpm", "r/min", "rev/min", "U/min", "1/min", "min^-1")
+# The micro sign, and the letter that looks like it.
+_MICRO = {"u": -6, "µ": -6, "μ": -6}
+_PREFIXES = {"p": -12, "n": -9, **_MICRO, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
+
+
+def _list_multiples(unit: str, prefixes: str) -> Mapping[str, sp.Expr]:
+    """Return how large a coherent unit is, and with which prefixes."""
+    return {unit: _TEN**0, **{f"{one}{unit}": _TEN ** _PREFIXES[one] for one in prefixes}}
+
+
 _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     LENGTH: {
-        **{"m": _TEN**0, "mm": _TEN**-3, "cm": _TEN**-2, "dm": _TEN**-1, "km": _TEN**3},
-        **{"um": _TEN**-6, "µm": _TEN**-6, "μm": _TEN**-6, "nm": _TEN**-9},
+        **_list_multiples("m", "nuµμmcdk"),
         **{"in": sp.Rational("0.0254"), "ft": sp.Rational("0.3048")},
     },
     LENGTH**3: {"l": _TEN**-3, "L": _TEN**-3, "ml": _TEN**-6},
-    _TIME: {
-        **{"s": _TEN**0, "ms": _TEN**-3, "us": _TEN**-6, "µs": _TEN**-6},
-        **{"min": sp.Integer(60), "h": sp.Integer(3600)},
-    },
+    _TIME: {**_list_multiples("s", "uµμm"), "min": sp.Integer(60), "h": sp.Integer(3600)},
     _MASS: {"kg": _TEN**0, "g": _TEN**-3, "t": _TEN**3, "mg": _TEN**-6},
-    Dimension(temperature=1): {"K": _TEN**0},
-    NUMBER / _TIME: {"Hz": _TEN**0, "kHz": _TEN**3},
-    _FORCE: {"N": _TEN**0, "kN": _TEN**3, "mN": _TEN**-3, "MN": _TEN**6},
+    _TEMPERATURE: {"K": _TEN**0},
+    _CURRENT: _list_multiples("A", "uµμmk"),
+    _AMOUNT: _list_multiples("mol", "mk"),
+    NUMBER / _TIME: _list_multiples("Hz", "kMG"),
+    _FORCE: _list_multiples("N", "mkM"),
     _FORCE * LENGTH: {
-        **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3},
-        **{"J": _TEN**0, "kJ": _TEN**3, "MJ": _TEN**6},
+        **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3, **_list_multiples("J", "mkMG")},
         **{"kWh": 36 * _TEN**5, "Wh": sp.Integer(3600)},
     },
-    _FORCE / LENGTH**2: {
-        **{"Pa": _TEN**0, "kPa": _TEN**3, "MPa": _TEN**6, "GPa": _TEN**9, "bar": _TEN**5},
-        **{"hPa": _TEN**2, "mbar": _TEN**2},
+    _FORCE / LENGTH**2: {**_list_multiples("Pa", "hkMG"), "bar": _TEN**5, "mbar": _TEN**2},
+    _POWER: {**_list_multiples("W", "mkMG"), **_list_multiples("VA", "k")},
+    _CHARGE: {
+        **_list_multiples("C", "pnuµμm"),
+        **{"Ah": sp.Integer(3600), "mAh": sp.Rational("3.6")},
     },
-    _FORCE * LENGTH / _TIME: {"W": _TEN**0, "kW": _TEN**3, "MW": _TEN**6, "mW": _TEN**-3},
+    _VOLTAGE: _list_multiples("V", "uµμmk"),
+    _VOLTAGE / _CURRENT: {
+        name: scale
+        for ohm in ("Ω", "\u2126", "Ohm")
+        for name, scale in _list_multiples(ohm, "mkM").items()
+    },
+    _CURRENT / _VOLTAGE: _list_multiples("S", "m"),
+    _CHARGE / _VOLTAGE: _list_multiples("F", "pnuµμm"),
+    _FLUX: {**_list_multiples("Wb", "m"), "Vs": _TEN**0},
+    _FLUX / _CURRENT: _list_multiples("H", "uµμm"),
+    _FLUX / LENGTH**2: _list_multiples("T", "m"),
 }
 # Angles and numbers have one dimension here.
 _ANGLES = {
@@ -71,7 +95,7 @@ _BASE: Mapping[str, Unit] = {
     **dict.fromkeys(("", "1", "-"), ONE),
     "%": Unit(NUMBER, _TEN**-2),
     # No multiple of K: its zero is another.
-    "°C": Unit(Dimension(temperature=1), sp.nan),
+    "°C": Unit(_TEMPERATURE, sp.nan),
     **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
     **dict.fromkeys(_BY_THE_MINUTE, Unit(ANGLE / _TIME, REVOLUTIONS)),
     **{name: Unit(d, scale) for d, units in _SCALES.items() for name, scale in units.items()},
@@ -80,6 +104,8 @@ _BASE: Mapping[str, Unit] = {
 _SPELLED: Mapping[str, str] = {
     **{"metre": "m", "meter": "m", "second": "s", "gram": "g", "newton": "N", "radian": "rad"},
     **{"degree": "°", "pascal": "Pa", "joule": "J", "watt": "W", "hertz": "Hz", "kelvin": "K"},
+    **{"ampere": "A", "volt": "V", "ohm": "Ω", "Omega": "Ω", "farad": "F", "henry": "H"},
+    **{"tesla": "T", "weber": "Wb", "coulomb": "C", "siemens": "S", "mole": "mol"},
     **{"minute": "min", "hour": "h", "tonne": "t", "celsius": "°C", "percent": "%"},
     **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
     **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
@@ -152,7 +178,7 @@ def name_in_si(dimension: Dimension) -> str:
     named = _SCALES.get(dimension, {})
     if name := next((name for name, scale in named.items() if scale == 1), ""):
         return name
-    powers = zip(("m", "kg", "s", "K"), dimension.powers, strict=True)
+    powers = zip(("m", "kg", "s", "K", "A", "mol"), dimension.powers, strict=True)
     shown = (name if power == 1 else f"{name}^{power}" for name, power in powers if power)
     return " ".join(shown) or "1"
 

@@ -12,7 +12,7 @@ from mechproof.latex.characters import is_letter
 
 LEFT = "{}"
 # Accents and types of letters that are vectors or matrices.
-VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb")
+VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
 ACCENTS = (
     *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\dddot"),
     *(r"\widehat", r"\widetilde"),

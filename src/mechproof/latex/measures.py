@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import GAPS
+from mechproof.latex.signs import GAPS, find_command
 from mechproof.latex.tokens import QUANTITIES
 from mechproof.latex.tree import Add, Calculated, Degrees, Measure, Node, Number, Product, walk
 from mechproof.latex.words import AND, ELSE, IF
@@ -19,7 +19,6 @@ from mechproof.latex.words import AND, ELSE, IF
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-_COMMAND = re.compile(r"\\[A-Za-z]+\*?|\{")
 _RAISED = r"\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
 _GAP = r"(?:\s|\\[,;:!])*"
 _POWER, _EXPONENT = re.compile(rf"{_GAP}\\(?:cdot|times){_GAP}10{_RAISED}"), re.compile(_RAISED)
@@ -152,11 +151,12 @@ def _skip_group(parser: Parser, place: int) -> int:
 
 
 def _is_upright(parser: Parser, place: int) -> bool:
-    command = _COMMAND.match(parser.source.latex, parser.tokens[place].start)
-    is_word = command is not None and command[0] in (*UPRIGHT, *TEXT, *QUANTITIES, "{")
+    command = find_command(parser.source.latex, parser.tokens[place].start)
+    is_word = command in (*UPRIGHT, *TEXT, *QUANTITIES, "{")
     text = parser.tokens[place].text
+    is_letter = parser.names.match(parser.tokens, place) is not None
     return text in (r"\%", "°", r"\min") or (
-        is_word and text.startswith("\\") and not parser.names.match(parser.tokens, place)
+        (is_word or text == r"\Omega") and text.startswith("\\") and not is_letter
     )
 
 
@@ -203,6 +203,12 @@ def _read_digits(node: Node) -> tuple[str, str]:
     if isinstance(inside, Degrees) and isinstance(inside.number, Number):
         return sign + inside.number.text, "°"
     return "", ""
+
+
+def find_unit(node: Node) -> str:
+    """Return the unit of a number, nothing for what has none."""
+    inside = _split_sign(node)[1]
+    return inside.unit if isinstance(inside, Measure | Calculated) else ""
 
 
 def find_factor(nodes: tuple[Node, ...]) -> str:

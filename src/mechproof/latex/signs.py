@@ -27,6 +27,13 @@ GAPS = {
         ("\\ ", "\\\n", "\\", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW
     ),
 }
+# Types that hold in a group, and the commands of today whose argument it is.
+_TYPES = {
+    **{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf", r"\it": r"\mathit"},
+    r"\cal": r"\mathcal",
+}
+# A command, a group, and one for which a type holds.
+_COMMAND = re.compile(rf"\\[A-Za-z]+\*?|\{{(?:({'|'.join(map(re.escape, _TYPES))})(?![A-Za-z]))?")
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
 # A bar whose size says whether it opens or closes; a plain one does not say it.
@@ -91,6 +98,12 @@ def same_sign(sign: str) -> str:
     return sign if others else _SAME.get(first, first)
 
 
+def find_command(latex: str, place: int) -> str:
+    """Return the command or the brace that begins at a place, nothing for another sign."""
+    match = _COMMAND.match(latex, place)
+    return _TYPES.get(match[1], match[0]) if match else ""
+
+
 def _find_signs(latex: str) -> Iterator[Token]:
     for match in _SIGN.finditer(latex):
         if match[0].startswith(r"\\"):
@@ -115,6 +128,11 @@ def split_signs(latex: str) -> list[Token]:
             while signs.pop().text in GAPS.values():
                 pass
             size = ""
+            continue
+        if sign.text in _TYPES and signs and signs[-1].text == "{":
+            # {\rm kN} is \mathrm{kN}.
+            command = replace(signs[-1], text=_TYPES[sign.text])
+            signs[-1:] = [command, replace(sign, text="{")]
             continue
         if size in _CLOSING and sign.text == ".":
             sign = replace(sign, text=r"\right.")

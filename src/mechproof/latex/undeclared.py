@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,7 @@ from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.names import INDEX, Name, find_brace
 from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import SUFFIXES, Token
+from mechproof.latex.signs import SUFFIXES, Token, find_command
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
 
@@ -35,7 +34,6 @@ _UNITS = (
     *("m", "mm", "cm", "dm", "km", "nm", "s", "ms", "min", "h", "g", "kg", "t", "N", "kN", "Nm"),
     *("rad", "mrad", "deg", "Hz", "kHz", "rpm", "Pa", "kPa", "MPa", "GPa", "W", "kW", "J", "kJ"),
 )
-_COMMAND = re.compile(r"\\[A-Za-z]+\*?")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
@@ -113,13 +111,13 @@ def _refuse_unit(parser: Parser, word: str) -> None:
 def _upright_word(parser: Parser) -> str:
     """Return the name in upright letters that stands here, as it is printed, else nothing."""
     token = parser.tokens[parser.place]
-    command = _COMMAND.match(parser.source.latex, token.start)
-    if command is None or command[0] not in (*UPRIGHT, *TEXT):
+    command = find_command(parser.source.latex, token.start)
+    if command not in (*UPRIGHT, *TEXT):
         return ""
     inside = token.text.partition("{")[2] or token.text
     word = inside.strip("\\} ")
     is_name = word[:1].isalpha() and word.isalnum() and token.text not in (AND, *IF, *ELSE)
-    kind = r"\text" if command[0] in TEXT else r"\mathrm"
+    kind = r"\text" if command in TEXT else r"\mathrm"
     return rf"{kind}{{{word}}}" if is_name else ""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import add
 
 Power = int | Fraction
 
@@ -19,6 +20,8 @@ class Dimension:
     mass: Power = 0
     time: Power = 0
     temperature: Power = 0
+    current: Power = 0
+    amount: Power = 0
     angle: Power = field(default=0, compare=False)
 
     @property
@@ -27,33 +30,26 @@ class Dimension:
         return self == NUMBER and self.angle == 1
 
     def __mul__(self, other: Dimension) -> Dimension:
-        return Dimension(
-            self.length + other.length,
-            self.mass + other.mass,
-            self.time + other.time,
-            self.temperature + other.temperature,
-            self.angle + other.angle,
-        )
+        return Dimension(*map(add, self._exponents, other._exponents))
 
     def __pow__(self, power: Power) -> Dimension:
-        return Dimension(
-            self.length * power,
-            self.mass * power,
-            self.time * power,
-            self.temperature * power,
-            self.angle * power,
-        )
+        return Dimension(*(one * power for one in self._exponents))
 
     def __truediv__(self, other: Dimension) -> Dimension:
         return self * other**-1
 
     @property
-    def powers(self) -> tuple[Power, Power, Power, Power]:
-        """Return the powers of length, mass, time and temperature."""
-        return self.length, self.mass, self.time, self.temperature
+    def powers(self) -> tuple[Power, ...]:
+        """Return the powers of the base quantities, in their order above."""
+        return self._exponents[:-1]
+
+    @property
+    def _exponents(self) -> tuple[Power, ...]:
+        return tuple(vars(self).values())
 
     def __str__(self) -> str:
-        powers = zip("LMTK", self.powers, strict=True)
+        # As ISO 80000-1 prints them.
+        powers = zip("LMTΘIN", self.powers, strict=True)
         return "·".join(n if p == 1 else f"{n}^{p}" for n, p in powers if p) or "1"
 
 
