@@ -165,6 +165,17 @@ PAPERS |= {
         "",
         [D, P, P, P, R],
     ),
+    "an upright imaginary unit": (
+        r"$$\mathrm{e}^{\mathrm{i}\pi}+1=0$$ $$\mathrm{i}^2=-1$$ $$\mathrm{i}^2=1$$"
+        r"$$(\cos u+\mathrm{i}\sin u)^3=\cos3u+\mathrm{i}\sin3u$$",
+        "",
+        [P, P, R, P, P],
+    ),
+    "an upright index is no imaginary unit": (
+        r"$$d_\mathrm{i}=d-2h$$ $$d_{\mathrm{i}}=d+2h$$ $$F_{x,\mathrm{i}}=2d$$",
+        "",
+        [D, R, D],
+    ),
     "a derivative beside a length d": (
         r"$$x=at^2$$ $$\frac{dx}{dt}=2at$$ $$y=\frac{da}{d-b}$$ $$y=\frac{da}{d+b}$$",
         "a ; b ; d ; x ; y : lengths\nt : time",

@@ -26,7 +26,7 @@ from mechproof.tools.processes import WorkerError
 Texts = list[str] | None
 DEFAULTS = (
     "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
-    "a natural number, d in an integral is its differential. Nothing else is guessed."
+    "a natural number from 1 on, d in an integral is its differential. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
@@ -60,7 +60,9 @@ def check(
     values: Annotated[
         Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")
     ] = None,
-    natural: Annotated[Texts, typer.Option("--natural", help="A letter that counts: n.")] = None,
+    natural: Annotated[
+        Texts, typer.Option("--natural", help="A letter that counts from 1: n.")
+    ] = None,
     start: Annotated[
         str, typer.Option("--from", help="Where integrals without limits start: 0.")
     ] = "",

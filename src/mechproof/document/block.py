@@ -258,7 +258,8 @@ def _start(block: Block, rest: str) -> None:
 
 
 def _imaginary(block: Block, rest: str) -> None:
-    if not (len(rest) == 1 and rest.isalpha()):
+    letter = rest.removeprefix(r"\mathrm{").removesuffix("}")
+    if not (len(letter) == 1 and letter.isalpha()):
         raise ValueError("say which letter is the imaginary unit: imaginary j")
     block.imaginary = rest
 

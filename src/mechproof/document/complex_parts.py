@@ -18,11 +18,18 @@ from mechproof.record import Definition, Equality, Row, ValueWhere
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _EXPONENTIAL = re.compile(r"e\s*\}?\s*\^\s*\{\s*[-+]?\s*([ij])(?!\s*[_}])")
+# Upright it is no index, and begins a term, a side or an exponent.
+_UPRIGHT = re.compile(
+    r"(?:\A|[-+=(&]|(?<![_^])\^\s*\{)\s*(?:\\mathrm|\{\\rm)\s*\{?\s*(?P<unit>[ij])\s*\}"
+)
 _NAMES = ("real part", "imaginary part")
 
 
 def find_unit(prints: Iterable[str]) -> str:
     r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; nothing if none does."""
+    prints = list(prints)
+    if upright := next(filter(None, map(_UPRIGHT.search, prints)), None):
+        return rf"\mathrm{{{upright['unit']}}}"
     found = (_EXPONENTIAL.search(_COMMAND.sub("x", latex)) for latex in prints)
     return next((match[1] for match in found if match), "")
 

@@ -255,6 +255,8 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
         return False
     if match and all(letter.is_integer for letter in letters):
         return bool(match.name.symbol.is_real) and not match.name.symbol.is_integer
+    if parser.peek(place - parser.place) == r"\pi" and all(one.is_integer for one in letters):
+        return True
     texts = [token.text for token in parser.tokens[place:]]
     is_alone = (match is None or match.end == place + 1) and "^" not in texts[1:2]
     if not (texts and is_alone and parser.integrals) or texts[0] in parser.functions:

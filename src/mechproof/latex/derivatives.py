@@ -72,7 +72,9 @@ def read_derivative(parser: Parser) -> Node:
         raise parser.refuse("a derivative of two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
-        if isinstance(operand, Power) or not parser.ends_product():
+        # A power of a letter is raised first; of a bracket its derivative may be meant.
+        is_raised = isinstance(operand, Power) and isinstance(operand.base, Bracket)
+        if is_raised or not parser.ends_product():
             raise parser.refuse(
                 "how far does the derivative reach?", "Print brackets around it.", start
             )

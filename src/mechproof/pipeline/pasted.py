@@ -19,7 +19,7 @@ from mechproof.latex.tree import Integration, walk
 from mechproof.latex.values import depends
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Definition, Equation, Notation, Paper, Part, Row, Variable
+from mechproof.record import Definition, Equality, Equation, Notation, Paper, Part, Row, Variable
 from mechproof.tools.processes import WorkerError, run_tasks
 
 COMMAND = Remedies(
@@ -38,6 +38,9 @@ _WRAPPERS = (
     *(("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)")),
     *((rf"\begin{{{x}}}", rf"\end{{{x}}}") for x in ("equation", "equation*", "displaymath")),
 )
+_OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
+_IMPLIES = (r"\Rightarrow", r"\implies", r"\Longrightarrow")
+_IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
 _LABEL = re.compile(r"\\(?:tag\*?|label)\{[^{}]*\}|\\n(?:onumber|otag)")
 
 
@@ -95,10 +98,10 @@ def _answer(pasted: Pasted) -> Checked | str:
 
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
-    pasted = replace(pasted, latex=_unwrap(pasted.latex))
+    pasted = _take_condition(replace(pasted, latex=_unwrap(pasted.latex)))
     variables, notation, relations = _read_letters(pasted)
     printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
-    relations += printed
+    variables, relations = _count_from_zero(variables, relations + printed)
     said = {s for relation in relations for s in relation.free_symbols}
     variables, where = narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
@@ -108,10 +111,30 @@ def judge_pasted(pasted: Pasted) -> Checked:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
+    tied = {s for v in variables if v.given is not None for s in v.given.free_symbols}
+    rows = tuple(_compare_tied(row, tied) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
+
+
+def _compare_tied(row: Row, tied: Collection[sp.Basic]) -> Row:
+    """Compare what is printed of a letter by which another is given: it is not introduced."""
+    says = row.says
+    if not (isinstance(says, Definition) and says.symbol in tied):
+        return row
+    return replace(row, says=Equality(says.symbol, says.printed, "member"))
+
+
+def _take_condition(pasted: Pasted) -> Pasted:
+    r"""Take what stands before the one arrow of an implication as where its conclusion is meant."""
+    arrows = [token for token in tokenize(pasted.latex) if token.text in _IMPLIES]
+    if len(arrows) != 1:
+        return pasted
+    (arrow,) = arrows
+    condition, conclusion = pasted.latex[: arrow.start], pasted.latex[arrow.end :]
+    return replace(pasted, latex=conclusion, where=(*pasted.where, condition.strip()))
 
 
 def _read_letters(pasted: Pasted) -> tuple[tuple[Variable, ...], Notation, list[sp.Basic]]:
@@ -184,7 +207,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
     prints = (pasted.latex, *pasted.where, *pasted.values)
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
-    _refuse_vectors(letters)
+    _refuse_others(letters, prints)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))
@@ -196,13 +219,24 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     return variables
 
 
-def _refuse_vectors(letters: Collection[str]) -> None:
-    """Refuse letters that are printed as vectors or in a frame: they are no real numbers."""
+def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
+    """Refuse what is no real number: vectors, the imaginary unit, operators that are not known."""
+    operators = {rf"\mathrm{{{name}}}" for text in prints for name in _OPERATOR.findall(text)}
     for letter in letters:
         if is_vector(letter):
             raise ValueError(
                 f"{letter} is no number: vectors and matrices need their components: check these, "
                 f"or say --name '{letter}' where it is a number"
+            )
+        if letter in _IMAGINARY:
+            raise ValueError(
+                f"{letter} is the imaginary unit: complex numbers are not read in a single "
+                f"equation, but in a paper; say --name '{letter}' where it is a real number"
+            )
+        if letter in operators:
+            raise ValueError(
+                f"{letter} is printed as an operator, which is not known; say --name "
+                f"'{letter}' where it is a number"
             )
 
 
@@ -220,6 +254,30 @@ def _count(variable: Variable) -> Variable:
     """Make a natural number of a letter."""
     symbol = sp.Symbol(variable.symbol.name, integer=True, positive=True)
     return replace(variable, symbol=symbol, within=sp.S.Naturals)
+
+
+def _count_from_zero(
+    variables: Sequence[Variable], relations: Sequence[sp.Basic]
+) -> tuple[tuple[Variable, ...], list[sp.Basic]]:
+    """Let letters that count from 1 count from 0 where that is said."""
+    said = [r for r in relations if isinstance(r, sp.Ge | sp.Gt | sp.Le | sp.Lt)]
+    least = {r.gts for r in said if r.gts in r.free_symbols and r.subs(r.gts, 0) == sp.true}
+    least |= {v.symbol for v in variables if v.given == 0}
+    anew = {
+        v.symbol: sp.Symbol(v.symbol.name, integer=True, nonnegative=True)
+        for v in variables
+        if v.within == sp.S.Naturals and v.symbol in least
+    }
+    from_zero = [
+        replace(
+            v,
+            symbol=anew.get(v.symbol, v.symbol),
+            within=sp.S.Naturals0 if v.symbol in anew else v.within,
+            given=v.given if v.given is None else v.given.xreplace(anew),
+        )
+        for v in variables
+    ]
+    return tuple(from_zero), [relation.xreplace(anew) for relation in relations]
 
 
 def _find_counts(pasted: Pasted) -> tuple[str, ...]:
@@ -328,6 +386,14 @@ def _give_values(
     for symbol, value in given.items():
         if any(depends(s, {symbol}, given) for s in value.free_symbols):
             raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
+    counts = {v.symbol for v in variables if v.within == sp.S.Naturals}
+    for symbol in counts & given.keys():
+        value = given[symbol]
+        if not (value.is_integer and value.is_nonnegative):
+            raise ValueError(
+                f"--let {symbol}={value}: {symbol} is a natural number here; say --natural for "
+                "letters of its value"
+            )
     return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
 
 
@@ -347,6 +413,10 @@ def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
 def _describe(variable: Variable) -> str:
     if variable.given is not None:
         return f"= {variable.given}"
-    names = {sp.S.Reals: "real", sp.S.Naturals: "a natural number"}
+    names = {
+        sp.S.Reals: "real",
+        sp.S.Naturals: "a natural number, from 1 on",
+        sp.S.Naturals0: "a natural number, from 0 on",
+    }
     kind = names.get(variable.within, f"in {variable.within}")
     return f"{kind}, for each index" if isinstance(variable.symbol, sp.IndexedBase) else kind

@@ -14,6 +14,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.proof.domain import Domain
+from mechproof.proof.sums import write_out
 from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
@@ -51,6 +52,27 @@ def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain
                 value = {symbol: -rest / slope}
                 return (*(substitute(side, value) for side in sides), _fix(domain, value))
     return (*sides, domain)
+
+
+def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
+    """Prove sums to a count equal where it is zero, and from 1 on; None for other sides."""
+    sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
+    free = {symbol for total in sums for symbol in total.free_symbols}
+    counts = [symbol for symbol in free if domain.set_of(symbol) == sp.S.Naturals0]
+    if not counts:
+        return None
+    count = min(counts, key=str)
+    zero, later = {count: sp.S.Zero}, sp.Symbol(count.name, integer=True, positive=True)
+    at_zero = (write_out(substitute(side, zero)) for side in sides)
+    from_one = _fix(domain, {count: later})
+    from_one = replace(from_one, within={**from_one.within, later: sp.S.Naturals})
+    return _join(
+        prove(*parts, part)
+        for parts, part in (
+            (at_zero, _fix(domain, zero)),
+            ((substitute(side, {count: later}) for side in sides), from_one),
+        )
+    )
 
 
 def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Expr:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from functools import reduce
+from typing import Any, NamedTuple
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -15,7 +16,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_shown
 from mechproof.proof.sums import canonicalise
-from mechproof.record import DerivativeWhere, Slack, list_needs, list_partial
+from mechproof.record import DerivativeWhere, Slack, ValueWhere, list_needs, list_partial
 
 
 class InnerNeed(NamedTuple):
@@ -66,6 +67,24 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
             place, inside = low, sp.S.Reals
         number, domain = number.subs(variable, place), domain.with_set(run, inside)
     return _is_shown(Slack(number, strict), domain)
+
+
+def put_in(side: Any, domain: Domain) -> Any:
+    """Put in what symbols are given by; what cancels then is kept as needed for a value.
+
+    Raises `NotImplementedError` where a root, a logarithm or the like has no real value then.
+    """
+    value = domain.resolve(side)
+    if value == side:
+        return value
+    parts = {part: domain.resolve(part) for part in list_partial(side)}
+    for part, found in parts.items():
+        if found.is_extended_real is False or found.has(sp.nan, sp.zoo):
+            raise NotImplementedError(f"{part} has no real value, as its letters are given")
+    lost = [x for x in parts.values() if x in list_partial(x) and not value.has(x)]
+    if isinstance(value, sp.MatrixBase):
+        return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
+    return reduce(ValueWhere, lost, value)
 
 
 def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:

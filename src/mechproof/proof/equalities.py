@@ -9,13 +9,19 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.antiderivative import decide_by_derivative
-from mechproof.proof.cases import decide_by_pieces, decide_by_values, list_poles, write_pieces
+from mechproof.proof.cases import (
+    decide_by_pieces,
+    decide_by_values,
+    decide_from_zero,
+    list_poles,
+    write_pieces,
+)
 from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
 from mechproof.proof.domain import Domain
 from mechproof.proof.induction import decide_by_induction
 from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.inverses import decide_by_inverse
-from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.powers import decide_by_logarithms, split_powers
 from mechproof.proof.preparation import prepare, take_values
 from mechproof.proof.refutation import compare
 from mechproof.proof.separation import decide_by_separation
@@ -26,8 +32,18 @@ from mechproof.record.parts import has_parts
 from mechproof.record.substitution import write_steps
 
 IDENTICAL = "identical"
+
+
+def _decide_by_split_powers(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Prove sides equal whose powers of a base, x^n and x^(n - 1), are written by one of them."""
+    difference = left - right
+    split = split_powers(difference)
+    return None if split == difference else decide_equal(split, sp.S.Zero, domain)
+
+
 _FIRST = (
     decide_equal,
+    _decide_by_split_powers,
     decide_by_argument,
     decide_by_separation,
     decide_by_derivative,
@@ -46,8 +62,9 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
         return IDENTICAL
     if has_parts(printed, sp.Piecewise) or has_parts(rebuilt, sp.Piecewise):
         return decide_by_pieces((printed, rebuilt), domain, prove_equal)
-    printed, rebuilt = prepare(printed), prepare(rebuilt)
-    sides = printed, rebuilt
+    sides = printed, rebuilt = prepare(printed), prepare(rebuilt)
+    if found := decide_from_zero(sides, domain, prove_equal):
+        return found
     found = next(filter(None, (rung(*sides, domain) for rung in _FIRST)), None)
     if not found and _differ(sides, domain):
         return None

@@ -8,6 +8,7 @@ from itertools import product
 from typing import Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
 from mechproof.proof import newton
@@ -20,6 +21,7 @@ from mechproof.proof.definedness import (
     list_unshown_inside,
     narrow_to,
     need_the_same,
+    put_in,
     tell,
 )
 from mechproof.proof.domain import Domain
@@ -94,7 +96,7 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
-    sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
+    sides = [settle_limits(put_in(side, domain), domain) for side in (printed, rebuilt)]
     for rung, settle in ((ANTIDERIVATIVE, settle_improper), (PARTIAL_SUMS, settle_endless)):
         printed, rebuilt = (settle(side, domain) for side in sides)
         if [printed, rebuilt] != sides:
@@ -227,7 +229,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if statement.relation in (sp.true, sp.false):
         reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
         return Answer(Verdict.UNDECIDED, "none", reason)
-    relation = domain.resolve(statement.relation)
+    relation = _put_in(statement.relation, domain)
     if has_parts(relation, sp.Limit):
         return Answer(Verdict.UNDECIDED, "none", _clip(f"{relation}: a limit is not worked out"))
     if isinstance(statement.relation, sp.And):
@@ -262,6 +264,13 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     return Answer(Verdict.UNDECIDED, "enclosure", reason)
 
 
+def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
+    if not isinstance(relation, Relational):
+        return domain.resolve(relation)
+    sides = [put_in(side, domain) for side in relation.args]
+    return relation if sides == [*relation.args] else relation.func(*sides)
+
+
 def _explain_relation(relation: sp.Basic, domain: Domain) -> str:
     """Name the sign that is not shown, or what of a root is not."""
     if told := newton.explain(relation, domain):
@@ -281,7 +290,7 @@ def _clip(text: str) -> str:
 
 def _resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
     """Return the exact numbers that a relation compares; none where it compares no two numbers."""
-    sides = relation.args if isinstance(relation, sp.core.relational.Relational) else ()
+    sides = relation.args if isinstance(relation, Relational) else ()
     resolved = tuple(domain.resolve(side) for side in sides)
     return () if any(map(find_free, resolved)) else resolved
 

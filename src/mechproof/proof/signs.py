@@ -205,9 +205,25 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
         changed = changed.xreplace(coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
             break
+    if any(_may_hide_sign(base, coordinates) for base in _list_radicands(expression)):
+        return None
     changed = name_absolute_values(changed, coordinates)
     sign = _sign_by_half_angles(changed, coordinates)
     return sign if sign else sign_of_quotient(write_by_cosines(changed)[0], coordinates)
+
+
+def _list_radicands(expression: sp.Expr) -> set[sp.Expr]:
+    return {power.base for power in expression.atoms(sp.Pow) if not power.exp.is_integer}
+
+
+def _may_hide_sign(radicand: sp.Expr, coordinates: Coordinates) -> bool:
+    """Return whether a factor of a radicand may be negative where another one is zero.
+
+    SymPy takes the other one out of the root, as if the rest had a root there, too.
+    """
+    factors = sp.Mul.make_args(radicand.xreplace(coordinates.replacement))
+    may_vanish = any(factor in coordinates.nonnegative for factor in factors)
+    return may_vanish and not all(factor.is_nonnegative for factor in factors)
 
 
 def _change_coordinates(expression: sp.Expr, domain: Domain) -> Coordinates:

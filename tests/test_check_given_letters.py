@@ -1,0 +1,138 @@
+"""Pasted equations whose letters are given: by values, by counts, by what implies them."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.pipeline.pasted import Pasted, judge_pasted
+from mechproof.proof.verdict import Judgement
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+
+def judge(latex: str, *where: str, values: tuple[str, ...] = (), natural: str = "") -> Judgement:
+    pasted = Pasted(latex, where=where, values=values, natural=tuple(natural))
+    (judgement,) = judge_pasted(pasted).judgements
+    return judgement
+
+
+# Roots, logarithms and the like have no real value for these letters.
+COMPLEX = [
+    (r"\sqrt{xy}=-\sqrt x\sqrt y", ("x=-1", "y=-1")),
+    (r"\sqrt x\sqrt y=-1", ("x=-1", "y=-1")),
+    (r"\cosh(\ln x)=-1", ("x=-1",)),
+    (r"(\ln x)^2=-\pi^2", ("x=-1",)),
+    (r"|\ln x|=\pi", ("x=-1",)),
+    (r"|\arcsin x|>1", ("x=2",)),
+    (r"\frac{\sqrt{1-x^2}}{\sqrt{1-x}}=\sqrt{1+x}", ("x=2",)),
+    (r"x^a=\mathrm e^{a\ln x}", ("x=-1", "a=2")),
+    (r"\left(\sqrt x\right)^a=x^{a/2}", ("x=-1", "a=4")),
+    (r"\sqrt x\sqrt x=x", ("x=-a^2",)),
+]
+
+
+@pytest.mark.parametrize(("latex", "values"), COMPLEX)
+def test_what_has_no_real_value_is_not_proved(latex: str, values: tuple[str, ...]) -> None:
+    assert judge(latex, values=values).verdict == "UNDECIDED"
+
+
+def test_a_root_that_a_value_cancels_needs_one() -> None:
+    equation = r"\sqrt{xy}=\sqrt x\sqrt y"
+    assert judge(equation, "y<0", values=("x=0",)).verdict == "UNDECIDED"
+    assert judge(equation, "y>0", values=("x=0",)).verdict == "PROVED"
+    assert judge(r"\sqrt x\sqrt x=x", values=("x=a^2",)).verdict == "PROVED"
+
+
+# A root of a product says nothing of a factor where the other one is zero.
+HIDDEN = [
+    (r"\frac{a+b}2\ge\sqrt{ab}", "a>=0"),
+    (r"\sqrt{ab}\ge-b", "a>=0"),
+    (r"\sqrt[4]{ab}+b\ge0", "a>=0"),
+    (r"\sqrt{(1-a)b}+b\ge0", "a<=1"),
+    (r"\sqrt{(a-b)c}+c\ge0", "a>=b"),
+]
+
+
+@pytest.mark.parametrize(("latex", "where"), HIDDEN)
+def test_a_factor_may_be_negative_beside_a_zero(latex: str, where: str) -> None:
+    assert judge(latex, where).verdict == "REFUTED"
+
+
+def test_a_mean_is_not_less_than_the_root() -> None:
+    assert judge(r"\frac{a+b}2\ge\sqrt{ab}", "a>=0", "b>=0").verdict == "PROVED"
+
+
+# From 1 on, and from 0.
+COUNTS = [
+    (r"\sum_{k=0}^n(-1)^k\binom nk=0", "PROVED", "REFUTED"),
+    (r"\prod_{k=1}^n\left(1-\frac1k\right)=0", "PROVED", "REFUTED"),
+    (r"\sum_{k=0}^n\binom nk=2^n", "PROVED", "PROVED"),
+    (r"\sum_{k=1}^nk=\frac{n(n+1)}2", "PROVED", "PROVED"),
+    (r"\sum_{k=0}^{n-1}x^k=\frac{1-x^n}{1-x}", "PROVED", "PROVED"),
+    (r"\sum_{k=0}^nk=n^2", "REFUTED", "REFUTED"),
+]
+
+
+@pytest.mark.parametrize(("latex", "from_one", "from_zero"), COUNTS)
+def test_counts_begin_where_it_is_said(latex: str, from_one: str, from_zero: str) -> None:
+    assert judge(latex).verdict == from_one
+    assert judge(latex, r"n\ge1").verdict == from_one
+    assert judge(latex, r"n\ge0").verdict == from_zero
+    assert judge(rf"{latex},\quad 0\le n").verdict == from_zero
+
+
+def test_a_count_may_be_given() -> None:
+    assert judge(r"\sum_{k=0}^nk=0", values=("n=0",)).verdict == "PROVED"
+    for value in ("-1", "1/2", "x"):
+        with pytest.raises(ValueError, match="natural number"):
+            judge(r"\sum_{k=0}^nk=0", values=(f"n={value}",))
+
+
+IMPLIED = [
+    (r"x\ge0\Rightarrow\sqrt{x^2}=x", "PROVED"),
+    (r"x\le0\Rightarrow\sqrt{x^2}=x", "REFUTED"),
+    (r"x\ge0\implies|x|=x", "PROVED"),
+    (r"a=b\Rightarrow a^2=b^2", "PROVED"),
+    (r"a=b\Rightarrow a^2=-b^2", "REFUTED"),
+    (r"x=1\Longrightarrow x^2=1", "PROVED"),
+    (r"a>b\Rightarrow a^2>b^2", "REFUTED"),
+    (r"F=ma\Rightarrow a=\frac Fm", "PROVED"),
+    (r"F=ma\Rightarrow a=Fm", "REFUTED"),
+    (r"a>0,\ b>0\Rightarrow\sqrt{ab}=\sqrt a\sqrt b", "PROVED"),
+]
+
+
+@pytest.mark.parametrize(("latex", "verdict"), IMPLIED)
+def test_what_stands_before_an_arrow_is_a_condition(latex: str, verdict: str) -> None:
+    assert judge(latex).verdict == verdict
+
+
+OTHERS = [
+    (r"\mathrm{i}^2=-1", "imaginary unit"),
+    (r"{\rm j}^2=-1", "imaginary unit"),
+    (r"\operatorname{rot}\operatorname{grad}f=0", "printed as an operator"),
+]
+
+
+@pytest.mark.parametrize(("latex", "reason"), OTHERS)
+def test_what_is_no_real_number_is_refused(latex: str, reason: str) -> None:
+    with pytest.raises(ValueError, match=reason):
+        judge(latex)
+    name = r"\mathrm{rot}" if "rot" in latex else r"\mathrm{i}"
+    assert judge_pasted(Pasted(rf"{name}=-1", names=(name,))).judgements
+
+
+# Powers of counts, and multiples of half turns, beside twins.
+POWERS = [
+    (r"\frac{d}{dx}x^n=nx^{n-1}", r"\frac{d}{dx}x^n=nx^n"),
+    (r"\frac{d}{dx}x^2=2x", r"\frac{d}{dx}x^2=2"),
+    (r"\frac{d}{dx}\mathrm e^{2x}=2\mathrm e^{2x}", r"\frac{d}{dx}\mathrm e^{2x}=\mathrm e^{2x}"),
+    (r"\cos n\pi=(-1)^n", r"\cos n\pi=(-1)^{n+1}"),
+    (r"\sin 2n\pi=0", r"\cos 2n\pi=-1"),
+]
+
+
+@pytest.mark.parametrize(("latex", "twin"), POWERS)
+def test_powers_and_half_turns_are_counted(latex: str, twin: str) -> None:
+    assert judge(latex, natural="n").verdict == "PROVED"
+    assert judge(twin, natural="n").verdict == "REFUTED"
