@@ -143,7 +143,7 @@ REFUSED = [
     (["e^x=1"], "--name 'e'"),
     ([r"\int_0^1 e^x\,dx=1"], "--name 'e'"),
     ([r"x\pm y=1"], "both signs, or either"),
-    ([r"\int\cos x\,dx=\sin x"], "--from 0"),
+    ([r"y=\int\cos x\,dx"], "--from 0"),
     ([r"\int\cos x\,dx=\sin x+C", "--from", "0"], "--let 'C=0'"),
     (["9^{9^{9^9}}=1"], "not worked out"),
     (["x+1"], "no relation sign"),

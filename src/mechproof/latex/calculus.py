@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from mechproof.latex import letters
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.tree import Integration, Letter, Node, Number, Repeated
+from mechproof.latex.tree import (
+    Chain,
+    Derivation,
+    Integration,
+    Letter,
+    Node,
+    Number,
+    Repeated,
+    strip,
+    walk,
+)
 from mechproof.latex.undeclared import printed_name
 
 if TYPE_CHECKING:
@@ -21,6 +31,32 @@ class Open:
     depth: int
     differential: Node | None = None
     running: list[Letter] = field(default_factory=list)
+
+
+def compare_derivatives(chain: Chain) -> Chain:
+    r"""Let \int f\,dx=F+C say that f is the derivative of F+C, where nobody says where it starts.
+
+    Of a letter that is alone at a side an integral says what it is.
+    """
+    if len(chain.members) != 2 or chain.relations != ("=",):
+        return chain
+    sides = [strip(member) for member in chain.members]
+    unlimited = [n for n, side in enumerate(sides) if _has_no_limits(side)]
+    if len(unlimited) != 1:
+        return chain
+    (place,) = unlimited
+    integral, other = sides[place], sides[1 - place]
+    assert isinstance(integral, Integration)
+    by, is_read = integral.differential, not any(map(_has_no_limits, walk(other)))
+    if not isinstance(by, Letter) or isinstance(other, Letter) or not is_read:
+        return chain
+    sides[place] = replace(integral.integrand, start=integral.start, end=integral.end)
+    sides[1 - place] = Derivation(other, by, start=other.start, end=other.end)
+    return replace(chain, members=tuple(sides))
+
+
+def _has_no_limits(node: Node) -> bool:
+    return isinstance(node, Integration) and node.low is None
 
 
 # Sums -------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.latex.calculus import compare_derivatives
 from mechproof.latex.chains import read_print
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
@@ -86,7 +87,10 @@ class Reader:
         """
         with _naming(row):
             parser = Parser(latex, self._names(row), self.notation, self.remedies, upper=upper)
-            return Print(parser.source, read_print(parser), self, upper)
+            chains = read_print(parser)
+            if self.notation.lower_limit is None:
+                chains = tuple(map(compare_derivatives, chains))
+            return Print(parser.source, chains, self, upper)
 
     def collect(self, latex: str) -> list[str]:
         """Return the letters of a print that are not declared; `#` stands for bound indices.
