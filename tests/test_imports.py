@@ -120,6 +120,8 @@ LOADED = {
     },
 }
 INSIDE = {
+    # A linear program finds squares whose sum is then worked out exactly.
+    "proof": {"scipy"},
     "laws": {"scipy"},
     "conformity": {"scipy"},
     "measurement": {"scipy", "uncertainties"},

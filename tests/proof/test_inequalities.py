@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
+from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
@@ -15,6 +16,7 @@ from mechproof.proof.verdict import Verdict
 
 x, y = sp.symbols("x y", real=True)
 PI = sp.pi
+NOT_NEGATIVE = r"a\ge0, b\ge0, c\ge0"
 TABLES = {
     HALF_ANGLES: (
         (r"\cosh x\ge1", r"\cosh x>1", ""),
@@ -45,6 +47,25 @@ TABLES = {
             "",
         ),
         (r"\sqrt{1-k\cos x}\ge\sqrt{1-k}", r"\sqrt{1-k\cos x}>\sqrt{1-k}", r"0\le k\le1"),
+    ),
+    BINOMIAL_SQUARES: (
+        (r"x^4+y^4+z^4\ge x^2yz+xy^2z+xyz^2", r"x^4+y^4+z^4>x^2yz+xy^2z+xyz^2", ""),
+        (
+            r"(ax+by+cz)^2\le(a^2+b^2+c^2)(x^2+y^2+z^2)",
+            r"(ax+by+cz)^2\le(a^2+b^2+c^2)(x^2+y^2-z^2)",
+            "",
+        ),
+        (r"\frac{a+b+c}3\ge\sqrt[3]{abc}", r"\frac{a+b+c}3>\sqrt[3]{abc}", NOT_NEGATIVE),
+        (
+            r"\frac{a+b+c}3\ge\sqrt[3]{abc}",
+            r"\frac{a+b+c}3\ge\frac{10001}{10000}\sqrt[3]{abc}",
+            NOT_NEGATIVE,
+        ),
+        (r"ab\le\frac{a^3}3+\frac{2b^{3/2}}3", r"ab<\frac{a^3}3+\frac{2b^{3/2}}3", r"a\ge0, b\ge0"),
+        (r"x^4+y^4+z^4+w^4+1>4xyzw", r"x^4+y^4+z^4+w^4>4xyzw", ""),
+        (r"\frac ab+\frac ba\ge2", r"\frac ab+\frac ba>2", "ab>0"),
+        (r"\frac ab+\frac ba\le-2", r"\frac ab+\frac ba\ge2", "ab<0"),
+        (r"\frac1{x^2}>0", r"\frac1{x^2}>1", ""),
     ),
     MONOTONICITY: (
         (r"\sin x\le x", r"\sin x<x", r"x\ge0"),

@@ -10,6 +10,7 @@ from twins import judge
 from mechproof.document.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
+    binomial_squares,
     bisection,
     endless_sums,
     induction,
@@ -53,6 +54,7 @@ NAMED += [
     inequalities.HALF_ANGLES,
     inequalities.ORDERS,
     monotonicity.RUNG,
+    binomial_squares.RUNG,
     telescoping.RUNG,
     separation.RUNG,
     endless_sums.RUNG,

@@ -114,7 +114,9 @@ class Meaning:
         value = self.of(node)
         roots = {power.base for power in value.atoms(sp.Pow) if power.exp.is_integer is False}
         met = [p for p in self._met if not (self.is_complex and p.has(sp.I))]
-        lost = [p for p in met if not (value.has(p) or (is_root(p) and p.base in roots))]
+        # A quotient has the power below its line with the opposite exponent.
+        met = [p for p in met if not (value.has(p) or (p.is_Pow and value.has(1 / p)))]
+        lost = [p for p in met if not (is_root(p) and p.base in roots)]
         self._met = outside
         if isinstance(value, sp.MatrixBase):
             return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))

@@ -14,7 +14,7 @@ from itertools import permutations
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import expand, split
-from mechproof.proof import monotonicity
+from mechproof.proof import binomial_squares, monotonicity
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import (
     find_sign_there,
@@ -47,6 +47,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
         (HALF_ANGLES, is_shown_there),
         (ORDERS, _by_orders),
         (SQUARES, _by_squares),
+        (binomial_squares.RUNG, binomial_squares.holds_by_squares),
         (monotonicity.RUNG, monotonicity.holds_by_slope),
     )
     return next((name for name, rung in rungs if rung(slack, domain)), None)

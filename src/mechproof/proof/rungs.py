@@ -42,6 +42,8 @@ RUNGS = {
     "arguments is one",
     "square of a root and its sign": "a side has the sign of a root, and its square is that of it",
     "squares of roots and moduli": "an inequality, by those of the squares of what has a sign",
+    "sum of binomial squares": "an inequality: the difference of the sides, by real numbers whose "
+    "squares are those that are not negative, is a sum of squares of one or two terms",
     "signs in half-angle tangents": "an inequality in the tangents of half angles and in "
     "exponentials, on the intervals in which these lie",
     "every order of the numbers": "an inequality, by the coefficients for every order of the "

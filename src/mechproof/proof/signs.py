@@ -113,6 +113,8 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
     is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
     if not (said and is_small and expression.is_rational_function(*expression.free_symbols)):
         return None
+    if whole := _find_said(expression, said):
+        return whole
     direction, strict, is_met = 1, True, False
     for factor in sp.Mul.make_args(sp.factor(expression)):
         base, power = factor.as_base_exp()
