@@ -51,6 +51,26 @@ CASES = {
         [TURN, r"s(90^\circ)=r", r"s(30^\circ)=\frac r2", r"s(90^\circ)=2r", r"r(90^\circ)=2r"],
         ["DEFINITION", "PROVED", "PROVED", "REFUTED", "not read"],
     ),
+    "approximations with zeros at their end": (
+        [r"17\cdot37\approx630", r"12^3\approx1730", r"17\cdot37\approx640", r"17\cdot37=630"],
+        ["not judged", "not judged", "REFUTED", "REFUTED"],
+    ),
+    "what does not change is equal to nothing": (
+        [r"m=\text{const.}", r"n=\mathrm{const}", r"k = {\rm konst}", r"u=const.", r"m=n"],
+        ["not judged", "not judged", "not judged", "not judged", "DEFINITION"],
+    ),
+    "frames at the right are no powers": (
+        [r"k^0=2m", r"k^0_1=3m", r"n=k\cdot m^0"],
+        ["not read", "not read", "not read"],
+    ),
+    "operators in script letters": (
+        [r"\mathcal{L}\{k\}=2m", r"\mathcal{L}\{k^2\}=2km", r"\mathcal{L}[k]=2"],
+        ["not read", "not read", "not read"],
+    ),
+    "powers of powers end": (
+        [r"h=\frac{b}{c}\left(\left(\frac ab\right)^{\frac{9.80665m}{n\cdot c}}-1\right)+u"],
+        ["DEFINITION"],
+    ),
     "numbers in two units need no letter": (
         [
             r"85\,\%=0.85",

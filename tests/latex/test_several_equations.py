@@ -86,3 +86,8 @@ REFUSED = [
 def test_what_does_not_part_is_refused(latex: str, told: str) -> None:
     with pytest.raises(ReadingError, match=told):
         READER.parse(latex)
+
+
+def test_an_environment_that_an_arrow_cuts_is_refused() -> None:
+    with pytest.raises(ReadingError, match="goes on in an unknown way"):
+        READER.parse(r"\begin{array}{l} f=0 \to g=1")

@@ -49,6 +49,8 @@ _SHOWN = re.compile(
     r"\\(?P<kind>arabic|Alph|alph|Roman|roman)\s*\{(?P<counter>\w+)\}|\\the(?P<the>[a-z]+)"
 )
 _ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
+# A number that stands beside an equation without being a tag, as in Markdown.
+_BESIDE = re.compile(r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s)*\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED)))
 
@@ -251,7 +253,7 @@ def _read_display(
 
 def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterator[LocatedText]:
     """Yield the equations of lines that belong together, without what names them."""
-    plain = [line.replace(_NAMING, lambda _: " ") for line in lines]
+    plain = [line.replace(_NAMING, lambda _: " ").replace(_BESIDE, lambda _: " ") for line in lines]
     latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
     yield from (piece for piece in (cut_gaps(latex) if cut else [latex.strip()]) if len(piece))
 
@@ -270,4 +272,6 @@ def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
     if tag := _TAG.search(line.string):
         named = tag[2].replace(r"\%", "%")
         return named if tag[1] else f"({named})"
+    if beside := _BESIDE.search(line.string):
+        return f"({beside[1]})"
     return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""

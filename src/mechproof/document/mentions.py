@@ -15,10 +15,25 @@ from mechproof.document.letters import name_symbol
 from mechproof.document.roles import EQUAL
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Approach, Derivation, Extremum, Measure, Table, walk
+from mechproof.latex.tree import (
+    Approach,
+    Derivation,
+    Extremum,
+    Letter,
+    Measure,
+    Node,
+    Number,
+    Power,
+    Table,
+    walk,
+)
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
+_CONSTANT = re.compile(
+    r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
+    r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
+)
 # What a number behind it is no size of.
 _NO_SIZE = (Approach, Derivation, Extremum, Table)
 
@@ -40,6 +55,27 @@ def refuse_units(read: Print) -> None:
                         f"a unit, {node.unit}, but no letter whose unit it could be",
                         "Print the number alone, in the unit of the letters.",
                     )
+
+
+def refuse_powers_of_zero(read: Print) -> None:
+    """Refuse r^0 of a letter: nobody prints a one so, but a frame at its right."""
+    for node in walk(read.chains):
+        if isinstance(node, Power) and isinstance(node.base, Letter) and _is_zero(node.exponent):
+            printed = read.source.latex[node.start : node.end]
+            raise read.source.refuse(
+                node.start,
+                f"{printed}: a power, which is one, or an upper index?",
+                f"Declare it in the block of letters: {printed} : its meaning",
+            )
+
+
+def _is_zero(node: Node) -> bool:
+    return isinstance(node, Number) and node.text == "0"
+
+
+def says_constant(latex: str) -> bool:
+    r"""Return whether a print says that a quantity is constant, m=\text{const.}, and not what."""
+    return bool(_CONSTANT.search(latex))
 
 
 def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:

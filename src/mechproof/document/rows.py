@@ -28,7 +28,14 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.mentions import is_listed, look_up, refuse_units, refuse_unknown
+from mechproof.document.mentions import (
+    is_listed,
+    look_up,
+    refuse_powers_of_zero,
+    refuse_units,
+    refuse_unknown,
+    says_constant,
+)
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign, find_roles, give_values
 from mechproof.document.scopes import add_scopes
@@ -182,6 +189,8 @@ class Document:
             return self._leave(printed, State.NOT_READ, printed.fault)
         if reason := look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
+        if says_constant(printed.latex.string):
+            return self._leave(printed, State.NOT_JUDGED, "it says that something does not change")
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
@@ -191,6 +200,7 @@ class Document:
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         refuse_units(read)
+        refuse_powers_of_zero(read)
         double = _DOUBLE.search(latex) if branch is None else None
         follows = is_listed(printed, [*self.block.follows])
         if double is None and not follows:

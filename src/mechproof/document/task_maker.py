@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.block import Block
+from mechproof.document.cells import Numeral
 from mechproof.document.complex_parts import split_parts
 from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.displays import Printed
@@ -20,6 +21,7 @@ from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import CONSTRAINING, Role, Sign
+from mechproof.document.scales import agrees, is_near
 from mechproof.document.sides import (
     have_same_letters,
     is_solvable,
@@ -53,6 +55,15 @@ from mechproof.record import (
     Row,
     Statement,
 )
+
+
+@dataclass(frozen=True)
+class _Stated:
+    """A row with its sign, and whether it states what a number says."""
+
+    row: Row
+    sign: Sign
+    is_stated: bool
 
 
 @dataclass(frozen=True)
@@ -169,64 +180,14 @@ class TaskMaker:
     def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row; `own` is the letter that its chain is about."""
         place = printed.locate(self.files)
-        says = row.says
         if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
             reason = f"nothing else is printed of {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
-        if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
-            members = (says.symbol, says.printed) if None in sign.sides else sign.sides
-            row = replace(row, says=Equality(*members, "member"))
-        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
-        if isinstance(says, Equality | PrintedNumber | Conjunction) and is_introduced:
-            pieces = (side for side in sign.sides if side not in (None, sign.letter))
-            value = next(pieces, self.known.values[sign.letter])
-            row = replace(row, says=Definition(sign.letter, value))
-        if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
-            values = [side for side in sign.sides if not side.free_symbols]
-            row = replace(row, says=Definition(sign.letter, values[0]))
-        if isinstance(row.says, Definition) and is_met_once(row.says.symbol, self.known):
-            note = f"{row.note} No other equation uses {row.says.symbol}.".strip()
-            row = replace(row, note=note)
-        special = list_values(row, self.known)
-        row = specialise(row, special, self.known)
-        if sign.role is Role.NUMBER and sign.number and special:
-            value = put_in(sign.value, special, self.known)
-            sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
-        if sign.role in (Role.DERIVATIVE, Role.REPEATED):
-            row = stay_within_pieces(row, sign, self.known)
-        stated: PrintedNumber | Equality | str | None = None
-        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
-        if is_number and not sign.value.has(sp.Limit):
-            sign = replace(sign, role=Role.NUMBER)
-        note = ""
-        is_calculated = sign.role is Role.NUMBER and not sign.number
-        if is_calculated:
-            found = state_put_in(sign, own, printed, self.sizes)
-            stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
-        elif sign.role is Role.NUMBER and sign.formula is not None:
-            stated = state_result(sign, own, printed, self.sizes)
-        elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
-            stated = self.sizes.state(sign, own, printed)
-        if sign.role is Role.SIZE and (misfit := tell_misfit(sign, self.known.symbols)):
-            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, misfit)
-        if sign.role is Role.SIZE:
-            said = replace(sign, role=Role.NUMBER)
-            formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
-            judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
-            told = [one for one in judged if isinstance(one[1], PrintedNumber)]
-            told += [one for one in judged if str(one[1]).startswith(OTHERS)]
-            sign, stated = told[0] if told else (sign, None)
-        claim = row.says if stated is None else stated
-        is_rounded = isinstance(claim, PrintedNumber) and may_be_rounded(claim, sign)
-        stated = NEAR if is_rounded and sign.formula is None else stated
-        if isinstance(stated, str):
-            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, stated)
-        if stated:
-            is_size = isinstance(stated, PrintedNumber)
-            note = self.sizes.tell(sign, printed) if is_size else note
-            is_size |= is_calculated
-            sign = replace(sign, role=Role.NUMBER if is_size else Role.CONSTRAINT)
-            row = replace(row, says=stated, note=f"{row.note} {note}".strip())
+        row, sign = self._specialise(self._restate(row, sign), sign)
+        number = self._state_number(printed, row, sign, own)
+        if isinstance(number, str):
+            return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
+        row, sign = number.row, number.sign
         limited = state_limit(row, sign, self.known)
         turned = limited if isinstance(limited, str) else turn_units(limited, sign, own, self.known)
         if isinstance(turned, str):
@@ -241,7 +202,7 @@ class TaskMaker:
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         letters |= list_related(row.says) | _list_printed(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        is_number = stated is not None or sign.role is Role.SIZE or any(sign.units)
+        is_number = number.is_stated or sign.role is Role.SIZE or any(sign.units)
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
         has_units &= not any(map(_raises_by_letter, sides))
         paper = self.papers[has_units]
@@ -277,6 +238,79 @@ class TaskMaker:
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
             said=printed.announced,
         )
+
+    def _restate(self, row: Row, sign: Sign) -> Row:
+        """State that a letter is introduced where its sign does so, else that sides agree."""
+        says = row.says
+        if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
+            members = (says.symbol, says.printed) if None in sign.sides else sign.sides
+            row = replace(row, says=Equality(*members, "member"))
+        is_introduced = sign.role is Role.DEFINITION and sign.letter in self.known.values
+        if isinstance(says, Equality | PrintedNumber | Conjunction) and is_introduced:
+            pieces = (side for side in sign.sides if side not in (None, sign.letter))
+            value = next(pieces, self.known.values[sign.letter])
+            row = replace(row, says=Definition(sign.letter, value))
+        if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
+            values = [side for side in sign.sides if not side.free_symbols]
+            row = replace(row, says=Definition(sign.letter, values[0]))
+        if isinstance(row.says, Definition) and is_met_once(row.says.symbol, self.known):
+            note = f"{row.note} No other equation uses {row.says.symbol}.".strip()
+            row = replace(row, note=note)
+        return row
+
+    def _specialise(self, row: Row, sign: Sign) -> tuple[Row, Sign]:
+        """Put in the values that a print says of its letters."""
+        special = list_values(row, self.known)
+        row = specialise(row, special, self.known)
+        if sign.role is Role.NUMBER and sign.number and special:
+            value = put_in(sign.value, special, self.known)
+            sign = replace(sign, value=value, letter=sign.letter if value.free_symbols else None)
+        if sign.role in (Role.DERIVATIVE, Role.REPEATED):
+            row = stay_within_pieces(row, sign, self.known)
+        return row, sign
+
+    def _state_number(
+        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
+    ) -> _Stated | str:
+        """State what a number says, if a sign is beside one, or say why that is left open."""
+        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
+        if is_number and not sign.value.has(sp.Limit):
+            sign = replace(sign, role=Role.NUMBER)
+        stated: PrintedNumber | Equality | str | None = None
+        note = ""
+        is_calculated = sign.role is Role.NUMBER and not sign.number
+        if is_calculated:
+            found = state_put_in(sign, own, printed, self.sizes)
+            stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
+        elif sign.role is Role.NUMBER and sign.formula is not None:
+            stated = state_result(sign, own, printed, self.sizes)
+        elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
+            stated = self.sizes.state(sign, own, printed)
+        elif sign.role is Role.SIZE:
+            if misfit := tell_misfit(sign, self.known.symbols):
+                return misfit
+            sign, stated = self._compare_size(printed, sign, own)
+        claim = row.says if stated is None else stated
+        if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
+            return NEAR
+        if stated is None or isinstance(stated, str):
+            return stated or _Stated(row, sign, is_stated=False)
+        is_size = isinstance(stated, PrintedNumber)
+        note = self.sizes.tell(sign, printed) if is_size else note
+        role = Role.NUMBER if is_size or is_calculated else Role.CONSTRAINT
+        row = replace(row, says=stated, note=f"{row.note} {note}".strip())
+        return _Stated(row, replace(sign, role=role), is_stated=True)
+
+    def _compare_size(
+        self, printed: Printed, sign: Sign, own: sp.Basic | None
+    ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
+        """Compare a size with what other prints say of its letter, if they say a number."""
+        said = replace(sign, role=Role.NUMBER)
+        formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
+        judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
+        told = [one for one in judged if isinstance(one[1], PrintedNumber)]
+        told += [one for one in judged if str(one[1]).startswith(OTHERS)]
+        return told[0] if told else (sign, None)
 
     def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
         """Return whether a letter that is printed again may be meant for another case."""
@@ -340,6 +374,16 @@ class TaskMaker:
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)
+
+
+def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
+    """Return whether rounding explains how far a number is off.
+
+    That of decimals in its calculation, or, of an approximation, of zeros at its end.
+    """
+    if r"\approx" in row.printed_latex and not agrees(claim):
+        return is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
+    return sign.formula is None and may_be_rounded(claim, sign)
 
 
 def _raises_by_letter(side: Any) -> bool:

@@ -26,10 +26,17 @@ _WORD = re.compile(r"[a-z]{2,}")
 _PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
+_SCRIPT_TYPES = (r"\mathcal", r"\mathscr", r"\mathfrak")
+
+
 def check_bracket_after(parser: Parser, left: Node) -> None:
     """Refuse a round bracket after a letter, unless the letter is declared to be a factor."""
     letter = left.base if isinstance(left, Power) else left
-    if parser.text != "(" or not isinstance(letter, Letter) or letter.text in parser.bound:
+    if not isinstance(letter, Letter) or letter.text in parser.bound:
+        return
+    # Script letters are operators as often: \mathcal L\{f\}.
+    brackets = ("(", "[") if letter.text.startswith(_SCRIPT_TYPES) else ("(",)
+    if parser.text not in brackets:
         return
     if isinstance(letter.symbol, sp.MatrixSymbol) or letter.text in parser.factors:
         return

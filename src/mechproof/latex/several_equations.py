@@ -42,7 +42,9 @@ def _is_rows(tokens: Sequence[Token]) -> bool:
     if not tokens or tokens[0].text not in kinds:
         return False
     levels = list(_measure(tokens))
-    end = next((n for n, (depth, _) in enumerate(levels) if n and depth == 0), len(levels))
+    end = next((n for n, (depth, _) in enumerate(levels) if n and depth == 0), None)
+    if end is None:
+        return False
     behind = next((t.text for t in tokens[end + 1 :] if t.text not in GAPS.values()), ",")
     inside = any(depth == 1 and token.text in RELATIONS for depth, token in levels[:end])
     return inside and behind in (",", ";", ".", "(")
