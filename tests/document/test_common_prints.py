@@ -67,6 +67,18 @@ CASES = {
         [r"\mathcal{L}\{k\}=2m", r"\mathcal{L}\{k^2\}=2km", r"\mathcal{L}[k]=2"],
         ["not read", "not read", "not read"],
     ),
+    "what stands behind an angle and makes none of it": (
+        [
+            r"x=r\cos\alpha\,",
+            r"s=\cos\alpha r+\cos\beta\,l",
+            r"s=l\cos\beta-r\cos\alpha",
+            r"s=\cos\alpha(r+l)",
+            r"s=\cos\alpha(1+k)",
+            r"s=\cos\alpha\beta",
+        ],
+        ["DEFINITION", "DEFINITION", "REFUTED", "not judged", "not read", "not read"],
+    ),
+    "a quantity that is given by itself": ([r"r=a+l r", r"r=a+k r"], ["ILL_FORMED", "DEFINITION"]),
     "powers of powers end": (
         [r"h=\frac{b}{c}\left(\left(\frac ab\right)^{\frac{9.80665m}{n\cdot c}}-1\right)+u"],
         ["DEFINITION"],

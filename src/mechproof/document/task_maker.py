@@ -202,6 +202,7 @@ class TaskMaker:
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         letters |= list_related(row.says) | _list_printed(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
+        is_special &= not self._is_given_by_itself(sign)
         is_number = number.is_stated or sign.role is Role.SIZE or any(sign.units)
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
         has_units &= not any(map(_raises_by_letter, sides))
@@ -238,6 +239,16 @@ class TaskMaker:
             or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
             said=printed.announced,
         )
+
+    def _is_given_by_itself(self, sign: Sign) -> bool:
+        """Return whether a quantity stands on both sides: their dimensions are compared, too.
+
+        Those of angles would hold up to turns.
+        """
+        dimension = self.known.symbols.find_dimension(sign.letter) if sign.letter else None
+        others = [side for side in sign.sides if side is not None and side != sign.letter]
+        is_within = any(sign.letter in side.free_symbols for side in others)
+        return is_within and dimension is not None and not dimension.is_angle
 
     def _restate(self, row: Row, sign: Sign) -> Row:
         """State that a letter is introduced where its sign does so, else that sides agree."""

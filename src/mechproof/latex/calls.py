@@ -13,12 +13,13 @@ from mechproof.latex import atoms, calculus, conditions
 from mechproof.latex.characters import is_letter
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.signs import DOTS
+from mechproof.latex.signs import DOTS, measure_depths
 from mechproof.latex.tree import (
     Add,
     Bracket,
     Call,
     Constant,
+    Degrees,
     Entries,
     Letter,
     Node,
@@ -30,7 +31,7 @@ from mechproof.latex.tree import (
     strip,
     walk,
 )
-from mechproof.record import Notation
+from mechproof.record import NUMBER, Notation
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -130,7 +131,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
         # A bracket that is set as a matrix.
         argument = argument.rows[0][0]
     printed = "".join(token.text for token in parser.tokens[place : parser.place])
-    if printed not in parser.factors:
+    if printed not in parser.factors and not _is_quantity_behind(parser, argument):
         _check_bracket(parser, place)
         _check_reach(parser)
     return (argument,)
@@ -303,6 +304,32 @@ def _is_apart(parser: Parser) -> bool:
 def _is_behind_space(parser: Parser) -> bool:
     before = parser.tokens[parser.place - 1].end if parser.place else 0
     return bool(_SPACE.search(parser.source.latex[before : parser.start]))
+
+
+def _is_quantity_behind(parser: Parser, argument: Node) -> bool:
+    r"""Return whether what stands behind an angle makes no angle of it: \cos\theta\,x.
+
+    That is a letter that is no number, or a bracket with such letters, and no quotient in it.
+    """
+    known, nodes = parser.notation.dimensions, [*walk(argument)]
+    letters = [node.symbol for node in nodes if isinstance(node, Letter)]
+    behind = {known.get(symbol) for symbol in _list_behind(parser)}
+    is_quantity = None not in behind and bool(behind - {NUMBER})
+    is_angle = bool(letters) or any(isinstance(node, Degrees) for node in nodes)
+    return is_quantity and is_angle and all(known.get(symbol) == NUMBER for symbol in letters)
+
+
+def _list_behind(parser: Parser) -> set[sp.Basic]:
+    """Return the letter that stands here, or those in the bracket, of a quotient none."""
+    end = parser.place + 1
+    if parser.text in _BRACKETS:
+        depths = enumerate(measure_depths(token.text for token in parser.rest))
+        end = parser.place + next((n for n, depth in depths if n and not depth), 0)
+    inside = parser.tokens[parser.place : end]
+    if any(token.text in ("/", r"\frac") for token in inside):
+        return set()
+    matches = (parser.names.match(parser.tokens, n) for n in range(parser.place, end))
+    return {match.name.symbol for match in matches if match}
 
 
 def _check_reach(parser: Parser) -> None:

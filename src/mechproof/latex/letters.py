@@ -18,6 +18,7 @@ from mechproof.latex.signs import STAR
 from mechproof.latex.summands import TIME, is_no_argument
 from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power, walk
 from mechproof.latex.words import ITALICS
+from mechproof.record import NUMBER
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -153,12 +154,26 @@ def _read_name(parser: Parser, match: Match) -> Node:
         return places.read_value(parser, letter)
     other = parser.names.longer(match.name, "(") if parser.text == "(" else None
     is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
-    if other and not is_rate and letter.text not in parser.factors:
+    is_factor = letter.text in parser.factors or _is_of_others(parser, letter)
+    if other and not is_rate and not is_factor:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",
             parser.remedies.name.format(f"{latex}(…)"),
         )
     return letter
+
+
+def _is_of_others(parser: Parser, letter: Letter) -> bool:
+    """Return whether a bracket holds nothing on which a letter could depend: other dimensions."""
+    moving, known = parser.notation.moving, parser.notation.dimensions
+    by = moving[letter.symbol][0] if letter.symbol in moving else None
+    texts = [token.text for token in parser.tokens[parser.place :]]
+    if by not in known or ")" not in texts:
+        return False
+    places = range(parser.place + 1, parser.place + texts.index(")"))
+    names = [match.name for place in places if (match := parser.names.match(parser.tokens, place))]
+    symbols = {name.symbol for name in names}
+    return bool(symbols) and all(known.get(s) not in (None, NUMBER, known[by]) for s in symbols)
 
 
 def _refuse_running_index(parser: Parser, match: Match) -> None:
