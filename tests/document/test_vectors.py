@@ -21,6 +21,18 @@ CLOSURE = (
     r"\vec e=\begin{pmatrix}1\\0\end{pmatrix}",
 )
 CASES = {
+    "columns in braces, and how they stand": (
+        [
+            r"\begin{Bmatrix}F\\G\end{Bmatrix}=\begin{bmatrix}k&-k\\-k&k\end{bmatrix}"
+            r"\begin{Bmatrix}u\\v\end{Bmatrix}",
+            r"\begin{bmatrix*}[r]1&-1\\-1&\phantom{-}1\end{bmatrix*}\begin{Bmatrix}u\\v\end{Bmatrix}"
+            r"=\begin{pmatrix*}u-v\\v-u\end{pmatrix*}",
+            r"\begin{bmatrix*}[r]1&-1\\-1&1\end{bmatrix*}\begin{Bmatrix}u\\v\end{Bmatrix}"
+            r"=\begin{pmatrix*}u-v\\u-v\end{pmatrix*}",
+            r"w=\begin{Bmatrix}u&u>0\\-u&u\le0\end{Bmatrix}",
+        ],
+        ["DEFINITION", "PROVED", "not judged", "DEFINITION"],
+    ),
     "a rate has the size of its vector": (
         [
             r"\dot{\mathbf r}=\mathbf J\dot{\mathbf q}",

@@ -17,7 +17,7 @@ _SIGN = re.compile(rf"\\\\{SPACING}|\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
 _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
-    *(r"\Bigg", r"\mathstrut"),
+    *(r"\Bigg", r"\mathstrut", r"\it"),
 )
 # Blanks that part as often as they do nothing.
 WIDE, NARROW = r"\quad", "\\ "
@@ -29,7 +29,7 @@ GAPS = {
 }
 # Types that hold in a group, and the commands of today whose argument it is.
 _TYPES = {
-    **{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf", r"\it": r"\mathit"},
+    **{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf"},
     r"\cal": r"\mathcal",
 }
 # A command, a group, and one for which a type holds.
@@ -54,7 +54,7 @@ _SAME = {
     **{r"\rightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
-    r"\neq": r"\ne",
+    **{r"\neq": r"\ne", r"\textbf": r"\mathbf"},
     **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
     r"\lt": "<",
     r"\gt": ">",

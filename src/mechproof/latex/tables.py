@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.numerals import read_number
-from mechproof.latex.relations import read_relations
+from mechproof.latex.relations import RELATIONS, read_relations
 from mechproof.latex.tree import Call, Cases, Chain, Node, Table
 from mechproof.latex.words import ELSE, IF, UNDEFINED
 
@@ -16,21 +16,31 @@ if TYPE_CHECKING:
 
 MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix", "smallmatrix")
 _DOTS = (r"\dots", r"\vdots", r"\ddots")
-_CASES = ("cases", "dcases", "Bmatrix")
+_BRACED = "Bmatrix"
+_CASES = ("cases", "dcases", _BRACED)
 
 
 def read_environment(parser: Parser) -> Node:
     """Read a matrix, its determinant, or cases."""
     start = parser.start
     kind = parser.text[len(r"\begin{") : -1]
-    if kind in _CASES:
+    if kind in _CASES and not (kind == _BRACED and _is_matrix(parser)):
         return read_cases(parser, parser.take().start)
-    if kind not in MATRICES:
+    if kind not in (*MATRICES, _BRACED):
         raise parser.refuse(f"{kind} is none of {', '.join((*MATRICES, *_CASES))}", place=start)
     table = _read_table(parser, kind)
     if kind == "vmatrix":
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
     return table
+
+
+def _is_matrix(parser: Parser) -> bool:
+    """Return whether braces hold entries without a condition, as columns are often printed."""
+    texts = [token.text for token in parser.rest]
+    inside = (
+        texts[: texts.index(rf"\end{{{_BRACED}}}")] if rf"\end{{{_BRACED}}}" in texts else texts
+    )
+    return not {*inside} & {*RELATIONS, *IF, *ELSE, *UNDEFINED}
 
 
 def _read_table(parser: Parser, kind: str) -> Table:

@@ -34,7 +34,11 @@ _BRACES = {r"\underbrace": "_", r"\overbrace": "^"}
 # What writes something above or below a sign; a question is none.
 _STACKS = (r"\overset", r"\underset", r"\stackrel")
 _QUESTION = "?"
+# What takes the place of its argument and shows nothing.
+_UNSEEN = (r"\phantom", r"\hphantom", r"\vphantom")
 _COLOURS = (r"\color", r"\textcolor")
+# Matrices of mathtools, which may say how their columns stand.
+_ALIGNED = ("pmatrix*", "bmatrix*", "Bmatrix*", "vmatrix*", "matrix*")
 _DEGREE = ("°", r"\degree")
 
 
@@ -156,7 +160,7 @@ class _Normaliser:
         if first.text in ("_", "^"):
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
         if first.text == r"\num":
-            return self._read_argument()[1:-1]
+            return self._read_number()
         if first.text in _MARKS:
             *inner, last = self._read_argument()[1:]
             if first.text == r"\boxed" or not {"+", "-"} & {t.text for t in inner}:
@@ -169,11 +173,16 @@ class _Normaliser:
                 self._take()
                 self._read_argument()
             return inner
+        if first.text in _UNSEEN:
+            self._read_argument()
+            return []
         if first.text in _STACKS and (relation := self._read_stack()):
             return [relation]
         if first.text in _COLOURS:
             self._read_argument()
             return self._read_argument()[1:-1] if first.text == r"\textcolor" else []
+        if first.text == r"\ang":
+            return self._read_angle()
         if first.text in QUANTITIES:
             return self._read_quantity(first)
         if first.text in UPRIGHT:
@@ -199,14 +208,35 @@ class _Normaliser:
 
     def _read_quantity(self, first: Token) -> list[Token]:
         r"""Read \SI{66}{mm} as a number with a unit in upright letters behind it."""
-        number = self._read_argument()[1:-1] if first.text in QUANTITIES[:2] else []
+        number = self._read_number() if first.text in QUANTITIES[:2] else []
         start = self.raw[self.place].start if number and self.place < len(self.raw) else first.start
         words, end = self._read_words()
         return [*number, Token(rf"\mathrm{{{words}}}", start, end)]
 
+    def _read_number(self) -> list[Token]:
+        """Read a number of siunitx, in which a comma is decimal and a plus says nothing."""
+        count = len(self.groups)
+        inner = self._read_argument()[1:-1]
+        del self.groups[count:]
+        inner = inner[1:] if inner[:1] and inner[0].text == "+" else inner
+        return [replace(sign, text=".") if sign.text == "," else sign for sign in inner]
+
+    def _read_angle(self) -> list[Token]:
+        r"""Read \ang{30} as a number of degrees."""
+        number = self._read_number()
+        end = self.raw[self.place - 1].end
+        script = [Token(text, end, end) for text in ("^", "{", r"\circ", "}")]
+        return [*number[:-1], *(replace(last, end=end) for last in number[-1:]), *script]
+
     def _read_environment(self, first: Token) -> Token:
         """Read a beginning or an end; an array is a matrix, whatever its columns are."""
         words, end = self._read_words()
+        if words in _ALIGNED:
+            words = words.removesuffix("*")
+            if first.text == r"\begin" and self._peek() == "[":
+                self._take()
+                self._read_until("]")
+                end = self._close("]").end
         if words == "array":
             words = "matrix"
             if first.text == r"\begin":
