@@ -47,6 +47,10 @@ DISPLAYS = {
         E % "a=1" + r"\addtocounter{equation}{-1}" + E % "b=2",
         [("(1)", "a=1"), ("(1)", "b=2")],
     ),
+    "a sign that is printed again behind a break": (
+        r"\begin{align}u&=a+{}\notag\\&\phantom{=}+b\\v&=a-\\&{}-b=\\&=c\end{align}",
+        [("(1)", r"u=a \phantom{=}+b"), ("(2)", "v=a {}-b =c")],
+    ),
     "a number beside an equation, without a tag": (
         r"$$a=1 \qquad (3.2)$$" + E % r"\boxed{b=2}\quad\ (7a)." + E % "c=3",
         [("(3.2)", "a=1"), ("(7a)", r"\boxed{b=2}"), ("(1)", "c=3")],

@@ -47,6 +47,13 @@ def test_a_print_means_another_letter_in_a_range_of_equations() -> None:
     assert outcomes(*equations)[1:4] == ["not read"] * 3
 
 
+def test_the_derivative_of_a_matrix_has_a_line_of_its_own() -> None:
+    with pytest.raises(BlockError, match=r"its own, .dot q 2x1"):
+        outcomes(r"x=2y", block="%% q 2x1 (t) : angles\n")
+    block = "%% q 2x1 : angles\n%% \\dot q 2x1 : rates\n%% v 2x1 : speeds\n"
+    assert outcomes(r"v=A_r\dot q", block=block) == ["DEFINITION"]
+
+
 def test_letters_of_one_line_may_have_shapes_of_their_own() -> None:
     block = "%% B [2x3] ; v ; w 3x1 : matrices\n"
     equations = (

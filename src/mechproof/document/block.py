@@ -17,6 +17,7 @@ from mechproof.document.units import spell_unit
 from mechproof.proof.verdict import Place
 
 _SHAPE = re.compile(r"\s\[?(\d+)\s*x\s*(\d+)\]?\s*\Z")
+_MOVED = re.compile(r"(?P<name>\S+)\s+(?P<shape>\d+x\d+)\s*\(\s*(?P<by>[^()]+?)\s*\)\s*\Z")
 _RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
 _COLON = re.compile(r"\s*:(?:\s+|\Z)")
 _UNIT = re.compile(r"\[([^\[\]]*)\]")
@@ -133,6 +134,11 @@ def _read_letters(line: str) -> list[Declared]:
     said, last = tuple(_BRACES.findall(braces[0])) if braces else (), _SHAPE.search(left)
     found_letters = []
     for text in left.split(";"):
+        if moved := _MOVED.search(text):
+            raise ValueError(
+                f"a matrix that depends on {moved['by']}: leave ({moved['by']}) out, and declare "
+                f"its derivative in a line of its own, \\dot {moved['name']} {moved['shape']}"
+            )
         # What is said of the last letter is said of all that have no shape of their own.
         shape = _SHAPE.search(text) or last
         size = (int(shape[1]), int(shape[2])) if shape else None

@@ -47,6 +47,8 @@ _TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z]
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
 _WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
+_SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
+_SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _AND = re.compile(rf"(?:{_WORD}|\\(?:Rightarrow|Longrightarrow|implies|iff)(?![A-Za-z])\s*)\Z")
 _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
@@ -131,8 +133,16 @@ def join_lines(lines: Sequence[LocatedText], *, has_columns: bool = True) -> Loc
     """
     parts: list[LocatedText] = []
     for line in lines:
-        parts += [_drop_leads(join(list(_drop_alignment(line, has_columns)))), line.put(" ", 0)]
+        part = _drop_leads(join(list(_drop_alignment(line, has_columns))))
+        parts[-2:-1] = [_drop_repeated(before, part) for before in parts[-2:-1]]
+        parts += [part, line.put(" ", 0)]
     return _clean(join(parts))
+
+
+def _drop_repeated(before: LocatedText, line: LocatedText) -> LocatedText:
+    """Return a line without the sign at its end with which the next one begins again."""
+    last, first = _SIGN_AT_END.search(before.string), _SIGN_AT_START.match(line.string)
+    return before[: last.start()] if last and first and last[1] == first[1] else before
 
 
 def _drop_alignment(line: LocatedText, has_columns: bool) -> Iterator[LocatedText]:
