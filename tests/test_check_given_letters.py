@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from mechproof.pipeline.pasted import Pasted, judge_pasted
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Judgement
 
 pytestmark = pytest.mark.usefixtures("judged_here")
@@ -136,3 +137,7 @@ POWERS = [
 def test_powers_and_half_turns_are_counted(latex: str, twin: str) -> None:
     assert judge(latex, natural="n").verdict == "PROVED"
     assert judge(twin, natural="n").verdict == "REFUTED"
+
+
+def test_a_letter_of_a_value_may_be_introduced() -> None:
+    assert judge("a=2x", values=("k=a/b",)).verdict == "DEFINITION"

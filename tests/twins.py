@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechproof.pipeline.pasted import Pasted, judge_pasted
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
 # What is printed, a twin that is slightly wrong, and where both are meant.

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from weights import make_thorough
 
-from mechproof.pipeline.pasted import Pasted, judge_pasted
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
 N = ("n",)

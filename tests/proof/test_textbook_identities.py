@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from weights import first_of
 
-from mechproof.pipeline.pasted import Pasted, judge_pasted
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
 TABLE = Path(__file__).with_suffix("").with_name("textbook_identities.tsv")

@@ -23,7 +23,8 @@ from mechproof.pipeline.bounding import (
     read_pasted,
 )
 from mechproof.pipeline.bounds_page import CITED, compare
-from mechproof.pipeline.pasted import Pasted, PastedError
+from mechproof.pipeline.pasted import PastedError
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.roundoff.boxed import Convention
 from mechproof.tools.files import write_whole
 

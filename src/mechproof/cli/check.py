@@ -18,7 +18,8 @@ from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.draft import draft_block
 from mechproof.document.judging import LIMIT
 from mechproof.document.sources import STDIN, SUFFIXES, read_source
-from mechproof.pipeline.pasted import Checked, Pasted, PastedError, check_pasted
+from mechproof.pipeline.pasted import Checked, PastedError, check_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import State, Verdict
 from mechproof.tools.processes import WorkerError

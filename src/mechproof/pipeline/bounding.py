@@ -25,7 +25,8 @@ from mechproof.arithmetic.largest import bound_largest
 from mechproof.fpcore.expressions import FPCoreError, read_file
 from mechproof.fpcore.reading import read_cores
 from mechproof.latex import ReadingError
-from mechproof.pipeline.pasted import Pasted, PastedError, read_expression
+from mechproof.pipeline.pasted import PastedError, read_expression
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.programs.lowering import lower_steps
 from mechproof.roundoff.boxed import BoxedProgram, Convention, Range, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input

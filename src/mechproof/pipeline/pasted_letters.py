@@ -1,0 +1,271 @@
+"""The letters of a pasted equation: what each is taken for, and what is said of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from mechproof.document.letters import is_vector, name_symbol, show_letter
+from mechproof.document.relations import read_relations
+from mechproof.latex import Reader
+from mechproof.latex.errors import Remedies
+from mechproof.latex.names import INDEX
+from mechproof.latex.tokens import tokenize
+from mechproof.latex.values import depends
+from mechproof.record import Notation, Variable
+
+COMMAND = Remedies(
+    name="Say --name '{0}'.",
+    bracket="Say --factor '{0}' for the product, or --name '{0}(…)' for one quantity.",
+    function="Print a function that is the same everywhere (ln, lg, arctg).",
+    scope="Print another letter for '{0}' where it is bound.",
+    lower_limit="Say --from 0, or where else it starts.",
+    family="Leave --name '{0}' out.",
+    membership="Print an interval as a relation, 0<x<1; say --natural for a letter that counts "
+    "from 1. Letters are real anyway.",
+    rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
+)
+_OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
+_IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
+
+
+@dataclass(frozen=True)
+class Pasted:
+    """An equation and what is said about its letters, all in LaTeX.
+
+    `names` are prints that are one quantity, `factors` names that a bracket multiplies, `where`
+    relations (`0<x<1`), `values` definitions (`C=0`), `natural` counts.
+    """
+
+    latex: str
+    names: tuple[str, ...] = ()
+    factors: tuple[str, ...] = ()
+    where: tuple[str, ...] = ()
+    values: tuple[str, ...] = ()
+    natural: tuple[str, ...] = ()
+    lower_limit: str = ""
+
+
+@dataclass(frozen=True)
+class Letters:
+    """Letters with their values, how they are written, and relations that are said of them.
+
+    `tied` are those of equations that give one of them by the others.
+    """
+
+    variables: tuple[Variable, ...]
+    notation: Notation
+    relations: Sequence[sp.Basic]
+    tied: frozenset[sp.Basic]
+
+
+def read_letters(pasted: Pasted) -> Letters:
+    """Return the letters with their values, how they are written, and what is said of them."""
+    counts = _find_counts(pasted)
+    variables = _declare(pasted, counts)
+    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
+    reader = Reader(variables, notation, COMMAND)
+    relations = [r for text in pasted.where for r in read_relations(text, reader)]
+    equations = [r for r in relations if isinstance(r, sp.Equality)]
+    variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
+    tied = frozenset(s for equation in equations for s in equation.free_symbols)
+    return Letters(variables, notation, [r for r in relations if r not in equations], tied)
+
+
+def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
+    """Make a variable of each name that is said and of each letter that is met."""
+    said = dict.fromkeys((*pasted.names, *pasted.natural))
+    named = [_make(latex, pasted, counts) for latex in said]
+    reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
+    prints = (pasted.latex, *pasted.where, *pasted.values)
+    letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
+    _refuse_others(letters, prints)
+    families = {x.partition("_")[0] for x in letters if INDEX in x}
+    kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
+    variables = (*named, *(_make(x, pasted, counts) for x in kept))
+    met: dict[str, str] = {}
+    for variable in variables:
+        (latex,) = variable.latex
+        if (other := met.setdefault(name_symbol(str(variable.symbol)), latex)) != latex:
+            raise ValueError(f"{other} and {latex} are too much alike: print another letter")
+    return variables
+
+
+def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
+    """Refuse what is no real number: vectors, the imaginary unit, operators that are not known."""
+    operators = {rf"\mathrm{{{name}}}" for text in prints for name in _OPERATOR.findall(text)}
+    for letter in letters:
+        if is_vector(letter):
+            raise ValueError(
+                f"{letter} is no number: vectors and matrices need their components: check these, "
+                f"or say --name '{letter}' where it is a number"
+            )
+        if letter in _IMAGINARY:
+            raise ValueError(
+                f"{letter} is the imaginary unit: complex numbers are not read in a single "
+                f"equation, but in a paper; say --name '{letter}' where it is a real number"
+            )
+        if letter in operators:
+            raise ValueError(
+                f"{letter} is printed as an operator, which is not known; say --name "
+                f"'{letter}' where it is a number"
+            )
+
+
+def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
+    if not any(sign.isalpha() for sign in latex):
+        raise ValueError(f"the name {latex!r} has no letter")
+    name = show_letter(latex.replace(f"_{INDEX}", ""))
+    if INDEX in latex:
+        return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
+    variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
+    return _count(variable) if latex in (*pasted.natural, *counts) else variable
+
+
+def _count(variable: Variable) -> Variable:
+    """Make a natural number of a letter."""
+    symbol = sp.Symbol(variable.symbol.name, integer=True, positive=True)
+    return replace(variable, symbol=symbol, within=sp.S.Naturals)
+
+
+def count_from_zero(
+    variables: Sequence[Variable], relations: Sequence[sp.Basic]
+) -> tuple[tuple[Variable, ...], list[sp.Basic]]:
+    """Let letters that count from 1 count from 0 where that is said."""
+    said = [r for r in relations if isinstance(r, sp.Ge | sp.Gt | sp.Le | sp.Lt)]
+    least = {r.gts for r in said if r.gts in r.free_symbols and r.subs(r.gts, 0) == sp.true}
+    least |= {v.symbol for v in variables if v.given == 0}
+    anew = {
+        v.symbol: sp.Symbol(v.symbol.name, integer=True, nonnegative=True)
+        for v in variables
+        if v.within == sp.S.Naturals and v.symbol in least
+    }
+    from_zero = [
+        replace(
+            v,
+            symbol=anew.get(v.symbol, v.symbol),
+            within=sp.S.Naturals0 if v.symbol in anew else v.within,
+            given=v.given if v.given is None else v.given.xreplace(anew),
+        )
+        for v in variables
+    ]
+    return tuple(from_zero), [relation.xreplace(anew) for relation in relations]
+
+
+def _find_counts(pasted: Pasted) -> tuple[str, ...]:
+    r"""Return the letters of n! and up to which sums go, n also in \sum_{k=1}^{n-1}."""
+    found: dict[str, None] = dict.fromkeys(pasted.natural)
+    for latex in (pasted.latex, *pasted.where, *pasted.values):
+        texts = [token.text for token in tokenize(latex)]
+        for place, text in enumerate(texts):
+            if text in (r"\sum", r"\prod"):
+                found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
+            if text == "!":
+                found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
+            if text == r"\binom":
+                found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
+    return tuple(x for x in found if x not in pasted.names)
+
+
+def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
+    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
+    start = len(texts) - 1
+    if texts[-1:] == [")"] and "(" in texts:
+        start = len(texts) - texts[::-1].index("(")
+    inside = texts[start:]
+    if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
+        yield from (text for text in inside if text.isalpha())
+
+
+def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
+    """Yield the letters that stand alone or in a plain sum in either of two groups of braces."""
+    for _ in range(2):
+        close = texts.index("}") if "}" in texts else 0
+        yield from _letters_of_factorial(["(", *texts[1:close], ")"])
+        texts = texts[close + 1 :]
+
+
+def _letters_of_limit(texts: list[str]) -> Iterator[str]:
+    """Yield the letters of the upper limit that follows a lower one, if it is a plain sum."""
+    low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
+    if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
+        return
+    limit = texts[low + 2 : texts.index("}", low)]
+    if all(text.isalnum() or text in ("+", "-") for text in limit):
+        yield from (text for text in limit if text.isalpha())
+
+
+def _read_limit(pasted: Pasted) -> sp.Expr | None:
+    if not pasted.lower_limit:
+        return None
+    read = Reader((), None, COMMAND).parse(pasted.lower_limit)
+    if len(read.chains) > 1 or read.chains[0].relations:
+        raise ValueError(f"{pasted.lower_limit}: a limit is one expression")
+    limit: sp.Expr = read.meaning().of(read.chains[0].members[0])
+    return limit
+
+
+def _read_values(pasted: Pasted, reader: Reader) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    for text in pasted.values:
+        for relation in read_relations(text, reader):
+            if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+                raise ValueError(f"{text}: a value is written letter=expression")
+            yield relation.lhs, relation.rhs
+
+
+def _solve(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
+    r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
+
+    It stands alone on a side, or has a number as its factor; of several the last is taken.
+    """
+    sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
+    alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
+    rest = equation.lhs - equation.rhs
+    for letter in sorted(rest.free_symbols, key=str, reverse=True):
+        factor = rest.diff(letter)
+        if factor.is_number and factor != 0:
+            alone.append((letter, sp.expand(letter - rest / factor)))
+    if not alone:
+        raise ValueError(
+            f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
+            "value of one by --let"
+        )
+    return alone[0]
+
+
+def _give_values(
+    variables: Sequence[Variable], values: Iterable[tuple[sp.Basic, sp.Expr]]
+) -> tuple[Variable, ...]:
+    given: dict[sp.Basic, sp.Expr] = {}
+    for letter, value in values:
+        if letter in given:
+            raise ValueError(f"--let {letter}={value}: {letter} has a value already")
+        given[letter] = value
+    for symbol, value in given.items():
+        if any(depends(s, {symbol}, given) for s in value.free_symbols):
+            raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
+    counts = {v.symbol for v in variables if v.within == sp.S.Naturals}
+    for symbol in counts & given.keys():
+        value = given[symbol]
+        if not (value.is_integer and value.is_nonnegative):
+            raise ValueError(
+                f"--let {symbol}={value}: {symbol} is a natural number here; say --natural for "
+                "letters of its value"
+            )
+    return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
+
+
+def describe(variable: Variable) -> str:
+    """Say what a letter is taken for."""
+    if variable.given is not None:
+        return f"= {variable.given}"
+    names = {
+        sp.S.Reals: "real",
+        sp.S.Naturals: "a natural number, from 1 on",
+        sp.S.Naturals0: "a natural number, from 0 on",
+    }
+    kind = names.get(variable.within, f"in {variable.within}")
+    return f"{kind}, for each index" if isinstance(variable.symbol, sp.IndexedBase) else kind
