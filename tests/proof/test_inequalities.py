@@ -6,13 +6,14 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
-from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES
+from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
+from mechproof.record import Slack
 
 x, y = sp.symbols("x y", real=True)
 PI = sp.pi
@@ -116,3 +117,13 @@ def test_signs_are_strict_only_where_no_end_is_zero(
     expression: sp.Expr, values: sp.Interval, sign: StrictSign | None
 ) -> None:
     assert find_sign_in_half_angles(expression, Domain({x: values}, (), {})) == sign
+
+
+def test_what_jumps_at_an_end_is_not_what_it_is_inside() -> None:
+    a, b = sp.symbols("a b", real=True)
+    domain = Domain(dict.fromkeys((a, b), sp.Interval(0, sp.oo)), (), {})
+    for value in (sp.sign(a) - sp.Rational(1, 2), sp.Heaviside(a) - 1, sp.sign(a) * sp.cbrt(b) - b):
+        assert not holds_by_squares(Slack(value, strict=False), domain)
+    root = sp.sign(a * b) * sp.cbrt(sp.Abs(a * b))
+    assert holds_by_squares(Slack(a + b + 1 - 3 * root, strict=False), domain)
+    assert not holds_by_squares(Slack(a + b + 1 - 4 * root, strict=False), domain)

@@ -12,6 +12,7 @@ from itertools import combinations, product
 from math import comb, lcm, prod
 
 import sympy as sp
+from sympy.core.relational import Relational
 from sympy.polys.matrices import DomainMatrix
 
 from mechproof.proof.domain import Domain
@@ -31,6 +32,7 @@ _MOST_TRIED = 20_000
 _MOST_MONOMIALS = 70
 # What a linear program finds below is zero.
 _SMALL = 1e-9
+_JUMPING = (sp.sign, sp.Heaviside, sp.floor, sp.ceiling)
 _LINE, _HALF_LINES = sp.S.Reals, (sp.Interval(0, sp.oo), sp.Interval.open(0, sp.oo))
 
 
@@ -51,6 +53,9 @@ def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
     sets = {symbol: domain.set_of(symbol) for symbol in symbols}
     if not symbols or not all(s == _LINE or s in _HALF_LINES for s in sets.values()):
         return None
+    # What jumps where a number is zero is not said by what it is above.
+    if _drop_odd_roots(value).has(*_JUMPING):
+        return None
     degree = lcm(*(int(power.exp.q) for power in value.atoms(sp.Pow) if power.exp.is_Rational))
     real = {s: sp.Dummy(s.name, real=True) for s in symbols if sets[s] == _LINE}
     # Roots of what is real alone are no polynomials, and those of products are.
@@ -63,7 +68,8 @@ def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
     if not _is_small(above):
         return None
     within = {x: _LINE if x in real.values() else _HALF_LINES[1] for x in letters}
-    where = tuple(relation.xreplace(names) for relation in domain.where)
+    said = (relation.xreplace(names) for relation in domain.where)
+    where = tuple(relation for relation in said if isinstance(relation, Relational))
     # Where it is zero there is no value.
     sign = find_sign(below, Domain(within, where, {}))
     if sign is None:
@@ -72,6 +78,20 @@ def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
     above = (above * sign.direction).xreplace({root: x**2 for root, x in squared.items()})
     polynomial = sp.Poly(above, *real.values(), *squared.values())
     return polynomial if polynomial.domain in (sp.ZZ, sp.QQ) else None
+
+
+def _drop_odd_roots(value: sp.Expr) -> sp.Expr:
+    """Leave out odd roots, sign(x)*|x|**(1/3), which do not jump."""
+
+    def is_root(node: sp.Expr) -> bool:
+        signs = [factor.args[0] for factor in node.args if isinstance(factor, sp.sign)]
+        powers = (factor.as_base_exp() for factor in node.args)
+        roots = {
+            base.args[0] for base, power in powers if isinstance(base, sp.Abs) and power.is_positive
+        }
+        return bool(signs) and roots.issuperset(signs)
+
+    return value.replace(lambda node: node.is_Mul and is_root(node), lambda node: sp.S.One)
 
 
 def _is_small(polynomial: sp.Expr) -> bool:
