@@ -46,7 +46,7 @@ def check(
         typer.Argument(
             metavar="FILE ... | EQUATION",
             help="Papers, .tex or .md, - for stdin; or LaTeX: an equation, a chain or a relation, "
-            "its condition behind it: |x|=x, x>0.",
+            "its condition behind it: |x|=x, x>0. One that begins with a minus stands behind --.",
         ),
     ],
     names: Annotated[

@@ -208,13 +208,16 @@ def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
 
 
 def _report_unproved(comparison: Comparison, why: str) -> Answer:
-    counted = (
-        f"{_clip(why)}; both sides agree within {comparison.widest} at {comparison.agreeing} "
-        f"exact points, {comparison.undecided} points could not be decided"
-    )
-    enclosed = comparison.agreeing > 0 and comparison.undecided == 0
-    verdict = Verdict.ENCLOSED if enclosed else Verdict.UNDECIDED
-    return Answer(verdict, "enclosure", counted)
+    agreeing, undecided = comparison.agreeing, comparison.undecided
+    told = [_clip(why)]
+    if agreeing:
+        points = "1 exact point" if agreeing == 1 else f"{agreeing} exact points"
+        within = f" within {comparison.widest}" if comparison.widest else ""
+        told.append(f"both sides agree{within} at {points}")
+    if undecided:
+        told.append(f"{undecided} point{'s' if undecided > 1 else ''} could not be decided")
+    verdict = Verdict.ENCLOSED if agreeing and not undecided else Verdict.UNDECIDED
+    return Answer(verdict, "enclosure", "; ".join(told))
 
 
 def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:

@@ -81,8 +81,10 @@ def compare(
             undefined = _name_point(point, domain)
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
-    undefined = undefined or ("" if agreeing else "any point tried")
-    return Comparison(None, agreeing, undecided, balls.show(widest, 3), undefined)
+    undefined = undefined or ("" if agreeing else "every point tried")
+    # How far apart large numbers may be tells nothing.
+    shown = balls.show(widest, 3) if widest < 1 else ""
+    return Comparison(None, agreeing, undecided, shown, undefined)
 
 
 def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
