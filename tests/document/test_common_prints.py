@@ -79,6 +79,17 @@ CASES = {
         ["DEFINITION", "DEFINITION", "REFUTED", "not judged", "not read", "not read"],
     ),
     "a quantity that is given by itself": ([r"r=a+l r", r"r=a+k r"], ["ILL_FORMED", "DEFINITION"]),
+    "an integral over a body has no derivative by what is printed of it": (
+        [
+            r"\int r^2\,dm=\frac13ml^2",
+            r"\int r\,dn=nl",
+            r"\int x^2\,dx=\frac{l^3}3",
+            r"\int k\,dn=kn",
+            r"\int r\,dr=\frac{r^2}2+b",
+            r"\int r\,dr=r^2+b",
+        ],
+        ["not read", "not read", "not read", "PROVED", "PROVED", "REFUTED"],
+    ),
     "powers of powers end": (
         [r"h=\frac{b}{c}\left(\left(\frac ab\right)^{\frac{9.80665m}{n\cdot c}}-1\right)+u"],
         ["DEFINITION"],

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from mechproof.latex import letters
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tree import (
@@ -36,7 +38,8 @@ class Open:
 def compare_derivatives(chain: Chain) -> Chain:
     r"""Let \int f\,dx=F+C say that f is the derivative of F+C, where nobody says where it starts.
 
-    Of a letter that is alone at a side an integral says what it is.
+    Of a letter that is alone at a side an integral says what it is; one over a body, \int r^2\,dm,
+    has letters that only the integrand has, and not its own variable.
     """
     if len(chain.members) != 2 or chain.relations != ("=",):
         return chain
@@ -50,13 +53,20 @@ def compare_derivatives(chain: Chain) -> Chain:
     by, is_read = integral.differential, not any(map(_has_no_limits, walk(other)))
     if not isinstance(by, Letter) or isinstance(other, Letter) or not is_read:
         return chain
+    inside, beside = _list_symbols(integral.integrand), _list_symbols(other)
+    if by.symbol not in inside and not inside <= beside:
+        return chain
     sides[place] = replace(integral.integrand, start=integral.start, end=integral.end)
     sides[1 - place] = Derivation(other, by, start=other.start, end=other.end)
     return replace(chain, members=tuple(sides))
 
 
 def _has_no_limits(node: Node) -> bool:
-    return isinstance(node, Integration) and node.low is None
+    return isinstance(node, Integration) and node.low is None and node.high is None
+
+
+def _list_symbols(node: Node) -> set[sp.Basic]:
+    return {part.symbol for part in walk(node) if isinstance(part, Letter)}
 
 
 # Sums -------------------------------------------------------------------------------------------

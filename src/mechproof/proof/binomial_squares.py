@@ -23,7 +23,8 @@ RUNG = "sum of binomial squares"
 Monomial = tuple[int, ...]
 # A monomial alone, or two with the sign between them.
 Square = tuple[Monomial, Monomial, int]
-# Work limits: symbols, the degree, terms of a polynomial, and monomials whose squares are summed.
+# Work limits: symbols, the degree, terms of a polynomial, and before it is multiplied out;
+# monomials that are tried, and those whose squares are summed.
 _MOST_SYMBOLS = 6
 _LARGEST_DEGREE = 24
 _MOST_TERMS = 120
