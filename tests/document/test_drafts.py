@@ -202,6 +202,26 @@ def test_what_words_claim_is_judged_as_a_row(claim: str, outcome: str) -> None:
     assert (row.name, row.outcome, row.place.line) == ("claim 1", outcome, 5)
 
 
+PRESSURES = "$$\\pi=\\frac{p}{q}$$\n$$\\pi q=p$$\nwhere $\\pi$ is "
+
+
+@pytest.mark.parametrize(
+    ("words", "declared", "outcomes"),
+    [
+        ("the ratio of the pressures.", "", {"not read"}),
+        ("the ratio of the pressures.", "\\pi", {"DEFINITION", "PROVED"}),
+        ("the ratio of the circumference to the diameter.", "", {"PROVED", "DEFINITION"}),
+    ],
+)
+@pytest.mark.usefixtures("judged_here")
+def test_pi_is_a_letter_where_words_say_so(words: str, declared: str, outcomes: set[str]) -> None:
+    text = f"{PRESSURES}{words}\n"
+    assert ("%% \\pi : ratio" in draft(text)) == ("pressures" in words)
+    letters = f"%% {declared} : ratio\n" if declared else ""
+    block = f"%% mechproof\n{letters}%% p ; q : pressures\n%% end\n"
+    assert {row.outcome for row in mechproof.check("paper.tex", block + text).rows} == outcomes
+
+
 SUBSTITUTED = r"""
 \begin{equation}N=kb\label{load}\end{equation}
 \begin{equation}b=2c\label{width}\end{equation}

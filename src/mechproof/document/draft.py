@@ -22,7 +22,7 @@ from mechproof.document.letters import (
     name_symbol,
 )
 from mechproof.document.rows import Document
-from mechproof.document.said import Said, find_said
+from mechproof.document.said import Said, find_pi, find_said
 from mechproof.document.shapes import find_sizes
 from mechproof.document.sources import Source
 
@@ -80,6 +80,8 @@ def draft_block(source: Source) -> str:
     has_euler = _is_euler(prints)
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
+    if find_pi(said):
+        collected.letters.append(r"\pi")
     letters = [*collected.letters, *collected.guessed]
     found = find_sizes(plain, collected)
     shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT) | found.known

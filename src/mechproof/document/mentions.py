@@ -13,10 +13,12 @@ from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.letters import name_symbol
 from mechproof.document.roles import EQUAL
+from mechproof.document.said import Said
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import (
     Approach,
+    Constant,
     Derivation,
     Extremum,
     Letter,
@@ -67,6 +69,17 @@ def refuse_powers_of_zero(read: Print) -> None:
                 f"{printed}: a power, which is one, or an upper index?",
                 f"Declare it in the block of letters: {printed} : its meaning",
             )
+
+
+def refuse_pi(read: Print, said: Said | None) -> None:
+    r"""Refuse \pi as a number where words say that it is a letter."""
+    found = (node for node in walk(read.chains) if isinstance(node, Constant))
+    if said and (node := next((node for node in found if node.value == sp.pi), None)):
+        raise read.source.refuse(
+            node.start,
+            rf"\pi: line {said.line} says that it is a letter: {said.meaning}",
+            rf"Declare it in the block of letters: \pi : {said.meaning}",
+        )
 
 
 def _is_zero(node: Node) -> bool:

@@ -31,6 +31,7 @@ from mechproof.document.letters import (
 from mechproof.document.mentions import (
     is_listed,
     look_up,
+    refuse_pi,
     refuse_powers_of_zero,
     refuse_units,
     refuse_unknown,
@@ -38,6 +39,7 @@ from mechproof.document.mentions import (
 )
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign, find_roles, give_values
+from mechproof.document.said import find_pi, find_said
 from mechproof.document.scopes import add_scopes
 from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
@@ -73,6 +75,7 @@ class Document:
         self.printed = list(find_displays(source.text))
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
+        self.pi = find_pi(dict(find_said(source)))
         self.block = read_block(source.lines, source.files)
         groups = 2 + max((one.group for one in self.printed), default=0)
         for number, latex in enumerate(self.block.claims, 1):
@@ -201,6 +204,7 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         refuse_units(read)
         refuse_powers_of_zero(read)
+        refuse_pi(read, self.pi)
         double = _DOUBLE.search(latex) if branch is None else None
         follows = is_listed(printed, [*self.block.follows])
         if double is None and not follows:

@@ -7,7 +7,7 @@ columns of a table. Words are matched, not understood.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from mechproof.document.letters import name_symbol
@@ -80,6 +80,8 @@ _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
 _RESPECTIVELY = re.compile(r",?\s*respectively")
 _ITEMS = re.compile(r",\s*(?:and\s+)?(?:the\s+)?|\s+and\s+(?:the\s+)?")
 _INLINE = re.compile(r"\\([()])")
+# What words say of the number pi itself.
+_NUMBER = re.compile(r"circ|constant|number|approx|irrational|3[.,]1", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -104,6 +106,12 @@ def find_said(source: Source) -> Iterator[tuple[str, Said]]:
             for name, meaning in zip(letters, _share(match["meaning"], len(letters)), strict=True):
                 if not _NO_NOUN.match(meaning):
                     yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+
+
+def find_pi(said: Mapping[str, Said]) -> Said | None:
+    r"""Return what words say of a letter \pi; nothing where they say it of the number."""
+    found = said.get("pi")
+    return None if found is None or _NUMBER.search(found.meaning) else found
 
 
 def _share(text: str, count: int) -> list[str]:
