@@ -167,3 +167,28 @@ def test_a_mass_that_all_terms_have_is_left_out(block: str, outcome: str) -> Non
 def test_a_number_that_may_have_a_unit_accuses_no_dimensions(number: str, outcome: str) -> None:
     block = "%% mechproof\n%% s : distance [m]\n%% v : speed [km/h]\n%% f : friction [1]\n%% end\n"
     assert judge_parts(block, rf"s=\frac{{v^2}}{{{number}f}}") == [outcome]
+
+
+INDEX_WORDS = r"""%% mechproof
+%% F_{max} ; F_\mathrm{min} : forces [N]
+%% s_\text{rel}(t) : way
+%% end
+"""
+
+
+def test_words_in_italics_and_upright_are_one_index() -> None:
+    prints = (
+        r"F_{\mathrm{max}}=2F_\mathrm{min}",
+        r"F_{\max}=F_{min}+F_{\text{min}}",
+        r"\ddot{s}_{\rm rel}=\frac{d\dot s_{rel}}{dt}",
+        r"F_{{\rm max}}=F_\min",
+        r"F_{\mathrm{maxi}}=F_\min",
+    )
+    found = judge_parts(INDEX_WORDS, *prints)
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "not read"]
+
+
+def test_letters_that_both_are_declared_stay_two() -> None:
+    block = INDEX_WORDS.replace("F_{max} ;", r"F_{max} ; F_\mathrm{max} ;")
+    prints = (r"F_{max}=2F_{min}", r"F_\mathrm{max}=3F_{max}", r"F_\mathrm{max}=2F_\mathrm{min}")
+    assert judge_parts(block, *prints) == ["DEFINITION", "DEFINITION", "REFUTED"]

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from itertools import product
 
 import sympy as sp
 
@@ -25,6 +27,15 @@ _STEM = re.compile(
     rf"((?:(?:{_ACCENT})(?![A-Za-z])\s*)*(?:\\[A-Za-z]+(?:\s*\{{[^{{}}]*\}})?|\{{[^{{}}]*\}}|.))(.*)\Z",
     re.DOTALL,
 )
+
+# A word that is an index, and how it may be set.
+_SET = (
+    r"\\(?:mathrm|text|textrm)\s*\{\s*[A-Za-z]{2,}\s*\}|"
+    r"\\rm\s+[A-Za-z]{2,}|\\(?:max|min)(?![A-Za-z])"
+)
+_INDEX = re.compile(rf"_\{{\s*(?:{_SET}|[A-Za-z]{{2,}})\s*\}}|_(?:{_SET})")
+_WORD = re.compile(r"[A-Za-z]{2,}(?=[\s}]*\Z)")
+_TYPES = (r"_{{{}}}", r"_{{\mathrm{{{}}}}}", r"_{{\text{{{}}}}}")
 
 
 def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> str:
@@ -115,3 +126,28 @@ def leave_names(
             faults += [(places[v.symbol], f"{reason}; it is left out")] if reason else []
         found.append(replace(v, latex=tuple(kept)))
     return found, faults
+
+
+def set_otherwise(variables: Sequence[Variable]) -> Iterator[Variable]:
+    r"""Yield variables with their names in other types, F_{\max} for F_{max}, where these are free.
+
+    A word that is an index is the same in italics and upright.
+    """
+    taken = {name: v.symbol for v in variables for name in map(_to_signs(v), v.latex)}
+    for v in variables:
+        others = {
+            _to_signs(v)(other): other
+            for latex, kind in product(v.latex, _TYPES)
+            if (other := _INDEX.sub(partial(_set, kind), latex)) != latex
+        }
+        new = {signs: other for signs, other in others.items() if signs not in taken}
+        taken |= dict.fromkeys(new, v.symbol)
+        yield replace(v, latex=(*v.latex, *new.values()))
+
+
+def _to_signs(variable: Variable) -> Callable[[str], tuple[str, ...]]:
+    return partial(to_signs, is_family=isinstance(variable.symbol, sp.IndexedBase))
+
+
+def _set(kind: str, index: re.Match[str]) -> str:
+    return kind.format(*_WORD.findall(index[0]))

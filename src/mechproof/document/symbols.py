@@ -22,6 +22,7 @@ from mechproof.document.names import (
     print_rate,
     refuse_twins,
     say_rate,
+    set_otherwise,
 )
 from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import ONE, Unit, UnitError, read_unit
@@ -163,6 +164,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         raise ValueError(f"{twice} is declared twice")
     refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
     variables, unread = leave_names(variables, places)
+    variables = variables if assume else [*set_otherwise(variables)]
     faults = [*unknown, *unread]
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
     symbols = {name: v.symbol for v in plain for name in v.latex}

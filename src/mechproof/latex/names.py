@@ -78,8 +78,9 @@ class Names:
         return next((n for n in names if n.signs[: len(start)] == start), None)
 
     def beginning(self, sign: str) -> list[str]:
-        """Return how the names that begin with a sign are printed."""
-        return sorted(name.latex for name in self._by_first.get(sign, ()))
+        """Return how the names that begin with a sign are printed: of each symbol the first."""
+        names = reversed(self._by_first.get(sign, ()))
+        return sorted({name.symbol: name.latex for name in names}.values())
 
 
 def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
