@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from mechproof.latex.pieces import has_value
 from mechproof.latex.products import is_matrix
-from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Repeated
+from mechproof.latex.tree import (
+    Approach,
+    At,
+    Derivation,
+    Integration,
+    Letter,
+    Node,
+    Quotient,
+    Repeated,
+)
 from mechproof.latex.values import depends, differentiate, make_running, settle, settle_all
 from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
 
@@ -18,6 +28,7 @@ if TYPE_CHECKING:
 # Functions with kinks or steps, of which SymPy gives a derivative everywhere; of the first two
 # there is one where the argument is not zero.
 _OF_SIGNS = (sp.Abs, sp.sign)
+_BINDING = (Approach, At, Derivation, Integration, Repeated)
 _UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 
 
@@ -25,10 +36,36 @@ def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
     """Return a sum or a product over an index."""
     index = node.index.symbol
     term = meaning.take_number(node.term, meaning.side(node.term))
+    for factor in _list_cancelled(meaning, node.term, term, index):
+        term = ValueWhere(term, sp.log(factor**2))
     for other in node.apart:
         term = term * (1 - sp.KroneckerDelta(meaning.of(other), index))
     kind = sp.Sum if node.name == "sum" else sp.Product
     return kind(term, (index, meaning.of(node.low), meaning.of(node.high)))
+
+
+def _list_cancelled(
+    meaning: Meaning, node: Node, term: sp.Expr, index: sp.Symbol
+) -> Iterator[sp.Expr]:
+    """Yield the factors below lines that a term has lost: a whole number may make them zero."""
+    below = [meaning.of(quotient.below) for quotient in _list_quotients(node)]
+    kept = {power.base for power in term.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
+    for factor in dict.fromkeys(part for one in below for part in sp.Mul.make_args(one)):
+        is_kept = factor.as_base_exp()[0] in kept or term.has(1 / factor)
+        is_zero_nowhere = factor.is_positive or isinstance(factor, sp.factorial)
+        if factor.has(index) and not is_kept and not is_zero_nowhere:
+            yield factor
+
+
+def _list_quotients(node: object) -> Iterator[Quotient]:
+    """Yield the quotients of a print that are in nothing with a variable of its own."""
+    if isinstance(node, Quotient):
+        yield node
+    if isinstance(node, Node) and not isinstance(node, _BINDING):
+        node = tuple(vars(node).values())
+    if isinstance(node, tuple):
+        for part in node:
+            yield from _list_quotients(part)
 
 
 def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
