@@ -17,6 +17,7 @@ from mechproof.proof import (
     inequalities,
     integrals,
     inverses,
+    known_series,
     monotonicity,
     newton,
     powers,
@@ -58,6 +59,7 @@ NAMED += [
     telescoping.RUNG,
     separation.RUNG,
     endless_sums.RUNG,
+    known_series.RUNG,
 ]
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from twins import check_twins, list_rows
+from twins import check_twins, judge, list_rows
 
-from mechproof.proof import endless_sums, induction, telescoping
+from mechproof.proof import endless_sums, induction, known_series, telescoping
 from mechproof.proof.domain import Domain
 from mechproof.proof.powers import split_powers
+from mechproof.proof.verdict import Verdict
 
 x = sp.Symbol("x", real=True)
 n = sp.Symbol("n", integer=True, positive=True)
@@ -58,6 +59,68 @@ TABLES = {
             r"\sum_{k=0}^\infty(-1)^kx^{2k}=\frac1{1+x^2}",
             r"\sum_{k=0}^\infty(-1)^k=\frac12",
             "-1<x, x<1",
+        ),
+    ),
+    known_series.RUNG: (
+        (
+            r"\sum_{n=0}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
+            r"\sum_{n=1}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
+            "",
+        ),
+        (
+            r"\sum_{n=1}^\infty\frac{x^n}{n!}=\mathrm{e}^x-1",
+            r"\sum_{n=1}^\infty\frac{x^n}{(n-1)!}=\mathrm{e}^x",
+            "",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n}}{(2n)!}=\cos x",
+            r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n}}{(2n+1)!}=\cos x",
+            "",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n+1}}{(2n+1)!}=\sin x",
+            r"\sum_{n=0}^\infty\frac{x^{2n+1}}{(2n+1)!}=\sin x",
+            "",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{x^{2n}}{(2n)!}=\cosh x",
+            r"\sum_{n=0}^\infty\frac{x^{2n}}{(2n)!}=\sinh x",
+            "",
+        ),
+        (
+            r"\sum_{n=1}^\infty\frac{x^n}n=-\ln(1-x)",
+            r"\sum_{n=1}^\infty\frac{x^n}n=\ln(1-x)",
+            "-1<x, x<1",
+        ),
+        (
+            r"\sum_{n=1}^\infty\frac{(-1)^{n+1}}n=\ln2",
+            r"\sum_{n=1}^\infty\frac1n=\ln2",
+            "",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n+1}}{2n+1}=\arctan x",
+            r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n+1}}{2n+1}=\arctan x+10^{-20}",
+            r"-1\le x, x\le1",
+        ),
+        (
+            r"\sum_{n=0}^\infty(n+1)x^n=\frac1{(1-x)^2}",
+            r"\sum_{n=0}^\infty(n+2)x^n=\frac1{(1-x)^2}",
+            "-1<x, x<1",
+        ),
+        (
+            r"\sum_{n=1}^\infty\frac1{n^2}=\frac{\pi^2}6",
+            r"\sum_{n=1}^\infty\frac1{n^2}=\frac{\pi^2}7",
+            "",
+        ),
+        (
+            r"\sum_{n=2}^\infty\frac1{n^4}=\frac{\pi^4}{90}-1",
+            r"\sum_{n=2}^\infty\frac1{n^4}=\frac{\pi^4}{90}",
+            "",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac1{(2n+1)^2}=\frac{\pi^2}8",
+            r"\sum_{n=0}^\infty\frac{(-1)^n}{(2n+1)^2}=\frac{\pi^2}8",
+            "",
         ),
     ),
     induction.RUNG: (
@@ -126,3 +189,34 @@ def test_powers_are_split_by_their_exponents() -> None:
 )
 def test_powers_of_what_is_zero_on_an_interval_or_jumps_are_left(power: sp.Expr) -> None:
     assert split_powers(power) == power
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        r"\sum_{n=1}^\infty\frac{x^n}n=-\ln(1-x)",
+        r"\sum_{n=0}^\infty\frac{x^{2n+1}}{2n+1}=\operatorname{artanh}x",
+        r"\sum_{n=1}^\infty\frac{(n-3)x^n}{(n-3)n!}=\mathrm{e}^x-1",
+        r"\sum_{n=0}^\infty\frac{n^2-4}{(n-2)(n+2)n!}=\mathrm{e}",
+        r"\sum_{n=1}^5\frac{n-3}{n-3}=5",
+        r"\sum_{k=1}^n(k-2)\frac a{k-2}=na",
+        r"\sum_{n=1}^\infty\frac{n-3}{(n-3)n(n+1)}=1",
+        r"\sum_{n=0}^\infty\frac{x^n}{(n-2)!}=x^2\mathrm{e}^x",
+    ],
+)
+def test_sums_that_do_not_converge_or_have_undefined_terms_are_left(printed: str) -> None:
+    verdict, _ = judge(printed)
+    assert verdict in (Verdict.UNDECIDED, Verdict.REFUTED)
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        r"\sum_{n=4}^5\frac{n-3}{n-3}=2",
+        r"\sum_{k=1}^nk\frac ak=na",
+        r"\sum_{n=1}^\infty\frac{2^nn}{2^nn^2(n+1)}=1",
+        r"\sum_{k=1}^n\frac{k!}{k!}=n",
+    ],
+)
+def test_what_cancels_in_a_term_may_be_zero_elsewhere(printed: str) -> None:
+    assert judge(printed)[0] is Verdict.PROVED

@@ -6,6 +6,8 @@ It counts if it begins and grows as the sum does, by induction, and has a limit.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -26,17 +28,29 @@ _N = sp.Dummy("n", integer=True, positive=True)
 
 def settle_endless(expression: Any, domain: Domain) -> Any:
     """Put the values of sums without end in their places, as far as they are shown."""
+    return put_values(expression, partial(_find_value, domain))
+
+
+def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
+    """Put values in the places of sums that have no letters of others; none leaves a sum."""
     bound = set(find_bound(expression))
     sums = (s for s in find_parts(expression, sp.Sum) if not s.free_symbols & bound)
-    values = ((node, _find_value(node, domain)) for node in sorted(sums, key=str))
+    values = ((node, find(node)) for node in sorted(sums, key=str))
     return expression.xreplace({node: value for node, value in values if value is not None})
 
 
-def _find_value(total: sp.Sum, domain: Domain) -> sp.Expr | None:
+def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:
+    """Return the term, the index and its first number; nothing of a sum that is too large."""
     (k, first, last), *others = total.limits
     term = total.function
-    if others or last != sp.oo or not first.is_Integer or term.count_ops() > _LARGEST:
+    is_read = not others and last == sp.oo and first.is_Integer and term.count_ops() <= _LARGEST
+    return (term, k, first) if is_read else None
+
+
+def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
+    if (read := read_endless(total)) is None:
         return None
+    term, k, first = read
     ratio = sp.powsimp(term.subs(k, k + 1) / term)
     if not ratio.has(k):
         return term.subs(k, first) / (1 - ratio) if is_positive(1 - ratio**2, domain) else None

@@ -28,6 +28,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
+from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.preparation import take_values
 from mechproof.proof.printed_number import decide_number
@@ -68,6 +69,11 @@ CROSS_PRECISION = (64,)
 _LONGEST = 240
 # Of the entries of a matrix those are told that are judged worst.
 _WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
+_SETTLED = {
+    ANTIDERIVATIVE: settle_improper,
+    PARTIAL_SUMS: settle_endless,
+    KNOWN_SERIES: settle_series,
+}
 _SIGNS = {"==": "=", "!=": "differs from"}
 
 
@@ -97,7 +103,7 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
     sides = [settle_limits(put_in(side, domain), domain) for side in (printed, rebuilt)]
-    for rung, settle in ((ANTIDERIVATIVE, settle_improper), (PARTIAL_SUMS, settle_endless)):
+    for rung, settle in _SETTLED.items():
         printed, rebuilt = (settle(side, domain) for side in sides)
         if [printed, rebuilt] != sides:
             answer = _decide_sides(printed, rebuilt, domain)

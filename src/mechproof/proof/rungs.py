@@ -52,6 +52,8 @@ RUNGS = {
     "grows, or at both ends of an interval on which it is concave",
     "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
     "proved by induction, or that of a geometric series",
+    "known series": "a sum without end whose first term and quotients of terms are those of the "
+    "series of an elementary function, where it converges, or of an even value of zeta",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
