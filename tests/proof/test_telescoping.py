@@ -73,6 +73,11 @@ TABLES = {
             "",
         ),
         (
+            r"\sum_{n=3}^\infty\frac{x^n}{n!}=\mathrm{e}^x-1-x-\frac{x^2}2",
+            r"\sum_{n=3}^\infty\frac{x^n}{n!}=\mathrm{e}^x-1-x-\frac{x^2}3",
+            "",
+        ),
+        (
             r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n}}{(2n)!}=\cos x",
             r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n}}{(2n+1)!}=\cos x",
             "",

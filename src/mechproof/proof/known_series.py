@@ -22,7 +22,7 @@ from mechproof.proof.telescoping import is_nonzero_below
 
 RUNG = "known series"
 # Terms before the first of a sum with which the series may begin; powers 1/n^2 to 1/n^8.
-_MOST_BEFORE = 2
+_MOST_BEFORE = 4
 _POWERS = (2, 4, 6, 8)
 _J = sp.Dummy("j", integer=True, nonnegative=True)
 _A = sp.Dummy("a", real=True)
