@@ -28,8 +28,9 @@ if TYPE_CHECKING:
 # Functions with kinks or steps, of which SymPy gives a derivative everywhere; of the first two
 # there is one where the argument is not zero.
 _OF_SIGNS = (sp.Abs, sp.sign)
-_BINDING = (Approach, At, Derivation, Integration, Repeated)
 _UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
+# What has a variable of its own.
+_BINDING = (Approach, At, Derivation, Integration, Repeated)
 
 
 def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:

@@ -21,8 +21,9 @@ from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 
 RUNG = "known series"
-# Terms before the first of a sum with which the series may begin; powers 1/n^2 to 1/n^8.
+# Work limit: so many terms before the first of a sum are tried as the beginning of the series.
 _MOST_BEFORE = 4
+# Of zeta and its like.
 _POWERS = (2, 4, 6, 8)
 _J = sp.Dummy("j", integer=True, nonnegative=True)
 _A = sp.Dummy("a", real=True)
@@ -43,7 +44,7 @@ class _Series:
     nonnegative: sp.Expr = sp.S.One
 
 
-_SERIES = (
+_ELEMENTARY = (
     _Series(_A / (_J + 1), sp.exp(_A)),
     _Series(_A * (_J + 2) / (_J + 1), (1 - _A) ** -2, positive=1 - _A**2),
     _Series(_A * (_J + 3) / (_J + 1), (1 - _A) ** -3, positive=1 - _A**2),
@@ -67,6 +68,7 @@ _ZETA = tuple(
         _Series((_ODD / (_ODD + 2)) ** power, (1 - sp.Integer(2) ** -power) * sp.zeta(power)),
     )
 )
+SERIES = (*_ELEMENTARY, *_ZETA)
 
 
 def settle_series(expression: Any, domain: Domain) -> Any:
@@ -112,7 +114,7 @@ def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | No
     quotient = hypersimp(term, _J)
     if leading == 0 or quotient is None or not quotient.is_rational_function(_J):
         return None
-    for series in (*_SERIES, *_ZETA):
+    for series in SERIES:
         for argument in _find_arguments(quotient, series, domain):
             factor = sp.cancel(leading / series.first.subs(_A, argument))
             conditions = (
@@ -126,7 +128,7 @@ def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | No
 
 
 def _find_arguments(quotient: sp.Expr, series: _Series, domain: Domain) -> Iterator[sp.Expr]:
-    """Yield the argument with which a series has a quotient, a real number; for none, any."""
+    """Yield the real argument with which a series has a quotient; 1 if the series has none."""
     scale = sp.cancel(quotient / series.quotient.subs(_A, 1))
     if scale.has(_J):
         return
