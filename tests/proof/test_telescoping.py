@@ -204,6 +204,7 @@ def test_powers_of_what_is_zero_on_an_interval_or_jumps_are_left(power: sp.Expr)
         r"\sum_{n=1}^\infty\frac{(n-3)x^n}{(n-3)n!}=\mathrm{e}^x-1",
         r"\sum_{n=0}^\infty\frac{n^2-4}{(n-2)(n+2)n!}=\mathrm{e}",
         r"\sum_{n=1}^5\frac{n-3}{n-3}=5",
+        r"\sum_{n=1}^5(n-3)(n-3)^{-1}=5",
         r"\sum_{k=1}^n(k-2)\frac a{k-2}=na",
         r"\sum_{n=1}^\infty\frac{n-3}{(n-3)n(n+1)}=1",
         r"\sum_{n=0}^\infty\frac{x^n}{(n-2)!}=x^2\mathrm{e}^x",

@@ -16,6 +16,7 @@ from mechproof.latex.tree import (
     Integration,
     Letter,
     Node,
+    Power,
     Quotient,
     Repeated,
 )
@@ -49,7 +50,7 @@ def _list_cancelled(
     meaning: Meaning, node: Node, term: sp.Expr, index: sp.Symbol
 ) -> Iterator[sp.Expr]:
     """Yield the factors below lines that a term has lost: a whole number may make them zero."""
-    below = [meaning.of(quotient.below) for quotient in _list_quotients(node)]
+    below = _list_divisors(meaning, node)
     kept = {power.base for power in term.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
     for factor in dict.fromkeys(part for one in below for part in sp.Mul.make_args(one)):
         is_kept = factor.as_base_exp()[0] in kept or term.has(1 / factor)
@@ -58,15 +59,17 @@ def _list_cancelled(
             yield factor
 
 
-def _list_quotients(node: object) -> Iterator[Quotient]:
-    """Yield the quotients of a print that are in nothing with a variable of its own."""
+def _list_divisors(meaning: Meaning, node: object) -> Iterator[sp.Expr]:
+    """Yield what a print divides by, but in what has a variable of its own."""
     if isinstance(node, Quotient):
-        yield node
+        yield meaning.of(node.below)
+    if isinstance(node, Power) and meaning.of(node.exponent).is_negative:
+        yield meaning.of(node.base)
     if isinstance(node, Node) and not isinstance(node, _BINDING):
         node = tuple(vars(node).values())
     if isinstance(node, tuple):
         for part in node:
-            yield from _list_quotients(part)
+            yield from _list_divisors(meaning, part)
 
 
 def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
