@@ -23,7 +23,7 @@ from mechproof.record import (
     Statement,
     Variable,
 )
-from mechproof.record.parts import find_free, find_parts, replace_parts
+from mechproof.record.parts import find_free, find_parts, has_parts, replace_parts
 from mechproof.record.statements import list_parts
 from mechproof.record.substitution import resolve
 from mechproof.record.variables import list_given
@@ -143,7 +143,7 @@ def _write(formula: sp.Basic, letters: _Letters) -> str:
 
 def _shorten_sums(formula: sp.Basic) -> sp.Basic:
     """Take deltas and rational factors out of indexed sums, and factors out of what is added."""
-    if not formula.has(sp.Sum):
+    if not has_parts(formula, sp.Sum):
         return formula
     taken = formula.replace(sp.Sum, _take_factor_out)
     return taken.replace(lambda part: part.is_Pow and part.base.is_Add, _split_power)
@@ -178,14 +178,25 @@ def _weigh(formula: sp.Basic, most: int | None = None) -> int:
 
 def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
     """Find the numbers that SymPy would compute to put the terms around them in order."""
-    if isinstance(formula, sp.Expr) and not find_free(formula):
-        whole = list(islice(sp.preorder_traversal(formula), _LONGEST_NUMBER))
-        is_long = len(whole) == _LONGEST_NUMBER or _is_long_fraction(formula)
-        if isinstance(formula, ExprWithLimits) or is_long:
-            yield formula
-            return
-    for part in formula.args:
-        yield from _find_numbers(part)
+    left, met = [formula], set[sp.Basic]()
+    while left:
+        part = left.pop()
+        if part in met:
+            continue
+        met.add(part)
+        if _is_long_number(part):
+            yield part
+        else:
+            left += reversed(part.args)
+
+
+def _is_long_number(part: sp.Basic) -> bool:
+    if not isinstance(part, sp.Expr) or find_free(part):
+        return False
+    if isinstance(part, ExprWithLimits) or _is_long_fraction(part):
+        return True
+    whole = islice(sp.preorder_traversal(part), _LONGEST_NUMBER)
+    return sum(1 for _ in whole) == _LONGEST_NUMBER
 
 
 def _is_long_fraction(number: sp.Expr) -> bool:
