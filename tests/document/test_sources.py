@@ -12,6 +12,7 @@ from mechproof.document.checking import check
 from mechproof.document.rows import Document
 from mechproof.document.sources import DocumentError, read_source
 from mechproof.document.units import UnitError, read_unit
+from mechproof.proof.verdict import Verdict
 from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
 
 
@@ -76,6 +77,7 @@ WRONG = [
     ("a_{b;c} : one", "unbalanced braces"),
     ("constraint", "is needed"),
     ("factor", "nothing follows"),
+    ("a : one {a>0", "a brace is not closed"),
     (r"branch \sigma=2", r"letter=\\pm1"),
 ]
 
@@ -99,19 +101,26 @@ TWICE = [
     ("a : one\n%% let a=a+1", "given by itself"),
     ("a : one\n%% let a>1", "letter=expression"),
     ("a : one\n%% branch b=\\pm1", "not declared"),
+    ("a : one\n%% natural n", "not declared"),
+    ("a : one\n%% where a<", "something must follow"),
+    ("a : one\n%% let b=1", "b is not declared"),
+    ("a : one\n%% from b", "b is not declared"),
+    ("a : one\n%% skip (7): no", r"no equation has the name or label \(7\)"),
+    ("a : one\n%% in (7): A is a", "no equation"),
+    ("a : one\n%% in (7): A is b", "b is not declared"),
 ]
 
 
-def test_what_is_said_of_no_equation_is_told() -> None:
-    content = "%% mechproof\n%% a : one\n%% skip (7): no\n%% end\n$$a=1$$"
-    with pytest.raises(ValueError, match=r"names \(7\): no equation"):
-        check("paper.tex", content)
+def test_a_line_of_a_block_may_begin_with_one_sign_of_percent() -> None:
+    content = "%% mechproof\n% a ; b : lengths [m]\n%% end\n$$(a+b)(a-b)=a^2-b^2$$"
+    assert [row.judgement.verdict for row in check("paper.tex", content).rows] == [Verdict.PROVED]
 
 
 @pytest.mark.parametrize(("lines", "reason"), TWICE)
 def test_letters_that_do_not_go_together_are_told(lines: str, reason: str) -> None:
     source = read_source("paper.tex", f"%% mechproof\n%% {lines}\n%% end\n")
-    with pytest.raises(ValueError, match=reason):
+    last = 2 + lines.count("\n")
+    with pytest.raises(ValueError, match=rf"(?s)^paper\.tex:{last}:4: .*{reason}"):
         Document(source)
 
 

@@ -9,7 +9,8 @@ begins with a word: `factor`, `function`, `where`, `let`, `claim`, `branch`, `na
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.text import Files, LocatedText
@@ -86,6 +87,25 @@ class Block:
     skipped: dict[str, str] = field(default_factory=dict)
     scopes: list[tuple[list[str], dict[str, str]]] = field(default_factory=list)
     claims: list[LocatedText] = field(default_factory=list)
+    lines: list[tuple[Place, str]] = field(default_factory=list)
+
+    @contextmanager
+    def blame(self, text: str, place: Place | None = None) -> Iterator[None]:
+        """Name the line at a place, or the first with a text, in a `ValueError` that is raised."""
+        try:
+            yield
+        except BlockError:
+            raise
+        except ValueError as error:
+            whole = re.compile(rf"(?<![\w\\]){re.escape(text)}(?!\w)")
+            found = (n for n, line in self.lines if (n == place if place else whole.search(line)))
+            where = next(found, None)
+            said = _tell(error, where, dict(self.lines)[where]) if where else str(error)
+            raise BlockError(said) from error
+
+
+def _tell(error: ValueError, place: Place, line: str) -> str:
+    return f"{place}: {error}\n  {line}"
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
@@ -93,6 +113,8 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
     block = Block()
     for line in lines:
         word, _, rest = line.string.partition(" ")
+        place = files.locate(line.offsets[0])
+        block.lines.append((place, line.string))
         try:
             if word == _CLAIM and rest.strip():
                 block.claims.append(line[len(word) :].strip())
@@ -101,12 +123,9 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             elif word in _TOLD:
                 _TOLD[word](block, rest.strip())
             else:
-                place = files.locate(line.offsets[0])
                 block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
-            raise BlockError(
-                f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"
-            ) from error
+            raise BlockError(_tell(error, place, line.string)) from error
     block.values += _find_euler(block)
     return block
 
@@ -126,6 +145,8 @@ def _read_letters(line: str) -> list[Declared]:
             + ", ".join((*_WORDS, *_TOLD, _CLAIM))
         )
     (right,) = rest
+    if right.count("{") != right.count("}"):
+        raise ValueError("behind the colon a brace is not closed, or not opened")
     braces = _CONDITIONS.search(right)
     right = right[: braces.start()] if braces else right
     found = _UNIT.search(right)

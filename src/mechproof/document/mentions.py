@@ -96,10 +96,10 @@ def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
     known = {name for one in printed for name in (one.name, *one.labels)}
     said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
     said = (*said, *block.follows, *(name for names in block.follows.values() for name in names))
-    if unknown := [name for name in said if name not in known]:
-        raise ValueError(
-            f"the block of letters names {unknown[0]}: no equation has that name or label"
-        )
+    for name in said:
+        with block.blame(name):
+            if name not in known:
+                raise ValueError(f"no equation has the name or label {name}")
 
 
 def look_up(printed: Printed, said: Mapping[str, T]) -> T | None:

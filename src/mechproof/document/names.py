@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from functools import partial
 from itertools import product
@@ -93,8 +94,15 @@ def say_rate(
     return rate.symbol
 
 
-def refuse_twins(variables: Sequence[Variable], rates: Collection[sp.Basic]) -> None:
-    """Refuse letters that are told from each other by their braces only; not so derivatives."""
+def refuse_twins(
+    variables: Sequence[Variable],
+    rates: Collection[sp.Basic],
+    blame: Callable[[Variable], AbstractContextManager[None]],
+) -> None:
+    """Refuse letters that are told from each other by their braces only; not so derivatives.
+
+    The second of two is to blame.
+    """
     met: dict[str, Variable] = {}
     for variable in variables:
         name = variable.symbol.name
@@ -103,7 +111,8 @@ def refuse_twins(variables: Sequence[Variable], rates: Collection[sp.Basic]) -> 
         if other is not variable:
             one, two = other.latex[0], variable.latex[0]
             same = "is declared twice" if one == two else f"and {two} are too much alike"
-            raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+            with blame(variable):
+                raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
 
 
 def leave_names(

@@ -101,10 +101,9 @@ class Sign:
     limited: tuple[Any, Any] = (None, None)
 
 
-def give_values(texts: Sequence[str], known: Known) -> None:
+def give_values(text: str, known: Known) -> None:
     """Take relations, k=a/b, as definitions; `ValueError` for what is none."""
-    reader = known.symbols.reader()
-    for text, relation in ((t, r) for t in texts for r in read_relations(t, reader)):
+    for relation in read_relations(text, known.symbols.reader()):
         is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
         if not (isinstance(relation, sp.Equality) and is_letter):
             raise ValueError(f"let: {text}: a value is written letter=expression")

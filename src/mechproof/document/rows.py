@@ -112,7 +112,9 @@ class Document:
     def _declare(self, laws: Mapping[sp.Basic, list[Piece]], later: Later) -> None:
         self.symbols = add_scopes(declare(self.block), self.block, self.printed)
         self.known = Known(self.symbols)
-        give_values(self.block.values, self.known)
+        for text in self.block.values:
+            with self.block.blame(text):
+                give_values(text, self.known)
         define_later(later, self.known)
         self.known.define_laws(laws)
 

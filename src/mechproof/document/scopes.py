@@ -21,10 +21,13 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
     declared = {name: v.symbol for v in symbols.variables for name in v.latex}
     scopes = []
     for equations, means in block.scopes:
-        if unknown := [name for name in means.values() if name not in declared]:
-            raise ValueError(f"in: {unknown[0]} is not declared")
+        for latex, name in means.items():
+            with block.blame(f"{latex} is {name}"):
+                if name not in declared:
+                    raise ValueError(f"in: {name} is not declared")
         names = {latex: declared[name] for latex, name in means.items()}
-        scopes.append(Scope(tuple(_list_names(equations, printed)), names))
+        with block.blame(equations[0]):
+            scopes.append(Scope(tuple(_list_names(equations, printed)), names))
     return replace(symbols, notation=replace(symbols.notation, scopes=tuple(scopes)))
 
 

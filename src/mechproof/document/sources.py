@@ -37,7 +37,7 @@ _BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MUL
 _OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
 _HIDDEN = re.compile(r"^<!--\s*mechproof\s*$(.*?)^-->\s*$", re.DOTALL | re.MULTILINE)
 _LINE = re.compile(r"[^\n]+")
-_MARK = re.compile(r"%%\s?")
+_MARK = re.compile(r"%+\s?")
 
 
 class DocumentError(ValueError):

@@ -159,10 +159,15 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
-    said = [say_rate(letter, variables, scales) for letter in declared]
-    if twice := next((s for s in said if said.count(s) > 1), None):
-        raise ValueError(f"{twice} is declared twice")
-    refuse_twins(variables, {rate for _, own in depending.values() for rate in own})
+    said = set[sp.Basic]()
+    for letter in declared:
+        with block.blame(letter.names[0], letter.place):
+            rate = say_rate(letter, variables, scales)
+            if rate in said:
+                raise ValueError(f"{rate} is declared twice")
+        said.add(rate)
+    of_rates = {rate for _, own in depending.values() for rate in own}
+    refuse_twins(variables, of_rates, lambda v: block.blame(v.latex[0], places.get(v.symbol)))
     variables, unread = leave_names(variables, places)
     variables = variables if assume else [*set_otherwise(variables)]
     faults = [*unknown, *unread]
@@ -184,8 +189,9 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         imaginary=block.imaginary,
     )
     for name in (*block.branches, *block.natural, *block.integer):
-        if name not in symbols:
-            raise ValueError(f"{name} is said to be a branch or to count: it is not declared")
+        with block.blame(name):
+            if name not in symbols:
+                raise ValueError(f"{name} is said to be a branch or to count: it is not declared")
     if len(block.branches) == 1:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
@@ -310,23 +316,37 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
     """Put in what is said of the letters: relations, sizes, where integrals start."""
     reader = symbols.reader()
     said = [condition for letter in block.letters for condition in letter.conditions]
-    relations = [r for text in (*said, *block.where) for r in read_relations(text, reader)]
-    variables, where = narrow(symbols.variables, relations)
-    usual = {}
+    variables, where = symbols.variables, list[sp.Basic]()
+    for text in (*said, *block.where):
+        with block.blame(text):
+            variables, more = narrow(variables, read_relations(text, reader))
+        where += more
+    usual: dict[sp.Basic, sp.Expr] = {}
     for text in block.sizes:
-        unit = _UNITS.search(text)
-        for relation in read_relations(text[: unit.start()] if unit else text, reader):
-            if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
-                raise ValueError(f"sizes: {text}: a size is written letter=number")
-            names = next(v.latex for v in variables if v.symbol == relation.lhs)
-            factor = _convert(text, unit[1], names, block) if unit else sp.S.One
-            usual[relation.lhs] = relation.rhs * factor
+        with block.blame(text):
+            usual |= _read_sizes(text, variables, reader, block)
     notation = symbols.notation
     if block.start:
-        read = reader.parse(block.start)
-        limit = read.meaning().of(read.chains[0].members[0])
+        with block.blame(block.start):
+            read = reader.parse(block.start)
+            limit = read.meaning().of(read.chains[0].members[0])
         notation = replace(notation, lower_limit=limit)
-    return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
+    return replace(symbols, variables=variables, where=tuple(where), usual=usual, notation=notation)
+
+
+def _read_sizes(
+    text: str, variables: Sequence[Variable], reader: Reader, block: Block
+) -> dict[sp.Basic, sp.Expr]:
+    """Read the size of a letter, in its unit."""
+    unit = _UNITS.search(text)
+    sizes = {}
+    for relation in read_relations(text[: unit.start()] if unit else text, reader):
+        if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+            raise ValueError(f"sizes: {text}: a size is written letter=number")
+        names = next(v.latex for v in variables if v.symbol == relation.lhs)
+        factor = _convert(text, unit[1], names, block) if unit else sp.S.One
+        sizes[relation.lhs] = relation.rhs * factor
+    return sizes
 
 
 def _convert(text: str, printed: str, names: Sequence[str], block: Block) -> sp.Expr:
