@@ -152,5 +152,5 @@ def test_a_line_without_equations_is_refused(said: str) -> None:
 
 
 def test_equations_that_are_not_there_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"names \(9\)"):
+    with pytest.raises(ValueError, match=r"name or label \(9\)"):
         judge("N_2a=Wa", BLOCK.replace("bal", "(9)"))

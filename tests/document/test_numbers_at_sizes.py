@@ -49,7 +49,7 @@ UNITS = {
     r"\beta=\arcsin\frac rl=-19.5^\circ": ["DEFINITION", "REFUTED"],
     r"r=20\,\text{mm},\quad l=\num{60}~\mathrm{mm}": ["DEFINITION", "DEFINITION"],
     r"r>10\,\mathrm{mm}": ["DEFINITION"],
-    r"x=3\,\mathrm{mm}\cos\alpha": ["not read"],
+    r"x=3\,\mathrm{mm}\cos\alpha": ["DEFINITION"],
     r"x=r\cos\alpha=17.6\,\mathrm{apples}": ["not read"],
     r"-x=-r\cos\alpha=\SI{-17.6}{mm}": ["DEFINITION", "PROVED"],
     r"-x=-r\cos\alpha=\SI{+17.6}{mm}": ["DEFINITION", "REFUTED"],

@@ -5,47 +5,48 @@ A member that has numbers with units and no letter is the size that it gives.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import fields, replace
-from typing import Any
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.cells import Numeral
 from mechproof.document.scales import RoundedSize, has_sixty, spread
-from mechproof.document.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit
+from mechproof.document.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, walk
+from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, exchange, walk
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.record import FREQUENCY, NUMBER
 
+_COUNT_FROM_ZERO = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
 # In which revolutions are counted.
 _MINUTE = "1/min"
 
 
-def calculate_sizes(read: Print) -> Print:
-    """Put in the sizes that members calculate; `ReadingError` for what mixes units."""
+def calculate_sizes(read: Print, bare: Collection[sp.Basic]) -> Print:
+    """Put in the sizes that members calculate; `ReadingError` for what mixes units.
+
+    `bare` are letters of which no unit is declared.
+    """
 
     def settle(chain: Chain) -> Chain:
-        return replace(chain, members=tuple(_calculate(read, node) for node in chain.members))
+        members = tuple(_calculate(read, node, bare) for node in chain.members)
+        return replace(chain, members=members)
 
     return replace(read, chains=tuple(map(settle, read.chains)))
 
 
-def _calculate(read: Print, member: Node) -> Node:
+def _calculate(read: Print, member: Node, bare: Collection[sp.Basic]) -> Node:
     sizes = [node for node in walk(member) if isinstance(node, Measure)]
     if not sizes or is_number(member):
         return member
     first = sizes[0]
     if any(isinstance(node, Letter) for node in walk(member)):
-        raise read.source.refuse(
-            first.start,
-            f"a number with a unit, {first.unit}, beside letters",
-            "Print the number alone, in the unit of the letters.",
-        )
+        _refuse_bare(read, first, bare)
+        return member
     try:
         value, given, unit = _work_out(read, member)
     except DimensionError as error:
@@ -55,6 +56,20 @@ def _calculate(read: Print, member: Node) -> Node:
     if not (number.is_real and number.is_finite):
         raise read.source.refuse(first.start, "a calculation that gives no real number")
     return Calculated(member, number, unit, start=member.start, end=member.end)
+
+
+def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> None:
+    """Refuse a number with a unit beside letters without any, and one with no unit of SI."""
+    letters = (node for node in walk(read.chains) if isinstance(node, Letter))
+    without = next((letter.text for letter in letters if letter.symbol in bare), "")
+    if without or weigh_unit(first.unit) is None:
+        raise read.source.refuse(
+            first.start,
+            f"a number with a unit, {first.unit}, beside letters",
+            f"Declare the unit of {without}."
+            if without
+            else "Print it in units that count from zero: K for °C, rad/s for 1/min.",
+        )
 
 
 def find_span(read: Print, member: Node) -> tuple[float, float] | None:
@@ -85,7 +100,12 @@ def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, Rounde
         name: read_unit(node.unit) if isinstance(node, Measure) else ONE
         for node, name in names.items()
     }
-    value = read.meaning().of(_replace(member, names))
+
+    def name(node: Node) -> Node | None:
+        symbol = names.get(node) if isinstance(node, Measure | Number) else None
+        return symbol and Letter(symbol, str(symbol), start=node.start, end=node.end)
+
+    value = read.meaning().of(exchange(member, name))
     scales, unit = _find_scales(value, units)
     sizes = {}
     for node, name in names.items():
@@ -122,12 +142,3 @@ def _find_digits(node: Measure | Number) -> str:
 
 def _show(node: Measure | Number) -> str:
     return f"{_find_digits(node)} {node.unit if isinstance(node, Measure) else ''}".strip()
-
-
-def _replace(part: Any, names: Mapping[Any, sp.Dummy]) -> Any:
-    """Return a part of a print with names for some of its nodes."""
-    if isinstance(part, Node) and part in names:
-        return Letter(names[part], str(names[part]), start=part.start, end=part.end)
-    if isinstance(part, Node):
-        return replace(part, **{f.name: _replace(vars(part)[f.name], names) for f in fields(part)})
-    return tuple(_replace(one, names) for one in part) if isinstance(part, tuple) else part

@@ -12,7 +12,7 @@ import sympy as sp
 from mechproof.document.known import Known
 from mechproof.document.roles import Sign
 from mechproof.document.scales import Scales, may_turn_units
-from mechproof.document.units import Unit, read_unit
+from mechproof.document.units import UNITS, Unit, read_unit, weigh
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.record import FREQUENCY, NUMBER, Holds, Row
 
@@ -56,6 +56,8 @@ def _find_unit(side: sp.Expr, number: sp.Expr, unit: str, known: Known) -> Unit:
     scale, own = _find_scale(formula, known), _find_scale(side, known)
     try:
         dimension = infer(formula, told) or NUMBER
+        if formula.free_symbols & {v.symbol for v in UNITS}:
+            return Unit(dimension, 1 / weigh(dimension))
     except DimensionError:
         scale = None
     if scale is None or (scale != own and may_turn_units(formula)):

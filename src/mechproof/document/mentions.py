@@ -51,7 +51,7 @@ def refuse_units(read: Print) -> None:
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
             for node in walk(part):
-                if isinstance(node, Measure):
+                if isinstance(node, Measure) and node.factor == 1:
                     raise read.source.refuse(
                         node.start,
                         f"a unit, {node.unit}, but no letter whose unit it could be",

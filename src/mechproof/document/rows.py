@@ -50,6 +50,7 @@ from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
+from mechproof.latex.tree import Measure, walk
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import Paper
 from mechproof.tools.processes import limit_time
@@ -81,6 +82,7 @@ class Document:
         for number, latex in enumerate(self.block.claims, 1):
             self.printed.append(Printed(f"claim {number}", latex, group=groups + number))
         self.limit = 0.0
+        self.has_units = False
         self.papers: dict[bool, Paper] = {}
         self.taken: tuple[str, ...] = ()
         self._uncollected: Mapping[str, ReadingError] = {}
@@ -163,6 +165,8 @@ class Document:
         """
         self.limit = limit
         read = self._parse_all()
+        if self.has_units:
+            self.symbols = self.known.symbols = self.symbols.with_units()
         values = self.known.values = {**self.known.values, **self.known.entries}
         real = {symbol: v for symbol, v in values.items() if not is_complex(self.known.settle(v))}
         self.papers = {
@@ -201,7 +205,9 @@ class Document:
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
         self.known.said = printed.announced
-        read = calculate_sizes(reader.parse(latex, printed.name, int(branch is None)))
+        read = reader.parse(latex, printed.name, int(branch is None))
+        read = calculate_sizes(read, self.symbols.bare)
+        self.has_units |= any(isinstance(n, Measure) and n.factor != 1 for n in walk(read.chains))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         refuse_units(read)

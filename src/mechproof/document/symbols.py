@@ -25,7 +25,7 @@ from mechproof.document.names import (
     set_otherwise,
 )
 from mechproof.document.relations import narrow, read_relations
-from mechproof.document.units import ONE, Unit, UnitError, read_unit
+from mechproof.document.units import ONE, UNITS, Unit, UnitError, read_unit, weigh_unit
 from mechproof.latex import Reader
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.values import Moving
@@ -108,6 +108,12 @@ class Symbols:
             scales={**self.scales, **scales},
         ), values
 
+    def with_units(self) -> Symbols:
+        """Return these letters and the units of SI, which count in themselves."""
+        units = dict.fromkeys((v.symbol for v in UNITS), sp.S.One)
+        scales, usual = {**self.scales, **units}, {**self.usual, **units}
+        return replace(self, variables=(*self.variables, *UNITS), scales=scales, usual=usual)
+
     def reader(self, given: Mapping[sp.Basic, Any] | None = None) -> Reader:
         """Return the reader of the paper's prints, with the values of letters that are defined."""
         values = given or {}
@@ -184,6 +190,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         },
         moving=moving,
         name_unit=name_unit,
+        weigh_unit=weigh_unit,
         phases=phases,
         dimensions=dimensions,
         imaginary=block.imaginary,

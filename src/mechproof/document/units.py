@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.record import ANGLE, LENGTH, NUMBER, Dimension
+from mechproof.record import ANGLE, LENGTH, NUMBER, Dimension, Variable
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,7 @@ class Unit:
 
 
 ONE = Unit(NUMBER)
+_NAMES = ("m", "kg", "s", "K", "A", "mol")
 _TIME, _MASS = Dimension(time=1), Dimension(mass=1)
 _TEMPERATURE, _CURRENT = Dimension(temperature=1), Dimension(current=1)
 _AMOUNT = Dimension(amount=1)
@@ -125,6 +126,18 @@ _BRACED = re.compile(r"\^\{(-?\d+)\}")
 _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
 
+def _make_symbols() -> Iterator[Variable]:
+    """Yield the units of SI as letters that no print shows."""
+    for place, name in enumerate(_NAMES):
+        dimension = Dimension(*(int(n == place) for n in range(len(_NAMES))))
+        symbol = sp.Symbol(f"[{name}]", positive=True)
+        within, letter = sp.Interval.open(0, sp.oo), rf"\mathrm{{{name}}}"
+        yield Variable(symbol, f"the unit {name}", dimension, within, letter=letter)
+
+
+UNITS = tuple(_make_symbols())
+
+
 class UnitError(ValueError):
     """A unit that is not known."""
 
@@ -178,9 +191,26 @@ def name_in_si(dimension: Dimension) -> str:
     named = _SCALES.get(dimension, {})
     if name := next((name for name, scale in named.items() if scale == 1), ""):
         return name
-    powers = zip(("m", "kg", "s", "K", "A", "mol"), dimension.powers, strict=True)
+    powers = zip(_NAMES, dimension.powers, strict=True)
     shown = (name if power == 1 else f"{name}^{power}" for name, power in powers if power)
     return " ".join(shown) or "1"
+
+
+def weigh_unit(name: str) -> sp.Expr | None:
+    """Return what a unit is in symbols of those of SI, nothing for revolutions by the minute.
+
+    What holds for quantities holds for units of any size: their symbols are positive numbers.
+    """
+    unit = read_unit(name)
+    if unit.scale == REVOLUTIONS or not unit.scale.is_finite:
+        return None
+    return unit.scale * weigh(unit.dimension)
+
+
+def weigh(dimension: Dimension) -> sp.Expr:
+    """Return the unit of SI of a dimension in the symbols of those that it is made of."""
+    powers = zip(UNITS, dimension.powers, strict=True)
+    return sp.Mul(*(v.symbol**power for v, power in powers))
 
 
 def _split(product: str) -> list[str]:

@@ -238,7 +238,7 @@ def _any_matrix(parts: list[Any]) -> bool:
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Number: lambda meaning, node: sp.Rational(node.text),
-    Measure: lambda meaning, node: sp.Rational(node.number.text),
+    Measure: lambda meaning, node: sp.Rational(node.number.text) * node.factor,
     Calculated: lambda meaning, node: node.value,
     Constant: lambda meaning, node: node.value,
     Letter: Meaning.letter,

@@ -3,6 +3,7 @@ r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, as a member or a part
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,13 +14,26 @@ from mechproof.latex.numerals import read_number
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import GAPS, find_command
 from mechproof.latex.tokens import QUANTITIES
-from mechproof.latex.tree import Add, Calculated, Degrees, Measure, Node, Number, Product, walk
+from mechproof.latex.tree import (
+    Add,
+    Calculated,
+    Chain,
+    Degrees,
+    Letter,
+    Measure,
+    Node,
+    Number,
+    Product,
+    exchange,
+    walk,
+)
 from mechproof.latex.words import AND, ELSE, IF
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _RAISED = r"\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
+_CELSIUS = re.compile(r"\^\{\\circ\}\\[a-z]+\{C\}")
 _GAP = r"(?:\s|\\[,;:!])*"
 _POWER, _EXPONENT = re.compile(rf"{_GAP}\\(?:cdot|times){_GAP}10{_RAISED}"), re.compile(_RAISED)
 # Digits of what is calculated, far more than are printed.
@@ -109,6 +123,10 @@ def _find_unit(parser: Parser) -> tuple[str, int]:
 
 def _find_upright_end(parser: Parser) -> int:
     r"""Return the place behind a unit in upright signs, \mathrm{N}/\mathrm{mm}^2, else this one."""
+    texts = [token.text for token in parser.tokens[parser.place : parser.place + 6]]
+    is_empty = texts[:1] == ["{}"]
+    if _CELSIUS.fullmatch("".join(texts[is_empty : is_empty + 5])):
+        return parser.place + is_empty + 5
     return _skip_unit(parser, parser.place)
 
 
@@ -168,6 +186,26 @@ def _is_micro(parser: Parser, place: int) -> bool:
 
 def _is_power(parser: Parser, place: int) -> bool:
     return parser.tokens[place].text.isdigit() and parser.tokens[place - 1].text in ("{", "-")
+
+
+def put_units(chain: Chain, weigh: Callable[[str], sp.Expr | None]) -> Chain:
+    """Let numbers with units beside letters be quantities: `weigh` returns what a unit is.
+
+    Where it returns nothing for one, the number stays as it is.
+    """
+
+    def change(node: Node) -> Node | None:
+        if not isinstance(node, Measure):
+            return None
+        factor = weigh(node.unit)
+        return node if factor is None else replace(node, factor=factor)
+
+    def settle(member: Node) -> Node:
+        has_letters = any(isinstance(node, Letter) for node in walk(member))
+        settled: Node = exchange(member, change) if has_letters else member
+        return settled
+
+    return replace(chain, members=tuple(map(settle, chain.members)))
 
 
 def find_number(

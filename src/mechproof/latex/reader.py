@@ -15,6 +15,7 @@ from mechproof.latex.calculus import compare_derivatives
 from mechproof.latex.chains import read_print
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
+from mechproof.latex.measures import put_units
 from mechproof.latex.names import Names, build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
@@ -90,6 +91,8 @@ class Reader:
             chains = read_print(parser)
             if self.notation.lower_limit is None:
                 chains = tuple(map(compare_derivatives, chains))
+            if weigh := self.notation.weigh_unit:
+                chains = tuple(put_units(chain, weigh) for chain in chains)
             return Print(parser.source, chains, self, upper)
 
     def collect(self, latex: str) -> list[str]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
 
 import sympy as sp
 
@@ -25,10 +26,14 @@ class Number(Node):
 
 @dataclass(frozen=True)
 class Measure(Node):
-    """A number with its unit as it is printed; the expression that it is does not show the unit."""
+    """A number with its unit as it is printed; beside letters the unit is a factor.
+
+    Elsewhere the expression that it is does not show the unit.
+    """
 
     number: Number
     unit: str
+    factor: sp.Expr = sp.S.One
 
 
 @dataclass(frozen=True)
@@ -252,6 +257,15 @@ def shows_matrix(node: Node) -> bool:
 def strip(node: Node) -> Node:
     """Return what stands in the brackets around it."""
     return strip(node.inside) if isinstance(node, Bracket) else node
+
+
+def exchange(part: Any, change: Callable[[Node], Node | None]) -> Any:
+    """Return a part of a print with other nodes where there are some, the outermost first."""
+    if isinstance(part, Node):
+        if (other := change(part)) is not None:
+            return other
+        return replace(part, **{f.name: exchange(vars(part)[f.name], change) for f in fields(part)})
+    return tuple(exchange(one, change) for one in part) if isinstance(part, tuple) else part
 
 
 def walk(part: object) -> Iterator[Node]:
