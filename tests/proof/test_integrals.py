@@ -11,13 +11,17 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
 
-x, e = sp.symbols("x e", real=True)
+x, y, z, e = sp.symbols("x y z e", real=True)
 DOMAIN = Domain({e: sp.Interval.open(0, 1)}, (), {})
 TURN = 2 * sp.pi
 
 
 def integral(integrand: sp.Expr, lower: sp.Expr, upper: sp.Expr) -> sp.Integral:
     return sp.Integral(integrand, (x, lower, upper))
+
+
+def over(integrand: sp.Expr, *limits: tuple[sp.Expr, ...]) -> sp.Integral:
+    return sp.Integral(integrand, *limits)
 
 
 TRUE = {
@@ -57,6 +61,19 @@ TRUE = {
         integral(1 / (1 + x**4), 0, 1),
         (sp.pi + 2 * sp.log(1 + sp.sqrt(2))) / (4 * sp.sqrt(2)),
     ),
+    "over a triangle": (over(x * y, (y, 0, x), (x, 0, 1)), sp.Rational(1, 8)),
+    "over a rectangle": (over(x * y, (y, 0, e), (x, 0, 2 * e)), e**4),
+    "over a disc": (over(x, (x, 0, e), (y, 0, TURN)), sp.pi * e**2),
+    "over a ball": (
+        over(x**2 * sp.sin(y), (x, 0, e), (y, 0, sp.pi), (z, 0, TURN)),
+        4 * sp.pi * e**3 / 3,
+    ),
+    "over a quarter of the plane": (over(sp.exp(-x - y), (x, 0, sp.oo), (y, 0, sp.oo)), sp.S.One),
+    "of a square of an integral": (
+        sp.Integral(sp.Integral(y, (y, 0, x)) ** 2, (x, 0, 1)),
+        sp.Rational(1, 20),
+    ),
+    "iterated, against the axis": (over(y, (y, 0, x), (x, 1, 0)), -sp.Rational(1, 6)),
     "odd": (integral(x**3 / (1 + x**4 + sp.cos(x)), -e, e), sp.S.Zero),
     "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),
     "between two poles": (integral(1 / sp.sqrt(1 - x**2), -1, 1), sp.pi),
@@ -124,6 +141,19 @@ def test_what_is_no_continuous_antiderivative_is_no_proof(
     told = proposed.subs(x, upper) - proposed.subs(x, lower)
     prove = lambda left, right, domain: "equal" if left == right else None  # noqa: E731
     assert integrals.decide_by_antiderivative(value, told, DOMAIN, prove) is None
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        over(1 / (x - y), (y, 0, 1), (x, 0, 1)),
+        over(1 / x, (y, -1, 1), (x, -1, 1)),
+        sp.Integral(over(1 / x, (y, 0, x)) - 1, (x, -1, 1)),
+    ],
+    ids=["a line of poles", "a pole of all", "an inner one has no value at one place"],
+)
+def test_an_iterated_integral_across_a_pole_has_no_value(value: sp.Integral) -> None:
+    assert integrals.settle_improper(value, DOMAIN) == value
 
 
 def test_what_is_bound_elsewhere_is_not_looked_at() -> None:

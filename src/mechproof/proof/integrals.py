@@ -28,6 +28,7 @@ from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.refutation import compare
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import find_bound, find_parts
+from mechproof.record.substitution import substitute
 
 RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.
@@ -63,10 +64,11 @@ def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
 
 
 def settle_improper(expression: Any, domain: Domain) -> Any:
-    """Put the values of improper integrals in their places, as far as they are shown."""
+    """Put the values of improper and iterated integrals in their places, as far as shown."""
     free = _list_free(expression)
-    improper = (node for node in free if _is_improper(node) or _has_power_of_zero(node))
-    values = ((node, _find_value(node, domain)) for node in improper)
+    kinds = (_is_improper, _has_power_of_zero, _is_iterated)
+    met = (node for node in free if any(is_one(node) for is_one in kinds))
+    values = ((node, _find_value(node, domain)) for node in met)
     return expression.xreplace({node: value for node, value in values if value is not None})
 
 
@@ -98,23 +100,56 @@ def _has_power_of_zero(integral: sp.Integral) -> bool:
     return any(power.base.subs(variable, end) == 0 for power in powers for end in limits)
 
 
+def _is_iterated(integral: sp.Integral) -> bool:
+    """Tell whether an integral is one of integrals."""
+    return len(integral.limits) > 1 or integral.function.has(sp.Integral)
+
+
 def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    integrand, (variable, *limits) = integral.function, integral.limits[0]
-    if len(integral.limits) > 1 or len(limits) != 2 or integrand.count_ops() > _LARGEST:
-        return None
-    if integrand.has(sp.Integral, sp.Sum):
+    integrand, *inner, (variable, *limits) = integral.args
+    if len(limits) != 2 or integrand.count_ops() > _LARGEST or integrand.has(sp.Sum):
         return None
     lower, upper = limits
     if lower == upper:
         return None
     if (lower > upper) == sp.true:
-        turned = _find_value(sp.Integral(integrand, (variable, upper, lower)), domain)
+        turned = _find_value(sp.Integral(integrand, *inner, (variable, upper, lower)), domain)
         return None if turned is None else -turned
+    if _is_iterated(integral):
+        return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
     if integrand.has(sp.Abs):
         return _find_value_by_signs(integrand, variable, lower, upper, domain)
     return _find_by_antiderivative(integrand, variable, lower, upper, domain)
+
+
+def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value of an integral of integrals, which are worked out between its limits."""
+    *inner, (variable, *ends) = integral.limits
+    if len(ends) != 2 or _jumps(integral, domain):
+        return None
+    place, run = parametrise(variable, *ends)
+    integrand = sp.Integral(integral.function, *inner) if inner else integral.function
+    slope = sp.diff(place, variable)
+    integrand = substitute(integrand, {variable: place}) * slope
+    inside = domain.with_set(variable, run)
+    values = {node: _find_value(node, inside) for node in _list_free(integrand)}
+    if not values or None in values.values():
+        return None
+    limits = (variable, run.start, run.end)
+    return _find_value(sp.Integral(integrand.xreplace(values), limits), domain)
+
+
+def _jumps(integral: sp.Integral, domain: Domain) -> bool:
+    """Tell whether what is integrated is not shown to be continuous in the outermost variable."""
+    if any(len(limit) != 3 for limit in integral.limits):
+        return True
+    running, inside = integral.function, domain
+    for variable, *ends in integral.limits:
+        place, run = parametrise(variable, *ends)
+        running, inside = _put(running, variable, place), inside.with_set(variable, run.interior)
+    return find_break(running, integral.limits[-1][0], inside) is not None
 
 
 def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domain) -> bool:
