@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LARGEST_FACTORIAL = 1000
+# A binomial over a larger number is no polynomial of so high a degree.
+_MOST_FACTORS = 12
 _OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
 PARTIAL = r"\partial"
 
@@ -161,7 +163,7 @@ def read_factorial(parser: Parser, atom: Node) -> Node:
 
 
 def read_binomial(parser: Parser) -> Node:
-    r"""Read \binom{n}{k} as a quotient of factorials."""
+    r"""Read \binom{n}{k}, a polynomial of n for a number k, else a quotient of factorials."""
     start = parser.start
     parser.take()
     numbers = (parser.read_group(), parser.read_group())
@@ -169,6 +171,9 @@ def read_binomial(parser: Parser) -> Node:
 
 
 def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
+    for count in (part, whole - part):
+        if count.is_Integer and 0 <= count <= _MOST_FACTORS:
+            return sp.Mul(*(whole - n for n in range(count))) / sp.factorial(count)
     above, *below = map(_make_factorial, (whole, part, whole - part))
     return above / sp.Mul(*below)
 

@@ -12,11 +12,20 @@ from mechproof.proof.domain import Domain, Point
 # One term hides what goes wrong between terms, and none hides all of it: they are not the first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _MOST_TRIED = 2000
+_STEPS = (sp.floor, sp.ceiling, sp.sign, sp.Heaviside, sp.Mod, sp.Piecewise, sp.KroneckerDelta)
 
 
 def is_count(symbol: sp.Basic, domain: Domain) -> bool:
     """Tell whether a symbol is a whole number that a finite set does not list."""
     return bool(symbol.is_integer) and not isinstance(domain.set_of(symbol), sp.FiniteSet)
+
+
+def has_steps(expression: sp.Expr, domain: Domain) -> bool:
+    """Tell whether a number does not run but goes in steps: counts, or jumps."""
+    resolved = domain.resolve(expression)
+    runs = (isinstance(domain.set_of(s), sp.Interval) for s in resolved.free_symbols)
+    counts = any(s.is_integer for s in resolved.free_symbols)
+    return counts or not all(runs) or resolved.has(*_STEPS)
 
 
 def choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> Iterator[Point]:

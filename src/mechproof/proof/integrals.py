@@ -21,12 +21,13 @@ from sympy.polys.polyerrors import PolynomialError
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
+from mechproof.proof.counts import has_steps
 from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.refutation import compare
-from mechproof.proof.signs import is_positive
+from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
 
@@ -172,6 +173,9 @@ def _find_by_antiderivative(
         return None
     for candidate in _propose(integrand, variable, domain):
         moved = _put(candidate, variable, place)
+        if _may_divide_by_zero(moved, inside):
+            # So will all others.
+            return None
         if find_break(moved, variable, inside) is not None:
             continue
         sides = (sp.diff(moved, variable), running * slope, inside)
@@ -181,6 +185,17 @@ def _find_by_antiderivative(
         if low is not None and high is not None:
             return high - low
     return None
+
+
+def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
+    """Tell whether it divides by a number of steps that may be zero: sin(n*x)/n.
+
+    What is divided by a number that runs has the same value beside its zero, and there.
+    """
+    below = (
+        power.base for power in candidate.atoms(sp.Pow) if power.exp.could_extract_minus_sign()
+    )
+    return any(has_steps(base, domain) and not is_nonzero(base, domain) for base in below)
 
 
 def _put(expression: sp.Expr, variable: sp.Symbol, place: sp.Expr) -> sp.Expr:

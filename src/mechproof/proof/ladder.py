@@ -14,6 +14,7 @@ from mechproof.arithmetic import balls
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
+from mechproof.proof.count_zeros import find_count_without_value
 from mechproof.proof.definedness import (
     InnerNeed,
     list_needed,
@@ -199,7 +200,7 @@ def _find_break(
 
     Where no point gives values to both, that is told as well.
     """
-    undefined = _cross_examine(*sides, domain)
+    undefined = _cross_examine(*sides, domain) or find_count_without_value(sides, domain)
     if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
         return undefined
     return find_unlike(sides, domain)

@@ -8,6 +8,7 @@ which balls are apart refutes, points at which they meet prove nothing.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
@@ -23,6 +24,7 @@ from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point
+from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
@@ -113,6 +115,16 @@ def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
     has_sums = any(has_parts(side, sp.Sum, sp.Product) for side in sides)
     count = FEW if has_sums else POINTS
     return _find_point(sides, domain, count, lambda have_values: len(set(have_values)) > 1)
+
+
+def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> str:
+    """Return a point with known values at which one side only has a value, empty for none."""
+    letters = {s for side in sides for s in find_free(side)} - known.keys()
+    with suppress(RecordError):
+        (point, *_) = domain.points(sorted(letters, key=str), 1, known)
+        if len({_has_value(side, point) for side in sides}) > 1:
+            return _name_point(point, domain)
+    return ""
 
 
 def _find_point(

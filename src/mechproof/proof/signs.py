@@ -149,8 +149,23 @@ def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
 
 
 def is_nonzero(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an expression is proved to have one sign, and no zero, on the domain."""
-    sign = find_sign(expression, domain)
+    """Tell whether an expression is proved to have no zero on the domain: by its signs, or said."""
+    if _is_strict(find_sign(expression, domain)):
+        return True
+    said = [r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Unequality)]
+    if not said or expression.count_ops() > _MOST_FACTORED:
+        return False
+    bases = [f.as_base_exp()[0] for f in sp.Mul.make_args(sp.factor(domain.resolve(expression)))]
+    return all(_is_said(base, said) or _is_strict(find_sign(base, domain)) for base in bases)
+
+
+def _is_said(base: sp.Expr, said: Sequence[sp.Expr]) -> bool:
+    """Tell whether a number is a multiple of one that is said not to be zero."""
+    ratios = (sp.cancel(base / number) for number in said)
+    return any(ratio.is_number and ratio != 0 for ratio in ratios)
+
+
+def _is_strict(sign: StrictSign | None) -> bool:
     return sign is not None and sign.strict
 
 

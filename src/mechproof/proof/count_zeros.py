@@ -1,0 +1,60 @@
+"""Where a divisor of counts is zero: there one side of an equation may have no value.
+
+Few whole numbers are tried elsewhere, and 17 is seldom among them: the zeros are solved for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+import sympy as sp
+
+from mechproof.proof.counts import is_count
+from mechproof.proof.domain import Domain, Point
+from mechproof.proof.refutation import find_unlike_at, points_for
+from mechproof.proof.signs import is_nonzero
+from mechproof.record.parts import find_free, find_parts
+
+# At so many values of the other letters.
+_TRIED = 3
+
+
+def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
+    """Return a point at which one side only has a value, for counts that make a divisor zero.
+
+    Empty if none is met.
+    """
+    divisors = _list_divisors(sides, domain)
+    zeros = (point for divisor in divisors for point in _solve(divisor, domain))
+    return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in zeros)), "")
+
+
+def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
+    """List what is zero where a side may have no value, and counts of which it is not known."""
+    powers = {p.base for side in sides for p in find_parts(side, sp.Pow) if _is_below(p)}
+    factorials = {f.args[0] + 1 for side in sides for f in find_parts(side, sp.factorial)}
+    for divisor in sorted(powers | factorials, key=sp.default_sort_key):
+        shown = divisor.args[0] - 1 if isinstance(divisor, sp.log) else divisor
+        counts = any(is_count(s, domain) for s in find_free(shown))
+        if counts and not is_nonzero(shown, domain):
+            yield shown
+
+
+def _is_below(power: sp.Pow) -> bool:
+    return bool(power.exp.could_extract_minus_sign())
+
+
+def _solve(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
+    """Solve for one count after the other, at a few values of the other letters."""
+    counts = sorted((s for s in find_free(divisor) if is_count(s, domain)), key=str)
+    for point in islice(points_for((divisor,), domain, _TRIED), _TRIED):
+        for count in counts:
+            others = {s: value for s, value in point.items() if s != count}
+            equation = divisor.xreplace(others).as_poly(count)
+            if equation is None or equation.free_symbols_in_domain:
+                continue
+            for root in equation.ground_roots():
+                there = {**others, count: root}
+                if root.is_integer and domain.allows(there):
+                    yield there
