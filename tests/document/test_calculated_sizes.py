@@ -221,7 +221,7 @@ CALCULATED = {
     r"F=2\min(T,d)": ["ILL_FORMED"],
     r"1.2\cdot10^3\,\mathrm N\cdot2=2.4\,\mathrm{kN}": ["PROVED"],
     r"l=2\,\mathrm{m}+30\,\mathrm{s}": ["not read"],
-    r"F=d\cdot3\,\mathrm{N/mm}": ["DEFINITION"],
+    r"F=d\cdot3\,\mathrm{N/mm}": ["not judged"],
     r"F=\sqrt{-4\,\mathrm{N^2}}": ["not read"],
 }
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -15,9 +15,6 @@ from mechproof.latex.tree import (
     Derivation,
     Integration,
     Letter,
-    Node,
-    Power,
-    Quotient,
     Repeated,
 )
 from mechproof.latex.values import depends, differentiate, make_running, settle, settle_all
@@ -31,45 +28,36 @@ if TYPE_CHECKING:
 _OF_SIGNS = (sp.Abs, sp.sign)
 _UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 # What has a variable of its own.
-_BINDING = (Approach, At, Derivation, Integration, Repeated)
+BINDING = (Approach, At, Derivation, Integration, Repeated)
 
 
 def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
-    """Return a sum or a product over an index."""
+    """Return a sum or a product over an index; a whole number may make zero what is cancelled."""
     index = node.index.symbol
+    before = {*meaning.lost}
     term = meaning.take_number(node.term, meaning.side(node.term))
-    for factor in _list_cancelled(meaning, node.term, term, index):
-        term = ValueWhere(term, sp.log(factor**2))
+    for factor in [factor for factor in meaning.lost if factor not in before]:
+        is_zero_nowhere = factor.is_positive or isinstance(factor, sp.factorial)
+        if factor.has(index) and not is_zero_nowhere:
+            term = ValueWhere(term, sp.log(factor**2))
     for other in node.apart:
         term = term * (1 - sp.KroneckerDelta(meaning.of(other), index))
     kind = sp.Sum if node.name == "sum" else sp.Product
     return kind(term, (index, meaning.of(node.low), meaning.of(node.high)))
 
 
-def _list_cancelled(
-    meaning: Meaning, node: Node, term: sp.Expr, index: sp.Symbol
-) -> Iterator[sp.Expr]:
-    """Yield the factors below lines that a term has lost: a whole number may make them zero."""
-    below = _list_divisors(meaning, node)
-    kept = {power.base for power in term.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
-    for factor in dict.fromkeys(part for one in below for part in sp.Mul.make_args(one)):
-        is_kept = factor.as_base_exp()[0] in kept or term.has(1 / factor)
-        is_zero_nowhere = factor.is_positive or isinstance(factor, sp.factorial)
-        if factor.has(index) and not is_kept and not is_zero_nowhere:
-            yield factor
+def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Expr]:
+    """Yield the factors below lines that an expression does not show any more.
 
-
-def _list_divisors(meaning: Meaning, node: object) -> Iterator[sp.Expr]:
-    """Yield what a print divides by, but in what has a variable of its own."""
-    if isinstance(node, Quotient):
-        yield meaning.of(node.below)
-    if isinstance(node, Power) and meaning.of(node.exponent).is_negative:
-        yield meaning.of(node.base)
-    if isinstance(node, Node) and not isinstance(node, _BINDING):
-        node = tuple(vars(node).values())
-    if isinstance(node, tuple):
-        for part in node:
-            yield from _list_divisors(meaning, part)
+    Of each divisor is said which part of an expression shows it.
+    """
+    kept = {power.base for power in value.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
+    for divisor, shown in divisors.items():
+        if value.has(shown):
+            continue
+        for factor in sp.Mul.make_args(divisor):
+            if not (factor.is_number or factor.as_base_exp()[0] in kept or value.has(1 / factor)):
+                yield factor
 
 
 def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
@@ -171,9 +159,12 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
 def give_value(meaning: Meaning, node: At) -> sp.Expr:
     """Return the value of a term where a letter has a value."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
+    before = {*meaning.lost}
     term = meaning.side(node.term)
     if not isinstance(node.term, Letter):
         term = meaning.take_number(node.term, term)
+    if any(factor.subs(variable, point) == 0 for factor in meaning.lost.keys() - before):
+        raise meaning.source.refuse(node.start, "this divides by zero there")
     value = settle(term, meaning.values, {variable: point})
     all_steps = [(s, *rates) for s, (by, rates) in meaning.moving.items() if by == variable]
     moving = {step for steps in all_steps for step in steps}

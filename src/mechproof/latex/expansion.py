@@ -185,9 +185,9 @@ def _specialise(row: Row, number: int) -> Row:
 def _expand(row: Row, place: _Place, number: str) -> Row:
     """Make the row of one sign."""
     latex = place.read.cut(place.chain, place.left, place.left + 1)
-    says, text, note = row.says, "", row.note
+    says, text, note, divisors = row.says, "", row.note, row.divisors
     if says is None:
-        says, text = _state(row, place), _describe(row, place)
+        (says, divisors), text = _state(row, place), _describe(row, place)
         note = " ".join(filter(None, (*_find_unused(place), note)))
     corrected = row.corrected and _read_correction(row.corrected, row, place)
     empty: dict[str, Any] = {"derived": {}, "substituted": {}, "residual": None, "defines": ()}
@@ -200,16 +200,18 @@ def _expand(row: Row, place: _Place, number: str) -> Row:
         read_as=text,
         note=note,
         corrected=corrected,
+        divisors=divisors,
         on=on,
         **empty,
     )
 
 
-def _state(row: Row, place: _Place) -> Statement:
-    reader = place.read.reader
-    as_printed = place.members(place.read.meaning())
+def _state(row: Row, place: _Place) -> tuple[Statement, tuple[sp.Expr, ...]]:
+    reader, meaning = place.read.reader, place.read.meaning()
+    as_printed = place.members(meaning)
     rebuilt = place.members(place.read.meaning(row.derived))
-    return state(row, place.sign, Members(place.nodes, *as_printed, *rebuilt), reader)
+    says = state(row, place.sign, Members(place.nodes, *as_printed, *rebuilt), reader)
+    return says, tuple(meaning.lost)
 
 
 def _describe(row: Row, place: _Place) -> str:
@@ -270,7 +272,7 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
     right = replace(place, read=read, chain=chain, left=max(len(chain.members) - 2, 0))
     if len(chain.members) > 1:
         _refuse_other_quantity(row, place, right)
-        return replace(correction, says=_state(row, right))
+        return replace(correction, says=_state(row, right)[0])
     (one, _), (one_derived, _) = (
         place.members(place.read.meaning(values)) for values in ({}, row.derived)
     )

@@ -11,11 +11,13 @@ import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
 from mechproof.latex.calculus_meaning import (
+    BINDING,
     give_derivative,
     give_integral,
     give_limit,
     give_repeated,
     give_value,
+    list_lost,
 )
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
@@ -65,6 +67,7 @@ from mechproof.record import (
     FunctionWithoutArgument,
     Notation,
     ValueWhere,
+    list_divisors,
     list_partial,
 )
 
@@ -103,6 +106,9 @@ class Meaning:
         self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
+        # What is divided by, and the expression that shows it; what sides have lost of that.
+        self.divisors: dict[sp.Expr, sp.Expr] = {}
+        self.lost: dict[sp.Expr, None] = {}
 
     def side(self, node: Node) -> Any:
         """Return the expression of a node, with the parts that SymPy has cancelled as its needs.
@@ -111,7 +117,10 @@ class Meaning:
         multiplied by or taken from.
         """
         outside, self._met = self._met, {}
+        divisors, self.divisors = self.divisors, {}
         value = self.of(node)
+        self.lost |= dict.fromkeys(list_lost(self.divisors, value))
+        self.divisors = divisors
         roots = {power.base for power in value.atoms(sp.Pow) if power.exp.is_integer is False}
         met = [p for p in self._met if not (self.is_complex and p.has(sp.I))]
         # A quotient has the power below its line with the opposite exponent.
@@ -125,7 +134,7 @@ class Meaning:
     def of(self, node: Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
         try:
-            found = _RULES[type(node)](self, node)
+            found = self._find(node)
         except ReadingError:
             raise
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
@@ -137,6 +146,15 @@ class Meaning:
             raise self.source.refuse(node.start, "this has no real value")
         if is_scalar:
             self._met |= dict.fromkeys(list_partial(found))
+        return found
+
+    def _find(self, node: Node) -> Any:
+        """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
+        if not isinstance(node, (*BINDING, Cases)):
+            return _RULES[type(node)](self, node)
+        outside = {**self.divisors}, {**self.lost}
+        found = _RULES[type(node)](self, node)
+        self.divisors, self.lost = outside
         return found
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
@@ -178,7 +196,12 @@ class Meaning:
         below = self.of(node.below)
         if below == 0:
             raise self.source.refuse(node.below.start, "this divides by zero")
+        self._divide_by(below)
         return self.of(node.above) / below
+
+    def _divide_by(self, number: Any, shown: Any = None) -> None:
+        if isinstance(number, sp.Expr) and not (is_matrix(number) or number.is_number):
+            self.divisors[number] = shown or 1 / number
 
     def _power(self, node: Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
@@ -199,7 +222,10 @@ class Meaning:
             bits = max(abs(base.p), base.q).bit_length() * abs(exponent)
             if bits > LARGEST_POWER_BITS:
                 raise self.source.refuse(node.start, "a power of so many digits is not worked out")
-        return base**exponent
+        power = base**exponent
+        if exponent == 0 or exponent.could_extract_minus_sign():
+            self._divide_by(base)
+        return power
 
     def _root(self, node: Radical) -> sp.Expr:
         degree = self._number(node.degree) if node.degree else sp.Integer(2)
@@ -216,6 +242,9 @@ class Meaning:
         read = self._number if is_known else self.of
         arguments = [read(argument) for argument in node.arguments]
         value = node.function.make(*arguments)
+        if isinstance(value, sp.Expr):
+            for divisor in list_divisors(value):
+                self._divide_by(divisor, value)
         return value ** self.of(node.exponent) if node.exponent else value
 
     def _cases(self, node: Cases) -> sp.Basic:

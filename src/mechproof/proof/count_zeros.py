@@ -14,6 +14,7 @@ from mechproof.proof.counts import is_count
 from mechproof.proof.domain import Domain, Point
 from mechproof.proof.refutation import find_unlike_at, points_for
 from mechproof.proof.signs import is_nonzero
+from mechproof.record import list_divisors
 from mechproof.record.parts import find_free, find_parts
 
 # At so many values of the other letters.
@@ -25,28 +26,26 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
     Empty if none is met.
     """
+    if not any(is_count(s, domain) for side in sides for s in find_free(side)):
+        return ""
     divisors = _list_divisors(sides, domain)
-    zeros = (point for divisor in divisors for point in _solve(divisor, domain))
+    zeros = (point for divisor in divisors for point in list_zeros(divisor, domain))
     return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in zeros)), "")
 
 
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
     """List what is zero where a side may have no value, and counts of which it is not known."""
-    powers = {p.base for side in sides for p in find_parts(side, sp.Pow) if _is_below(p)}
+    below = {divisor for side in sides for divisor in list_divisors(side)}
     factorials = {f.args[0] + 1 for side in sides for f in find_parts(side, sp.factorial)}
-    for divisor in sorted(powers | factorials, key=sp.default_sort_key):
+    for divisor in sorted(below | factorials, key=sp.default_sort_key):
         shown = divisor.args[0] - 1 if isinstance(divisor, sp.log) else divisor
         counts = any(is_count(s, domain) for s in find_free(shown))
         if counts and not is_nonzero(shown, domain):
             yield shown
 
 
-def _is_below(power: sp.Pow) -> bool:
-    return bool(power.exp.could_extract_minus_sign())
-
-
-def _solve(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
-    """Solve for one count after the other, at a few values of the other letters."""
+def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
+    """Yield zeros in one count after the other, at a few values of the other letters."""
     counts = sorted((s for s in find_free(divisor) if is_count(s, domain)), key=str)
     for point in islice(points_for((divisor,), domain, _TRIED), _TRIED):
         for count in counts:

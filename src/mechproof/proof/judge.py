@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.proof.cancelled import tell_division_by_zero
 from mechproof.proof.comparison_latex import write_compared
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import Domain
@@ -100,7 +101,9 @@ def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
     check_statement(says, known, domain, mended=mended)
     faults = find_faults(says, known, domain, mended=mended)
     if not faults:
-        return decide(says, domain)
+        answer = decide(says, domain)
+        undefined = answer.verdict is Verdict.PROVED and tell_division_by_zero(row.divisors, domain)
+        return replace(answer, verdict=Verdict.UNDECIDED, reason=undefined) if undefined else answer
     rungs = dict.fromkeys(fault.rung for fault in faults)
     reason = "; ".join(fault.reason for fault in faults)
     evidence = tuple(fault.evidence for fault in faults)

@@ -80,7 +80,7 @@ def compare(
         undecided += decided == "open"
         one_has_a_value = left.is_finite() != right.is_finite()
         if one_has_a_value and not undefined and domain.is_interior(point):
-            undefined = _name_point(point, domain)
+            undefined = name_point(point, domain)
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
     undefined = undefined or ("" if agreeing else "every point tried")
@@ -119,11 +119,15 @@ def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
 
 def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> str:
     """Return a point with known values at which one side only has a value, empty for none."""
-    letters = {s for side in sides for s in find_free(side)} - known.keys()
+    plain, counts = _list_letters(sides, domain)
+    others = [count for count in counts if count not in known]
     with suppress(RecordError):
-        (point, *_) = domain.points(sorted(letters, key=str), 1, known)
-        if len({_has_value(side, point) for side in sides}) > 1:
-            return _name_point(point, domain)
+        for chosen in choose_counts(others, domain, 1):
+            sizes = {**chosen, **known}
+            letters = [*(s for s in plain if s not in known), *_list_elements((*sides,), sizes)]
+            point = domain.points(letters, 1, sizes)[0]
+            if len({_has_value(side, point) for side in sides}) > 1:
+                return name_point(point, domain)
     return ""
 
 
@@ -136,7 +140,7 @@ def _find_point(
     for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
         have_values = [_has_value(side, point) for side in sides]
         if is_wanted(have_values) and domain.is_interior(point):
-            return _name_point(point, domain)
+            return name_point(point, domain)
     return ""
 
 
@@ -155,11 +159,7 @@ def points_for(
     Thorough: published sizes and round angles before the ordinary points, more counts, and
     special points after them. Raises `RecordError` where no point of the domain is found.
     """
-    free = {s for e in expressions for s in find_free(e)}
-    bases = {i.base.label for e in expressions for i in find_parts(e, sp.Indexed)}
-    symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
-    counts = sorted((s for s in symbols if is_count(s, domain)), key=str)
-    plain = sorted(symbols - set(counts), key=str)
+    plain, counts = _list_letters(expressions, domain)
     if thorough:
         yield from _published_points(expressions, counts, plain, domain)
     number = _MORE_CHOICES if thorough else _CHOICES
@@ -170,6 +170,17 @@ def points_for(
         if thorough and not special:
             special += domain.special_points(points[0], _list_landmarks(expressions))
     yield from special
+
+
+def _list_letters(
+    expressions: Sequence[sp.Basic], domain: Domain
+) -> tuple[list[sp.Basic], list[sp.Basic]]:
+    """List the letters but for families, those that count apart."""
+    free = {s for e in expressions for s in find_free(e)}
+    bases = {i.base.label for e in expressions for i in find_parts(e, sp.Indexed)}
+    symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
+    counts = sorted((s for s in symbols if is_count(s, domain)), key=str)
+    return sorted(symbols - set(counts), key=str), counts
 
 
 def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
@@ -274,7 +285,8 @@ def _name_relation(relation: sp.Basic) -> str:
     return text if len(text) <= _LONGEST_RELATION else sides
 
 
-def _name_point(point: Point, domain: Domain) -> str:
+def name_point(point: Point, domain: Domain) -> str:
+    """Write the values of letters at a point."""
     return ", ".join(f"{name} = {value}" for name, value in show_point(point, domain).items())
 
 

@@ -17,7 +17,7 @@ from mechproof.record.expressions import (
 from mechproof.record.findings import Check, Cost, Finding, FollowingRow, Weight
 from mechproof.record.forms import Chart, EmittedForm, Form, Peer
 from mechproof.record.implicit import Root
-from mechproof.record.needs import list_needs, list_partial
+from mechproof.record.needs import list_divisors, list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
     SLOPES,
@@ -126,6 +126,7 @@ __all__ = [
     "family_of",
     "find_last_place",
     "less",
+    "list_divisors",
     "list_given",
     "list_needs",
     "list_partial",

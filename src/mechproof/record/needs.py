@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.expressions import ValueWhere
+from mechproof.record.parts import find_parts
 from mechproof.record.relations import Slack
 
 _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
@@ -19,6 +20,10 @@ _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
     sp.acos: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
     sp.acosh: lambda x: (Slack(x - 1, False),),
     sp.atanh: lambda x: (Slack(1 - x, True), Slack(1 + x, True)),
+}
+_TURNING: Mapping[tuple[type[sp.Expr], ...], type[sp.Expr]] = {
+    (sp.tan, sp.sec): sp.cos,
+    (sp.cot, sp.csc): sp.sin,
 }
 # Denominators of these may be zero on whole intervals.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
@@ -41,6 +46,18 @@ def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
 
     visit(expression)
     return tuple(found)
+
+
+def list_divisors(expression: sp.Expr) -> tuple[sp.Expr, ...]:
+    """List what an expression divides by; a tangent does by its cosine."""
+    found = dict.fromkeys(
+        power.base
+        for power in find_parts(expression, sp.Pow)
+        if power.exp.could_extract_minus_sign()
+    )
+    for kinds, below in _TURNING.items():
+        found |= dict.fromkeys(below(node.args[0]) for node in find_parts(expression, *kinds))
+    return tuple(sorted(found, key=sp.default_sort_key))
 
 
 def _is_partial(node: sp.Basic) -> bool:

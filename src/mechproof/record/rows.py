@@ -96,7 +96,8 @@ class Row(_Told):
     (tg(x/2) -> U). `defines` are symbols that the print introduces. `links` has by number, from
     1 on, what one relation has instead. `cites` are the sentences of the transcription that the
     row judges, by their numbers (S52). `quantities` are those, by their names, on whose pages a row
-    of ours stands, as their formulas or kernels rest on it. `read_as` is filled in by the reader.
+    of ours stands, as their formulas or kernels rest on it. `read_as` is filled in by the reader,
+    and `divisors`: what the print divides by, and what it says does not any more.
     """
 
     kind: ClassVar[Literal["equation", "claim", "datum"]]
@@ -109,6 +110,7 @@ class Row(_Told):
     cites: tuple[str, ...] = ()
     quantities: tuple[str, ...] = ()
     read_as: str = ""
+    divisors: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
         marks = {*self.marks, *(mark for link in self.links.values() for mark in link.marks)}

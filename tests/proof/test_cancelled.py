@@ -1,0 +1,79 @@
+"""What SymPy cancels while a print is read: a quotient of zeros has no value."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.latex import ReadingError
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+# Each is true where its letters are free, and has no value for these.
+GIVEN = [
+    (r"\frac{a-b}{a-b}=1", "a=b"),
+    (r"\frac{(a+b)(a-b)}{a-b}=a+b", "a=b"),
+    (r"\frac1x-\frac1x=0", "x=0"),
+    (r"\frac{x^2}x=x", "x=0"),
+    (r"0\cdot\frac1x=0", "x=0"),
+    (r"1^{1/x}=1", "x=0"),
+    ("x^0=1", "x=0"),
+    (r"\frac xx\ge1", "x=0"),
+    (r"\frac{x-1}{x-1}=1", "x=1"),
+    (r"\tan x-\tan x=0", r"x=\frac\pi2"),
+    (r"\frac{\sin x}{\sin x}=1", r"x=\pi"),
+]
+# These have no value anywhere, on an interval, or at a whole number.
+NEVER = [
+    (r"\frac{\sin^2x+\cos^2x-1}{\sin^2x+\cos^2x-1}=1", ""),
+    (r"\frac{|x|-x}{|x|-x}=1", ""),
+    (r"\frac{\sqrt{x^2}-x}{\sqrt{x^2}-x}=1", "x>0"),
+    (r"\frac{\lfloor x\rfloor}{\lfloor x\rfloor}=1", ""),
+    (r"\frac{x-1}{x-1}=1", r"x\ge1, x\le1"),
+    (r"\frac{x-y}{x-y}=1", r"x\le y, y\le x"),
+    (r"x=1\Rightarrow\frac{x-1}{x-1}=1", ""),
+    (r"\frac{1+(-1)^n}{1+(-1)^n}=1", ""),
+    (r"\frac{n-7}{n-7}=1", ""),
+    (r"\frac{(n^2-49)x}{n^2-49}=x", ""),
+]
+# Sums keep what their terms have lost, whatever divides them.
+SUMS = [r"\sum_{n=1}^5\frac{n-3}{n-3}=5", r"\sum_{n=1}^5(n-3)(n-3)^{-1}=5"]
+
+
+def judge(latex: str, value: str = "", where: str = "") -> Verdict:
+    stated = tuple(filter(None, where.split(", ")))
+    natural = ("n",) if "n-" in latex or "^n" in latex or "n^" in latex else ()
+    values = (value,) if value else ()
+    pasted = Pasted(latex, values=values, where=stated, natural=natural)
+    (judgement,) = judge_pasted(pasted).judgements
+    return judgement.verdict
+
+
+@pytest.mark.parametrize(("latex", "value"), GIVEN)
+def test_a_letter_that_makes_a_cancelled_divisor_zero_leaves_no_value(
+    latex: str, value: str
+) -> None:
+    assert judge(latex) is Verdict.PROVED
+    assert judge(latex, value) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(("latex", "where"), NEVER)
+def test_a_quotient_of_zeros_is_not_one(latex: str, where: str) -> None:
+    assert judge(latex, where=where) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("latex", SUMS)
+def test_a_term_of_a_sum_needs_its_value(latex: str) -> None:
+    pasted = Pasted(latex)
+    (judgement,) = judge_pasted(pasted).judgements
+    assert judgement.verdict is Verdict.UNDECIDED
+
+
+def test_a_value_where_a_cancelled_divisor_is_zero_is_refused() -> None:
+    with pytest.raises(ReadingError, match="divides by zero there"):
+        judge_pasted(Pasted(r"\left.\frac xx\right|_{x=0}=1"))
+
+
+@pytest.mark.parametrize("latex", [r"\frac{x^2-1}{x-1}=x+1", r"\frac{x-\frac34}{x-\frac34}=1"])
+def test_single_places_without_a_value_are_left_out(latex: str) -> None:
+    assert judge(latex) is Verdict.PROVED
