@@ -27,7 +27,8 @@ from mechproof.tools.processes import WorkerError
 Texts = list[str] | None
 DEFAULTS = (
     "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
-    "a natural number from 1 on, d in an integral is its differential. Nothing else is guessed."
+    "a natural number from 1 on, d in an integral is its differential, e with letters in its "
+    "exponent is Euler's number. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}

@@ -23,6 +23,7 @@ from mechproof.pipeline.pasted_letters import (
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Definition, Equality, Equation, Paper, Part, Row, Variable
+from mechproof.record.parts import find_bound
 from mechproof.tools.processes import WorkerError, run_tasks
 
 NUMBER = "(pasted)"
@@ -81,7 +82,7 @@ def judge_pasted(pasted: Pasted) -> Checked:
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
-    on = Part(" and ".join(pasted.where), where=where) if pasted.where else None
+    on = Part(" and ".join(pasted.where), where=where) if pasted.where or where else None
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
@@ -147,8 +148,12 @@ def _unwrap(latex: str) -> str:
 
 def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
     """Refuse a letter that is introduced twice, or of which more is said than its definition."""
-    defined = [row.says.symbol for row in rows if isinstance(row.says, Definition)]
+    says = [row.says for row in rows if isinstance(row.says, Definition)]
+    defined = [one.symbol for one in says]
+    bound = {s.name.removesuffix("_") for one in says for s in find_bound(one.printed)}
     for symbol in dict.fromkeys(defined):
+        if symbol.name in bound:
+            raise ValueError(f"{symbol} is bound on a side: print another letter for one of them")
         if defined.count(symbol) > 1:
             raise ValueError(f"{symbol} is defined twice: say one of them by --let")
         if symbol in said:

@@ -15,7 +15,13 @@ from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import depends
-from mechproof.record import Notation, Variable
+from mechproof.pipeline.special_letters import (
+    EULER,
+    has_differential,
+    has_letter_d,
+    means_euler,
+)
+from mechproof.record import Notation, Variable, list_divisors, list_needs, list_partial
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -30,6 +36,7 @@ COMMAND = Remedies(
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
+_RATE = re.compile(r"(?P<primed>[^']+)'+|\\d{1,3}ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*")
 
 
 @dataclass(frozen=True)
@@ -64,6 +71,7 @@ class Letters:
 
 def read_letters(pasted: Pasted) -> Letters:
     """Return the letters with their values, how they are written, and what is said of them."""
+    pasted = _take_special(pasted)
     counts = _find_counts(pasted)
     variables = _declare(pasted, counts)
     notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
@@ -71,8 +79,44 @@ def read_letters(pasted: Pasted) -> Letters:
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
     variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
+    _refuse_rates(variables)
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
-    return Letters(variables, notation, [r for r in relations if r not in equations], tied)
+    left = [r for r in relations if r not in equations]
+    return Letters(variables, notation, [*left, *_list_needed(variables)], tied)
+
+
+def _take_special(pasted: Pasted) -> Pasted:
+    """Return what is pasted with a value for Euler's number e, and with d as a letter."""
+    prints = (pasted.latex, *pasted.where, *pasted.values)
+    said = {text.partition("=")[0].strip() for text in pasted.values}
+    named = [*pasted.names, *(letter for letter in ("e", "d") if letter in said)]
+    if "e" not in (*named, *pasted.natural) and means_euler(pasted.latex):
+        named.append("e")
+        pasted = replace(pasted, values=(*pasted.values, EULER))
+    if any(map(has_letter_d, prints)) and not any(map(has_differential, prints)):
+        named.append("d")
+    return replace(pasted, names=tuple(dict.fromkeys(named)))
+
+
+def _refuse_rates(variables: Sequence[Variable]) -> None:
+    """Refuse a derivative by its accent of a letter that has a value: it would be any number."""
+    given = {name_symbol(v.latex[0]) for v in variables if v.given is not None}
+    for variable in variables:
+        rate = _RATE.fullmatch(variable.latex[0])
+        if rate and name_symbol(rate["primed"] or rate["dotted"]) in given:
+            raise ValueError(
+                f"{variable.latex[0]} is a derivative of a letter that has a value: print it as a "
+                r"fraction, \frac{d}{dx}(…)"
+            )
+
+
+def _list_needed(variables: Sequence[Variable]) -> Iterator[sp.Basic]:
+    """Yield what must hold so that letters that have values are real numbers."""
+    values = [v.given for v in variables if v.given is not None and v.given.free_symbols]
+    for value in values:
+        for number, strict in (need for part in list_partial(value) for need in list_needs(part)):
+            yield sp.Gt(number, 0) if strict else sp.Ge(number, 0)
+        yield from (sp.Ne(divisor, 0) for divisor in list_divisors(value))
 
 
 def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
@@ -107,6 +151,11 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
             raise ValueError(
                 f"{letter} is the imaginary unit: complex numbers are not read in a single "
                 f"equation, but in a paper; say --name '{letter}' where it is a real number"
+            )
+        if letter == "j":
+            raise ValueError(
+                "j may be the imaginary unit, and complex numbers are not read in a single "
+                "equation, but in a paper; say --name 'j' where it is a real number"
             )
         if letter in operators:
             raise ValueError(
@@ -261,7 +310,7 @@ def _give_values(
 def describe(variable: Variable) -> str:
     """Say what a letter is taken for."""
     if variable.given is not None:
-        return f"= {variable.given}"
+        return "Euler's number" if variable.given is sp.E else f"= {variable.given}"
     names = {
         sp.S.Reals: "real",
         sp.S.Naturals: "a natural number, from 1 on",

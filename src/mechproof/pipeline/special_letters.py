@@ -1,0 +1,53 @@
+r"""The letters e, d and j of a single equation, which may be no letters: e^x, \frac{d}{dx}, 1+j."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from mechproof.latex.tokens import tokenize
+
+EULER = r"e=\mathrm{e}"
+_LOGARITHMS = (r"\ln", r"\log")
+# A derivative, or an integral, has a d that is no letter.
+_DIFFERENTIAL = re.compile(r"\\i{0,2}int(?![A-Za-z])|\}\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]")
+# An eccentricity: 1-e^2, 1+e\cos\varphi.
+_ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
+
+
+def means_euler(latex: str) -> bool:
+    """Tell whether an e is raised to letters, or under a logarithm, and none an eccentricity."""
+    texts = [token.text for token in tokenize(latex)]
+    places = [place for place, text in enumerate(texts) if text == "e"]
+    return not _ECCENTRIC.search(latex) and any(_list_letters(texts, place) for place in places)
+
+
+def _list_letters(texts: Sequence[str], place: int) -> list[str]:
+    """List what tells Euler's number from a letter: letters in its exponent, or a logarithm."""
+    if place and texts[place - 1] in _LOGARITHMS:
+        return [texts[place - 1]]
+    if texts[place + 1 : place + 3] != ["^", "{"]:
+        return []
+    return [text for text in _take_group(texts[place + 2 :]) if text[-1].isalpha() and text != "e"]
+
+
+def _take_group(texts: Sequence[str]) -> Iterator[str]:
+    """Yield what stands in the braces that a text begins with."""
+    depth = 0
+    for text in texts:
+        depth += (text == "{") - (text == "}")
+        if depth == 0:
+            return
+        yield text
+
+
+def has_differential(latex: str) -> bool:
+    r"""Tell whether a d may be that of a derivative or an integral."""
+    return bool(_DIFFERENTIAL.search(latex))
+
+
+def has_letter_d(latex: str) -> bool:
+    """Tell whether a d stands in a print, and none of several with indices."""
+    texts = [token.text for token in tokenize(latex)]
+    behind = [texts[place + 1 : place + 2] for place, text in enumerate(texts) if text == "d"]
+    return bool(behind) and ["_"] not in behind
