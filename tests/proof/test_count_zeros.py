@@ -19,7 +19,6 @@ ROWS = [
     (r"\int_0^1n^x\,dx=\frac{n-1}{\ln n}", "n>1"),
     (r"\int x^{n-18}\,dx=\frac{x^{n-17}}{n-17}+C", "n>17"),
     (r"\sum_{k=1}^nm^k=\frac{m^{n+1}-m}{m-1}", "m>1"),
-    (r"\binom n2=\frac{n!}{2(n-2)!}", r"n\ge2"),
 ]
 # These hold for all counts from 1 on, and not for 0.
 FROM_ONE = [

@@ -24,6 +24,7 @@ from mechproof.document.doubts import (
     doubt_by_unread,
     doubt_conditions,
     find_contradictions,
+    find_other_solutions,
 )
 from mechproof.document.judging import (
     COMPARED,
@@ -156,8 +157,10 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))
+        unlike = dict(find_other_solutions(tasks, rows))
+        rows |= unlike
         rows |= dict(doubt_by_premises(key, tasks, rows, limit))
-        contested = {**misprints, **dict(find_contradictions(tasks, rows))}
+        contested = {**misprints, **unlike, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
         rows |= dict(doubt_by_letters(tasks, rows, contested))

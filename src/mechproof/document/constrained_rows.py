@@ -16,6 +16,7 @@ from mechproof.document.applicable_constraints import (
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import FOLLOWING, GIVEN, list_letters
 from mechproof.document.doubts import (
+    CONTRADICTING,
     defines,
     list_printed,
     list_used,
@@ -25,6 +26,7 @@ from mechproof.document.judging import (
     Key,
     judge_beside,
     judge_excused,
+    judge_freed,
     judge_misprint,
     judge_roots,
 )
@@ -167,11 +169,13 @@ def doubt_by_premises(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Leave open what follows only from a row that is refuted, or from several that are contested.
 
-    Of rows that contradict each other one may be right.
+    Of rows that contradict each other one may be right, and none defines a letter of the others.
     """
     bound = [n for n, task in enumerate(tasks) if _binds(task)]
     refuted = {n for n in bound if rows[n].outcome == Verdict.REFUTED.value}
     contested = {n for n in bound if rows[n].outcome == State.NOT_JUDGED.value}
+    open_rows = [m for m, row in rows.items() if row.outcome == State.NOT_JUDGED.value]
+    defining = [tasks[m] for m in open_rows if tasks[m].sign.role is Role.DEFINITION]
     judged = ((n, row.judgement) for n, row in rows.items() if not tasks[n].follows)
     asked, names = [], {}
     for n in [n for n, found in judged if found and found.rung in FOLLOWING]:
@@ -179,14 +183,30 @@ def doubt_by_premises(
         doubted = [g for g in given if g in refuted | contested]
         # What is proved itself may be so by these.
         certain = tuple(g for g in given if _is_constraint(tasks[g], rows[g]))
-        chosen = [(*certain, g) for g in doubted if g in contested] or [certain] * bool(doubted)
-        asked += [(key, n, tuple(sorted(one))) for one in chosen]
+        rivals = {g: _list_denied(n, g, defining, tasks, rows) for g in doubted if g in contested}
+        chosen = {(*certain, g): denied for g, denied in rivals.items()}
+        chosen = chosen or ({certain: frozenset()} if doubted else {})
+        asked += [(key, n, tuple(sorted(one)), denied) for one, denied in chosen.items()]
         names[n] = ", ".join(tasks[g].row.number for g in doubted)
-    answers = run_tasks(judge_beside, asked, limit=limit)
+    answers = run_tasks(judge_freed, asked, limit=limit)
     proved = {asked[place][1] for place, found in answers if _is_proof(found)}
-    for n in {n for _, n, _ in asked} - proved:
+    for n in {n for _, n, *_ in asked} - proved:
         reason = f"it follows only with the help of {names[n]}, which may be wrong"
         yield n, make_row(tasks[n], reason)
+
+
+def _list_denied(
+    number: int,
+    given: int,
+    defining: Sequence[Task],
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+) -> frozenset[sp.Basic]:
+    """List letters of a row and of a premise of it by definitions that the premise contradicts."""
+    used = list_used(tasks[number], tasks) | list_used(tasks[given], tasks)
+    names = rows[given].reason.partition(CONTRADICTING)[0]
+    denied = (one for one in defining if one.row.number in names and defines(one, used))
+    return frozenset(one.sign.letter for one in denied if one.sign.letter is not None)
 
 
 def _ask_definitions(

@@ -11,12 +11,13 @@ from mechproof.document.applicable_constraints import is_left, is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.letters import name_symbol
-from mechproof.document.roles import Role
+from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
-from mechproof.record import Definition
+from mechproof.record import Definition, Equality
 
+CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 # Strengths and stiffnesses have factors such as 64, 192 or 384.
 _LARGE, _PRIME = 100, 5
@@ -40,6 +41,34 @@ def find_contradictions(
             yield n, make_row(task, tell_contradiction(names))
         for m in others:
             yield m, make_row(tasks[m], tell_contradiction(task.row.number))
+
+
+def find_other_solutions(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Leave open a constraint, and what is printed behind it of one of its letters by all others.
+
+    That is its solution, or one of both is wrong: together they would tie the others.
+    """
+    for n, task in enumerate(tasks):
+        is_given = rows[n].outcome == Verdict.DEFINITION.value
+        is_given &= task.sign.role in CONSTRAINING and isinstance(task.row.says, Equality)
+        if not is_given or task.residual in (None, 0):
+            continue
+        letters, (one, other) = list_printed(task), task.sign.sides
+        for m in range(n + 1, len(tasks)):
+            is_solved = defines(tasks[m], letters) and list_printed(tasks[m]) == letters
+            is_beside = tasks[m].said.passage == task.said.passage
+            is_beside |= not (task.is_case or tasks[m].is_case)
+            if is_solved and is_beside and _is_linear(one - other, tasks[m].sign.letter):
+                yield n, make_row(task, tell_contradiction(tasks[m].row.number))
+                yield m, make_row(tasks[m], tell_contradiction(task.row.number))
+
+
+def _is_linear(expression: sp.Expr, letter: sp.Basic | None) -> bool:
+    """Return whether an equation is solved for a letter by a division."""
+    above = sp.fraction(sp.together(expression))[0]
+    return bool(above.is_polynomial(letter)) and sp.degree(above, letter) == 1
 
 
 def doubt_by_rates(
@@ -241,4 +270,4 @@ def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
 
 def tell_contradiction(names: str) -> str:
     """Say that a row and others cannot both be true of one case."""
-    return f"it and {names} contradict each other: one is wrong, or of another case"
+    return f"it and {names}{CONTRADICTING}: one is wrong, or of another case"

@@ -38,8 +38,8 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
     letters = {v.symbol for v in task.paper.variables}
     answer: Judgement | str = ""
     for kept in (letters, {t.sign.letter for t in given}):
-        others = [entry for t in given for entry in _list_entries(t, kept)]
-        answers = [_compare(entry, others, found) for entry in _list_entries(task, kept)]
+        others = [entry for t in given for entry in list_entries(t, kept)]
+        answers = [_compare(entry, others, found) for entry in list_entries(task, kept)]
         answer = min(answers, key=_weigh, default=_NO_NUMBERS)
         if isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED:
             break
@@ -60,7 +60,7 @@ def _is_named(task: Task, names: Sequence[str]) -> bool:
     return any(task.row.number == name or task.row.number.startswith(f"{name},") for name in names)
 
 
-def _list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
+def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
     """Return the entries of a row, in which such letters stand as printed, whatever defines them.
 
     A row that is no equation has none.

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.document.applicable_constraints import list_applicable
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
-from mechproof.document.following import judge_following
+from mechproof.document.following import judge_following, list_entries
 from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
@@ -227,6 +227,20 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     before = [tasks[other] for other in list_applicable(others, number, tasks)]
     found = find_consequence(task, before) if task.residual is not None else None
     return _replace(task, *found) if found else None
+
+
+def judge_freed(
+    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
+) -> Judgement | None:
+    """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
+    key, number, others, letters = which
+    if not letters:
+        return judge_beside((key, number, others))
+    tasks = open_tasks(key)
+    entries = list_entries(tasks[number], letters)
+    before = [entry for n in others for entry in list_entries(tasks[n], letters)]
+    found = find_consequence(entries[0], before) if len(entries) == 1 else None
+    return _replace(tasks[number], *found) if found else None
 
 
 def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:

@@ -76,13 +76,15 @@ def judge_pasted(pasted: Pasted) -> Checked:
     letters = read_letters(pasted)
     variables, notation = letters.variables, letters.notation
     printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
-    variables, relations = count_from_zero(variables, [*letters.relations, *printed])
+    needed = letters.needed
+    variables, relations = count_from_zero(variables, [*letters.relations, *needed, *printed])
     said = {s for relation in relations for s in relation.free_symbols}
     variables, where = narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
-    on = Part(" and ".join(pasted.where), where=where) if pasted.where or where else None
+    told = [*pasted.where, *(f"{r.lhs} {r.rel_op} {r.rhs}" for r in needed)]
+    on = Part(" and ".join(told), where=where) if told else None
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
@@ -118,7 +120,7 @@ def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]
     """
     pasted = replace(pasted, latex=_unwrap(pasted.latex))
     letters = read_letters(pasted)
-    variables, where = narrow(letters.variables, letters.relations)
+    variables, where = narrow(letters.variables, [*letters.relations, *letters.needed])
     if where:
         raise ValueError(f"--where {where[0]}: it is no range of one letter")
     read = Reader(variables, letters.notation, COMMAND).parse(pasted.latex)

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.document.letters import is_vector, name_symbol, show_letter
 from mechproof.document.relations import read_relations
@@ -60,13 +61,15 @@ class Pasted:
 class Letters:
     """Letters with their values, how they are written, and relations that are said of them.
 
-    `tied` are those of equations that give one of them by the others.
+    `tied` are those of equations that give one of them by the others; `needed` must hold so that
+    values are real.
     """
 
     variables: tuple[Variable, ...]
     notation: Notation
     relations: Sequence[sp.Basic]
     tied: frozenset[sp.Basic]
+    needed: tuple[sp.Basic, ...]
 
 
 def read_letters(pasted: Pasted) -> Letters:
@@ -82,7 +85,7 @@ def read_letters(pasted: Pasted) -> Letters:
     _refuse_rates(variables)
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
     left = [r for r in relations if r not in equations]
-    return Letters(variables, notation, [*left, *_list_needed(variables)], tied)
+    return Letters(variables, notation, left, tied, tuple(_list_needed(variables)))
 
 
 def _take_special(pasted: Pasted) -> Pasted:
@@ -114,9 +117,11 @@ def _list_needed(variables: Sequence[Variable]) -> Iterator[sp.Basic]:
     """Yield what must hold so that letters that have values are real numbers."""
     values = [v.given for v in variables if v.given is not None and v.given.free_symbols]
     for value in values:
-        for number, strict in (need for part in list_partial(value) for need in list_needs(part)):
-            yield sp.Gt(number, 0) if strict else sp.Ge(number, 0)
-        yield from (sp.Ne(divisor, 0) for divisor in list_divisors(value))
+        needs = [need for part in list_partial(value) for need in list_needs(part)]
+        told = [sp.Gt(number, 0) if strict else sp.Ge(number, 0) for number, strict in needs]
+        told += [sp.Ne(divisor, 0) for divisor in list_divisors(value)]
+        # Of a number SymPy knows whether it holds.
+        yield from (relation for relation in told if isinstance(relation, Relational))
 
 
 def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:

@@ -36,7 +36,9 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
     """List what is zero where a side may have no value, and counts of which it is not known."""
     below = {divisor for side in sides for divisor in list_divisors(side)}
-    factorials = {f.args[0] + 1 for side in sides for f in find_parts(side, sp.factorial)}
+    # Below a line that of a negative number is no pole: its quotient is zero there.
+    above = {f for side in sides for f in find_parts(side, sp.factorial)} - below
+    factorials = {factorial.args[0] + 1 for factorial in above}
     for divisor in sorted(below | factorials, key=sp.default_sort_key):
         shown = divisor.args[0] - 1 if isinstance(divisor, sp.log) else divisor
         counts = any(is_count(s, domain) for s in find_free(shown))

@@ -1,0 +1,37 @@
+"""Rows that contradict each other are no premises together: anything would follow from them."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+BLOCK = "%% mechproof\n%% p ; a ; b ; c ; q ; i : numbers [1] {b>0,q>0}\n%% end\n"
+WILLIS = r"\begin{equation}\frac{p-c}{a-c}=-\frac bq\end{equation}"
+SOLVED = r"\begin{equation}p=c\left(1+\frac bq\right)-a\frac bq\end{equation}"
+WRONG = SOLVED.replace("-a", "+a")
+# False but where a is zero; a = 0 would follow from both together.
+CONSEQUENCE = r"\begin{equation}p^2=c^2\left(1+\frac bq\right)^2\end{equation}"
+OTHER = r"\begin{equation}i=\frac ab=\frac{a+a}b\end{equation}"
+
+
+def judge(*parts: str) -> list[str]:
+    return [row.outcome for row in check("paper.tex", BLOCK + "\n".join(parts)).rows]
+
+
+@pytest.mark.parametrize("words", ["so that", "for which", ""])
+def test_a_wrong_solution_of_a_constraint_is_told(words: str) -> None:
+    assert judge(WILLIS, words, SOLVED) == ["PROVED", "DEFINITION"]
+    assert judge(WILLIS, words, WRONG) == ["not judged", "not judged"]
+
+
+@pytest.mark.parametrize("consequence", [CONSEQUENCE, OTHER])
+def test_nothing_follows_from_rows_that_contradict_each_other(consequence: str) -> None:
+    rows = judge(WILLIS, "so that", WRONG, "The square is", consequence)
+    assert rows[:2] == ["not judged", "not judged"]
+    assert rows[2:] in (["not judged"], ["DEFINITION", "not judged"])
+
+
+def test_what_has_further_letters_is_no_solution() -> None:
+    sums = r"\begin{equation}a+b=c+q\end{equation}", r"\begin{equation}a=\frac i2\end{equation}"
+    assert judge(*sums) == ["DEFINITION", "DEFINITION"]
