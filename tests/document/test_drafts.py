@@ -108,6 +108,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [],
         ),
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let w=\dot q", "q(t) :"], ["q :"]),
+        (r"Using $\dot q=w$ $$b=c\sin q$$ $$y=w$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
+        (
+            r"$$F_{\mathrm{in}}=m_{\mathrm{SC}}z_\text{max}$$",
+            [r"F_{\mathrm{in}} :", r"m_{\mathrm{SC}} :", r"z_{\max} :"],
+            [],
+        ),
         (r"$$c=e^{-kb}$$ $$y=2e^{kb}$$", ["e :", r"let e=\mathrm{e}", "k :"], []),
         (r"$$y=b^2q$$ Derived with respect to the angle $b$: $$y'=2bq$$", ["y(b) :"], ["y' :"]),
         (

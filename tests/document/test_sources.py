@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -109,6 +110,15 @@ TWICE = [
     ("a : one\n%% in (7): A is a", "no equation"),
     ("a : one\n%% in (7): A is b", "b is not declared"),
 ]
+
+
+def test_all_faults_of_a_block_are_told_at_once() -> None:
+    lines = ["a : one", "a : two", "where a<", "natural k", "skip (7): no"]
+    block = "".join(f"%% {line}\n" for line in lines)
+    with pytest.raises(BlockError) as refused:
+        check("paper.tex", f"%% mechproof\n{block}%% end\n$$a=1$$")
+    told = re.findall(r"^paper\.tex:(\d+):4: ", str(refused.value), re.MULTILINE)
+    assert told == ["3", "4", "5", "6"]
 
 
 def test_a_line_of_a_block_may_begin_with_one_sign_of_percent() -> None:

@@ -89,19 +89,24 @@ class Block:
     claims: list[LocatedText] = field(default_factory=list)
     lines: list[tuple[Place, str]] = field(default_factory=list)
 
+    faults: list[tuple[int, str]] = field(default_factory=list)
+
     @contextmanager
     def blame(self, text: str, place: Place | None = None) -> Iterator[None]:
-        """Name the line at a place, or the first with a text, in a `ValueError` that is raised."""
+        """Keep a `ValueError` as a fault of the line at a place, or of the first with a text."""
         try:
             yield
-        except BlockError:
-            raise
         except ValueError as error:
             whole = re.compile(rf"(?<![\w\\]){re.escape(text)}(?!\w)")
             found = (n for n, line in self.lines if (n == place if place else whole.search(line)))
             where = next(found, None)
-            said = _tell(error, where, dict(self.lines)[where]) if where else str(error)
-            raise BlockError(said) from error
+            told = _tell(error, where, dict(self.lines)[where]) if where else str(error)
+            self.faults.append((where.line if where else 0, told))
+
+    def refuse_faults(self) -> None:
+        """Raise `BlockError` with all faults, if there are some."""
+        if self.faults:
+            raise BlockError("\n".join(told for _, told in sorted({*self.faults})))
 
 
 def _tell(error: ValueError, place: Place, line: str) -> str:
@@ -109,7 +114,7 @@ def _tell(error: ValueError, place: Place, line: str) -> str:
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
-    """Read the lines of a block; `BlockError` names the place of one that cannot be read."""
+    """Read the lines of a block; `BlockError` names the places of those that cannot be read."""
     block = Block()
     for line in lines:
         word, _, rest = line.string.partition(" ")
@@ -125,7 +130,8 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             else:
                 block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
-            raise BlockError(_tell(error, place, line.string)) from error
+            block.faults.append((place.line, _tell(error, place, line.string)))
+    block.refuse_faults()
     block.values += _find_euler(block)
     return block
 

@@ -25,6 +25,7 @@ from mechproof.document.rows import Document
 from mechproof.document.said import Said, find_pi, find_said
 from mechproof.document.shapes import find_sizes
 from mechproof.document.sources import Source
+from mechproof.latex.left_scripts import GREEK
 
 _RATE = re.compile(
     r"\\d{0,2}dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
@@ -55,6 +56,8 @@ _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
+# A word below a letter, as it is read.
+_WORD_BELOW = re.compile(r"_\{\\([A-Za-z]+)\}")
 # Letters that could be something else where nothing declares them.
 _ASKED = {
     "e": r"a letter here, Euler's number elsewhere",
@@ -92,7 +95,7 @@ def draft_block(source: Source) -> str:
     inline = _find_inline(source, entries)
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
-        for rate in RATE.finditer(one.value):
+        for rate in RATE.finditer(f"{one.letter}={one.value}"):
             if moving := entries.get(name_symbol(rate[1])):
                 moving.running = moving.running or "t"
         said[name] = replace(known, unit=known.unit or one.unit)
@@ -317,4 +320,10 @@ def _write(
     meaning = f"{found.meaning if found else ''}{unit}".strip()
     if found and not running and _POSITIVE.search(found.meaning):
         meaning += f" {{{first}>0}}"
-    yield f"{first}{running}{others}{shape} : {meaning}".rstrip()
+    yield _WORD_BELOW.sub(_write_upright, f"{first}{running}{others}{shape} : {meaning}".rstrip())
+
+
+def _write_upright(match: re.Match[str]) -> str:
+    r"""Write a word below a letter as it may be printed: \mathrm{in}, which is read as \in."""
+    is_macro = match[1] in GREEK or match[1] in ("max", "min")
+    return match[0] if is_macro else rf"_{{\mathrm{{{match[1]}}}}}"

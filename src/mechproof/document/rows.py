@@ -117,6 +117,7 @@ class Document:
         for text in self.block.values:
             with self.block.blame(text):
                 give_values(text, self.known)
+        self.block.refuse_faults()
         define_later(later, self.known)
         self.known.define_laws(laws)
 

@@ -25,7 +25,7 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
             with block.blame(f"{latex} is {name}"):
                 if name not in declared:
                     raise ValueError(f"in: {name} is not declared")
-        names = {latex: declared[name] for latex, name in means.items()}
+        names = {latex: declared[name] for latex, name in means.items() if name in declared}
         with block.blame(equations[0]):
             scopes.append(Scope(tuple(_list_names(equations, printed)), names))
     return replace(symbols, notation=replace(symbols.notation, scopes=tuple(scopes)))

@@ -171,7 +171,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
             rate = say_rate(letter, variables, scales)
             if rate in said:
                 raise ValueError(f"{rate} is declared twice")
-        said.add(rate)
+            said.add(rate)
     of_rates = {rate for _, own in depending.values() for rate in own}
     refuse_twins(variables, of_rates, lambda v: block.blame(v.latex[0], places.get(v.symbol)))
     variables, unread = leave_names(variables, places)
@@ -199,7 +199,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
         with block.blame(name):
             if name not in symbols:
                 raise ValueError(f"{name} is said to be a branch or to count: it is not declared")
-    if len(block.branches) == 1:
+    if len(block.branches) == 1 and block.branches[0] in symbols:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
     found = Symbols(
@@ -327,7 +327,7 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
     for text in (*said, *block.where):
         with block.blame(text):
             variables, more = narrow(variables, read_relations(text, reader))
-        where += more
+            where += more
     usual: dict[sp.Basic, sp.Expr] = {}
     for text in block.sizes:
         with block.blame(text):
@@ -337,7 +337,7 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         with block.blame(block.start):
             read = reader.parse(block.start)
             limit = read.meaning().of(read.chains[0].members[0])
-        notation = replace(notation, lower_limit=limit)
+            notation = replace(notation, lower_limit=limit)
     return replace(symbols, variables=variables, where=tuple(where), usual=usual, notation=notation)
 
 

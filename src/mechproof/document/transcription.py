@@ -37,7 +37,9 @@ class Transcription:
         """
         self.file = file
         source = read_source(str(file))
-        declared = declare(read_block(source.lines, source.files), assume=True)
+        block = read_block(source.lines, source.files)
+        declared = declare(block, assume=True)
+        block.refuse_faults()
         self.variables: tuple[Variable, ...] = declared.variables
         self.where: tuple[sp.Basic, ...] = declared.where
         self.notation: Notation = declared.notation
