@@ -19,6 +19,16 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "PROVED", "PROVED", "REFUTED", "REFUTED"],
     ),
+    "a brace before an array opens cases, and a stop ends them": (
+        [
+            r"s=\left\{\begin{array}{ll}a\psi^2,&\psi\le1\\a(2\psi-1),&\psi>1.\end{array}\right.",
+            r"s'=\left\{\begin{array}{ll}2a\psi&\text{if }\psi<1\\2a&\text{otherwise.}\end{array}"
+            r"\right.",
+            r"s'=\left\{\begin{array}{ll}2a\psi&\psi<1\\a&\psi>1.\end{array}\right.",
+            r"s''=\begin{cases}2a,&\psi<1,\\0,&\psi>1.\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED"],
+    ),
     "seams with letters": (
         [
             r"s=\begin{cases}a\psi^2&\psi\le k\\2ak\psi-ak^2&\psi\ge k\end{cases}",

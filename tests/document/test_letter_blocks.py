@@ -214,3 +214,32 @@ def test_a_derivative_of_a_letter_that_depends_on_nothing_is_no_letter(latex: st
     (row,) = found.rows
     assert row.outcome == "not read"
     assert row.remedy.startswith(ADVICE[latex])
+
+
+MEMBERS = """%% mechproof
+%% d_i (i) ; z_i (i) : [1]
+%% d_{bi} (i) : [1]
+%% m ; c : [1]
+%% end
+"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "reason"),
+    [
+        # What holds for each index is no fault of the print.
+        ("d_i=mz_i", "for each i"),
+        ("d_{bi}=cd_i", "for each i"),
+        ("d_{b1}=cd_1", "d_{bi}[1], a member of a family: declare it as a letter"),
+    ],
+)
+def test_members_of_families_are_accused_of_nothing(latex: str, reason: str) -> None:
+    (row,) = check("paper.tex", f"{MEMBERS}$${latex}$$").rows
+    assert row.outcome == "not judged"
+    assert reason in row.reason
+
+
+def test_a_family_may_have_more_in_its_index() -> None:
+    sums = r"$$c=\sum_{i=1}^2d_{bi}=d_{b1}+d_{b2}=d_{b1}+d_2$$"
+    found = [row.outcome for row in check("paper.tex", MEMBERS + sums).rows]
+    assert found == ["DEFINITION", "PROVED", "not judged"]

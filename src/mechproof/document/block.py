@@ -192,9 +192,13 @@ def _read_letter(
     by = running[1] if running else ""
     stem = names[0][: running.start()].strip() if running else names[0]
     family = _FAMILY.match(stem) if by and len(names) == 1 else None
-    if family and _list_signs(family[2]) == _list_signs(by):
+    signs, own = _list_signs(family[2]) if family else [], _list_signs(by)
+    if family and own and signs[-len(own) :] == own:
+        # What stands before the letters of the index is a part of the name: d_{bi} (i).
+        before = "".join(signs[: -len(own)])
+        printed = f"{family[1]}_{{{before}#}}" if before else family[1]
         name = symbol.strip() or stem
-        return Declared((family[1],), meaning, unit, conditions, symbol=name, is_family=True)
+        return Declared((printed,), meaning, unit, conditions, symbol=name, is_family=True)
     # What depends on several is no motion.
     by = "" if "," in by else by
     names[0] = stem if by else names[0]

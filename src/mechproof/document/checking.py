@@ -18,6 +18,7 @@ from mechproof.document.constrained_rows import (
 )
 from mechproof.document.doubts import (
     doubt_by_factors,
+    doubt_by_indices,
     doubt_by_letters,
     doubt_by_positions,
     doubt_by_rates,
@@ -154,6 +155,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
+        rows |= dict(doubt_by_indices(tasks, rows))
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))

@@ -16,6 +16,7 @@ from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition, Equality
+from mechproof.record.parts import find_free
 
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
@@ -69,6 +70,32 @@ def _is_linear(expression: sp.Expr, letter: sp.Basic | None) -> bool:
     """Return whether an equation is solved for a letter by a division."""
     above = sp.fraction(sp.together(expression))[0]
     return bool(above.is_polynomial(letter)) and sp.degree(above, letter) == 1
+
+
+def doubt_by_indices(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse no equation of members of families for each index, which nothing binds."""
+    for n, task in enumerate(tasks):
+        if rows[n].outcome == Verdict.ILL_FORMED.value and (free := _list_indices(task)):
+            names = ", ".join(sorted(map(str, free)))
+            reason = f"it holds for each {names}, as it seems: members of families are judged alone"
+            yield n, make_row(task, reason)
+
+
+def _list_indices(task: Task) -> set[sp.Basic]:
+    """List the letters of indices on both sides that are no letters of the paper."""
+    says = task.row.says
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    sides = (says.printed, says.symbol) if isinstance(says, Definition) else sides
+    indices = [
+        {i for s in find_free(side) if isinstance(s, sp.Indexed) for i in s.indices}
+        # A sum has its members among its free symbols, though not its index.
+        & find_free(side)
+        for side in sides
+    ]
+    common = set.intersection(*indices) if indices else set()
+    return common - {v.symbol for v in task.paper.variables}
 
 
 def doubt_by_rates(

@@ -57,6 +57,7 @@ from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
+_MEMBER = ", a member of a family: declare it as a letter of its own"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)
 # What a print with a double sign may do.
@@ -278,6 +279,7 @@ class Document:
             _, told, reason = str(error).partition(f"row {printed.name!r}: ")
             # What follows tells authors of modules what to declare.
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
+            known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
     def _leave(self, printed: Printed, state: State, reason: str, remedy: str = "") -> Left:

@@ -55,7 +55,7 @@ class Names:
         """Return the longest name that stands at a place; of equal ones that without index."""
         candidates = self._by_first.get(tokens[place].text, ()) if place < len(tokens) else ()
         found = filter(None, (_fit(name, tokens, place) for name in candidates))
-        return max(found, key=lambda m: (m.end, INDEX not in m.name.signs), default=None)
+        return max(found, key=_rank, default=None)
 
     def find(self, *signs: str) -> Name | None:
         """Return the name that is exactly these signs."""
@@ -99,6 +99,12 @@ def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
         else:
             return None
     return Match(name, place, tuple(indices))
+
+
+def _rank(match: Match) -> tuple[int, bool, int]:
+    """Prefer the longer match, what has no index of a family, and the family that says more."""
+    signs = match.name.signs
+    return match.end, INDEX not in signs, len(signs)
 
 
 def find_brace(tokens: Sequence[Token], place: int) -> int:

@@ -29,7 +29,7 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
     """
     start = parser.start
     text = parser.take().text
-    while is_digit(parser.text) or (parser.text == "." and "." not in text):
+    while is_digit(parser.text) or (_is_point(parser) and "." not in text):
         if parser.start != parser.end and "." not in (parser.text, text[-1]):
             if in_list:
                 break
@@ -61,6 +61,11 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
             rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
         )
     return Number(text, start=start, end=parser.end)
+
+
+def _is_point(parser: Parser) -> bool:
+    """Return whether a decimal point stands here, and no stop behind a row of cases."""
+    return parser.text == "." and not parser.peek(1).startswith((r"\end{", r"\\"))
 
 
 def _is_grouped(parser: Parser, start: int) -> bool:

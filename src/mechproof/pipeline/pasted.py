@@ -145,7 +145,8 @@ def _unwrap(latex: str) -> str:
     for opening, closing in _WRAPPERS:
         if len(text) > len(opening) + len(closing) and text.startswith(opening):
             text = text.removeprefix(opening).removesuffix(closing).strip()
-    return text.rstrip(".,;").rstrip()
+    kept = text.rstrip(".,;").rstrip()
+    return f"{kept}." if kept.endswith(r"\right") else kept
 
 
 def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
