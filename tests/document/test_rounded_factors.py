@@ -25,7 +25,7 @@ PRINTS = {
     "a wrong digit": ("c=1.42a", OPEN),
     "a wrong digit behind a decimal that is right": ("c=1.4143a", OPEN),
     "a step": (r"d=\frac{\sqrt5}2a=1.12a", "PROVED"),
-    "a wrong step": (r"d=\frac{\sqrt5}2a=1.21a", OPEN),
+    "a wrong step": (r"d=\frac{\sqrt5}2a=1.21a", "REFUTED"),
     "of letters that cancel": (r"\frac cb=1.63", "PROVED"),
     "a wrong one of letters that cancel": (r"\frac cb=1.64", "REFUTED"),
     "two decimals": (r"c=1.41\cdot1.0a", OPEN),
@@ -44,3 +44,10 @@ def test_a_factor_is_recomputed(name: str) -> None:
     latex, expected = PRINTS[name]
     parts = (BLOCK, DIAGONAL, HEIGHT, rf"\begin{{equation}}{latex}\end{{equation}}")
     assert check("paper.tex", "\n".join(parts)).rows[-1].outcome == expected
+
+
+@pytest.mark.parametrize(("latex", "outcome"), [("b=2c", OPEN), ("b=3c", "REFUTED")])
+def test_an_exact_print_behind_a_rounded_one_is_not_accused(latex: str, outcome: str) -> None:
+    rounded = r"\begin{equation}b=2.82a\end{equation}"
+    text = f"{BLOCK}{DIAGONAL}{rounded}\\begin{{equation}}{latex}\\end{{equation}}"
+    assert check("paper.tex", text).rows[-1].outcome == outcome

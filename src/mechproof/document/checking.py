@@ -17,6 +17,7 @@ from mechproof.document.constrained_rows import (
     solve_constraints,
 )
 from mechproof.document.doubts import (
+    doubt_by_decimals,
     doubt_by_factors,
     doubt_by_indices,
     doubt_by_letters,
@@ -156,6 +157,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
         rows |= dict(doubt_by_indices(tasks, rows))
+        rows |= dict(doubt_by_decimals(tasks, rows))
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))

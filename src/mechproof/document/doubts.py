@@ -13,11 +13,14 @@ from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.letters import name_symbol
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
+from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition, Equality
 from mechproof.record.parts import find_free
 
+# Two digits of a decimal.
+_ROUNDING = sp.Rational(1, 100)
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 # Strengths and stiffnesses have factors such as 64, 192 or 384.
@@ -96,6 +99,25 @@ def _list_indices(task: Task) -> set[sp.Basic]:
     ]
     common = set.intersection(*indices) if indices else set()
     return common - {v.symbol for v in task.paper.variables}
+
+
+def doubt_by_decimals(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse no exact print that differs little from one before it that has a rounded decimal."""
+    rounded = {task.row.number for task in tasks if task.is_rounded}
+    for n, task in enumerate(tasks):
+        says, first = task.row.says, task.sign.first
+        is_compared = _is_refuted(rows[n]) and first in rounded and not task.is_rounded
+        if not (is_compared and isinstance(says, Equality)):
+            continue
+        domain = Domain.of(task.paper, task.row.on)
+        one, other = (domain.resolve(side) for side in (says.printed, says.rebuilt))
+        if not all(isinstance(side, sp.Expr) for side in (one, other)) or other == 0:
+            continue
+        ratio = sp.cancel(one / other)
+        if ratio.is_number and abs(ratio - 1) < _ROUNDING:
+            yield n, make_row(task, f"it differs from {first} by no more than rounding may explain")
 
 
 def doubt_by_rates(

@@ -5,6 +5,7 @@ What stands beside the decimal is put on the other side, which is a number then.
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import sympy as sp
@@ -15,13 +16,15 @@ from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, PrintedNumber
 
+_DECIMAL = re.compile(r"\d\s*(?:\.|\{,\})\s*\d")
 _OPEN = "the two sides differ, but a decimal may have been rounded"
 
 
 def judge_factor(task: Task) -> Judgement | str:
     """Judge the one decimal of an equation that is a factor, where both sides agree otherwise.
 
-    What is no rounding of the recomputed number accuses nobody: more may have been rounded before.
+    What is no rounding of the recomputed number accuses nobody where more may have been rounded:
+    another decimal, or one in what defines letters.
     """
     number, sides = task.sign.factor, task.sign.sides
     if not (number and isinstance(task.row.says, Equality)):
@@ -35,5 +38,8 @@ def judge_factor(task: Task) -> Judgement | str:
         if value.free_symbols or not value.is_finite:
             continue
         found = judge(replace(task.row, says=PrintedNumber(number, value)), task.paper)
-        return found if found.verdict is Verdict.PROVED else f"{_OPEN}: {found.reason}"
+        is_alone = len(_DECIMAL.findall(task.row.printed_latex)) == 1
+        is_exact = is_alone and not sp.cancel(other / rest).free_symbols
+        is_told = found.verdict is Verdict.PROVED or is_exact
+        return found if is_told else f"{_OPEN}: {found.reason}"
     return _OPEN

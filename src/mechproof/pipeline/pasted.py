@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.document.relations import narrow
 from mechproof.latex import Reader, ReadingError
@@ -20,10 +21,13 @@ from mechproof.pipeline.pasted_letters import (
     describe,
     read_letters,
 )
+from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
+from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Definition, Equality, Equation, Paper, Part, Row, Variable
 from mechproof.record.parts import find_bound
+from mechproof.record.relations import find_slack
 from mechproof.tools.processes import WorkerError, run_tasks
 
 NUMBER = "(pasted)"
@@ -76,7 +80,7 @@ def judge_pasted(pasted: Pasted) -> Checked:
     letters = read_letters(pasted)
     variables, notation = letters.variables, letters.notation
     printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
-    needed = letters.needed
+    needed = _leave_out_shown(letters.needed, variables, [*letters.relations, *printed])
     variables, relations = count_from_zero(variables, [*letters.relations, *needed, *printed])
     said = {s for relation in relations for s in relation.free_symbols}
     variables, where = narrow(variables, relations)
@@ -93,6 +97,22 @@ def judge_pasted(pasted: Pasted) -> Checked:
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     return Checked(read, {v.latex[0]: describe(v) for v in variables})
+
+
+def _leave_out_shown(
+    needed: Sequence[Relational], variables: Sequence[Variable], said: Sequence[sp.Basic]
+) -> list[Relational]:
+    """Return what is needed so that values are real and does not follow from what is said."""
+    if not needed:
+        return []
+    narrowed, where = narrow(*count_from_zero(variables, said))
+    domain = Domain.of(Paper("pasted", "", narrowed, ()), Part("", where=where))
+    return [r for r in needed if not _is_shown(r, domain)]
+
+
+def _is_shown(relation: Relational, domain: Domain) -> bool:
+    slack = find_slack(relation)
+    return is_shown(slack, domain) if slack else is_nonzero(relation.lhs, domain)
 
 
 def _compare_tied(row: Row, tied: Collection[sp.Basic]) -> Row:

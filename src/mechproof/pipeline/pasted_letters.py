@@ -69,7 +69,7 @@ class Letters:
     notation: Notation
     relations: Sequence[sp.Basic]
     tied: frozenset[sp.Basic]
-    needed: tuple[sp.Basic, ...]
+    needed: tuple[Relational, ...]
 
 
 def read_letters(pasted: Pasted) -> Letters:
@@ -113,7 +113,7 @@ def _refuse_rates(variables: Sequence[Variable]) -> None:
             )
 
 
-def _list_needed(variables: Sequence[Variable]) -> Iterator[sp.Basic]:
+def _list_needed(variables: Sequence[Variable]) -> Iterator[Relational]:
     """Yield what must hold so that letters that have values are real numbers."""
     values = [v.given for v in variables if v.given is not None and v.given.free_symbols]
     for value in values:

@@ -17,6 +17,7 @@ import sympy as sp
 from sympy.integrals.manualintegrate import manualintegrate
 from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
+from sympy.simplify.fu import TR8
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
@@ -284,6 +285,8 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    if integrand.free_symbols - {variable}:
+        yield from _propose_by_sums(integrand, variable)
     found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
@@ -296,6 +299,30 @@ def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
     """Solve an integral by parts that has led back to itself: I = A + c*I."""
     around = sp.expand(found).coeff(whole)
     return (found - around * whole).expand() / (1 - around) if around not in (0, 1) else found
+
+
+def _propose_by_sums(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate a product of sines and cosines of multiples as a sum of such."""
+    if not integrand.has(sp.sin, sp.cos):
+        return
+    written = sp.expand(TR8(sp.expand(integrand)))
+    terms = [_integrate_wave(term, variable) for term in sp.Add.make_args(written)]
+    if None not in terms:
+        yield sp.Add(*terms)
+
+
+def _integrate_wave(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
+    """Integrate a multiple of the sine or cosine of a linear function; None for another term."""
+    factor, wave = term.as_independent(variable)
+    if wave == 1:
+        return term * variable
+    if not isinstance(wave, sp.sin | sp.cos):
+        return None
+    slope = sp.factor(sp.diff(wave.args[0], variable))
+    if slope.has(variable) or slope == 0:
+        return None
+    turned = -sp.cos(wave.args[0]) if isinstance(wave, sp.sin) else sp.sin(wave.args[0])
+    return factor * turned / slope
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
