@@ -136,7 +136,7 @@ def test_no_other_integral_is_nothing(value: sp.Integral) -> None:
 def test_what_is_no_continuous_antiderivative_is_no_proof(
     value: sp.Integral, proposed: sp.Expr, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(integrals, "_propose", lambda *_: [proposed])
+    monkeypatch.setattr(integrals, "propose", lambda *_: [proposed])
     _, (_, lower, upper) = value.args
     told = proposed.subs(x, upper) - proposed.subs(x, lower)
     prove = lambda left, right, domain: "equal" if left == right else None  # noqa: E731

@@ -1,23 +1,18 @@
 """Rung: a definite integral has the value that an antiderivative gives.
 
 SymPy only proposes the antiderivative. It counts if its derivative is proved to be the integrand
-inside the limits and both are continuous up to them: the fundamental theorem of calculus. One by
-tan(x/2) jumps at odd multiples of pi; its arctangent is written without a jump (Jeffrey 1993).
+inside the limits and both are continuous up to them: the fundamental theorem of calculus.
 An improper integral has the value of the limits at its ends, where these are shown.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
-from sympy.integrals.manualintegrate import manualintegrate
-from sympy.integrals.rationaltools import ratint, ratint_ratpart
-from sympy.polys.polyerrors import PolynomialError
-from sympy.simplify.fu import TR8
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
@@ -27,8 +22,9 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import compare
-from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.proof.signs import is_nonzero
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
 
@@ -39,7 +35,6 @@ _MOST_ZEROS = 12
 # Points at which sides are compared first, and the bits of their balls.
 _TRIED = 2
 _PRECISION = (64,)
-_TANGENT = sp.Dummy("t", real=True)
 
 
 def decide_by_antiderivative(
@@ -172,7 +167,7 @@ def _find_by_antiderivative(
     running = _put(integrand, variable, place)
     if find_break(running, variable, inside) is not None:
         return None
-    for candidate in _propose(integrand, variable, domain):
+    for candidate in propose(integrand, variable, domain):
         moved = _put(candidate, variable, place)
         if _may_divide_by_zero(moved, inside):
             # So will all others.
@@ -255,159 +250,3 @@ def _list_zeros(
             shift = sp.pi / 2 if isinstance(inner, sp.cos) else sp.S.Zero
             found = [(sp.pi * k + shift - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS)]
     return sorted((z for z in found if inside.contains(z) == sp.true), key=sp.N)
-
-
-def _propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
-    """Propose antiderivatives; SymPy is told which parameters are positive, and decides nothing."""
-    told = {
-        s: sp.Dummy(s.name, positive=True)
-        for s in sorted(integrand.free_symbols - {variable}, key=str)
-        if is_positive(s, domain)
-    }
-    back = {dummy: symbol for symbol, dummy in told.items()}
-    met: set[sp.Expr] = set()
-    for known in dict.fromkeys((integrand.xreplace(told), integrand)):
-        for proposed in _propose_any(known, variable):
-            for candidate in _turn_logarithms(proposed.xreplace(back)):
-                if candidate not in met:
-                    met.add(candidate)
-                    yield candidate
-
-
-def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
-    """Yield an antiderivative with ln u, and with ln(-u) for where u is negative."""
-    yield candidate
-    logarithms = sorted(candidate.atoms(sp.log), key=sp.default_sort_key)
-    turned = {node: sp.log(-node.args[0]) for node in logarithms if node.args[0].free_symbols}
-    if turned:
-        yield candidate.xreplace(turned)
-        yield from (candidate.xreplace({node: turned[node]}) for node in turned)
-
-
-def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    if integrand.free_symbols - {variable}:
-        yield from _propose_by_sums(integrand, variable)
-    found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
-    if not found.has(sp.Integral):
-        yield from _list_pieces(found)
-    for propose in (_propose_by_half_angle, _propose_by_tangent, _propose_by_fractions):
-        with suppress(PolynomialError, NotImplementedError):
-            yield from propose(integrand, variable)
-
-
-def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
-    """Solve an integral by parts that has led back to itself: I = A + c*I."""
-    around = sp.expand(found).coeff(whole)
-    return (found - around * whole).expand() / (1 - around) if around not in (0, 1) else found
-
-
-def _propose_by_sums(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a product of sines and cosines of multiples as a sum of such."""
-    if not integrand.has(sp.sin, sp.cos):
-        return
-    written = sp.expand(TR8(sp.expand(integrand)))
-    terms = [_integrate_wave(term, variable) for term in sp.Add.make_args(written)]
-    if None not in terms:
-        yield sp.Add(*terms)
-
-
-def _integrate_wave(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
-    """Integrate a multiple of the sine or cosine of a linear function; None for another term."""
-    factor, wave = term.as_independent(variable)
-    if wave == 1:
-        return term * variable
-    if not isinstance(wave, sp.sin | sp.cos):
-        return None
-    slope = sp.factor(sp.diff(wave.args[0], variable))
-    if slope.has(variable) or slope == 0:
-        return None
-    turned = -sp.cos(wave.args[0]) if isinstance(wave, sp.sin) else sp.sin(wave.args[0])
-    return factor * turned / slope
-
-
-def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in the sine and cosine of the variable by t = tan(x/2).
-
-    With sines, x is also counted from a quarter turn: of a + b*sin(x) the angle then stays small.
-    """
-    t = _TANGENT
-    circle = {sp.sin(variable): 2 * t / (1 + t**2), sp.cos(variable): (1 - t**2) / (1 + t**2)}
-    for shift in (sp.S.Zero, sp.pi / 2) if integrand.has(sp.sin) else (sp.S.Zero,):
-        turned = sp.expand_trig(integrand.subs(variable, variable + shift))
-        rational = turned.xreplace(circle) * 2 / (1 + t**2)
-        for found in _propose_by_slope(rational, variable, variable):
-            yield found.subs(variable, variable - shift)
-
-
-def _propose_by_tangent(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by t = tan x what a half turn does not change."""
-    t, c, s = _TANGENT, sp.Dummy("c"), sp.Dummy("s")
-    written = sp.expand_trig(integrand).xreplace({sp.sin(variable): s, sp.cos(variable): c})
-    tangent = sp.cancel(sp.together(written.subs(s, t * c)))
-    above, below = (sp.Poly(part, c) for part in sp.fraction(tangent))
-    powers = [m[0] for polynomial in (above, below) for m in polynomial.monoms()]
-    if any((power - powers[0]) % 2 for power in powers):
-        return
-    rational = tangent.subs(c, 1 / sp.sqrt(1 + t**2)) / (1 + t**2)
-    yield from _propose_by_slope(rational, 2 * variable, variable)
-
-
-def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in t, the tangent of half an angle."""
-    t = _TANGENT
-    rational = sp.together(rational)
-    if rational.has(variable):
-        return
-    whole, rest = ratint_ratpart(*sp.fraction(sp.cancel(rational)), t)
-    found = manualintegrate(sp.apart(rest, t), t)
-    if not found.has(sp.Integral):
-        turned = found.replace(sp.atan, lambda slope: _turn(slope, double))
-        turned = turned.subs(t, sp.sin(double) / (1 + sp.cos(double)))
-        yield from _list_pieces(_turn_fraction(whole, double) + turned)
-
-
-def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors."""
-    if not integrand.is_rational_function(variable):
-        return
-    found = manualintegrate(sp.apart(integrand, variable), variable)
-    if not found.has(sp.Integral):
-        yield from _list_pieces(found)
-    if integrand.free_symbols == {variable}:
-        yield ratint(integrand, variable, real=True)
-
-
-def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
-    """List what SymPy proposes for one sign of a parameter and for the other."""
-    node = min(candidate.atoms(sp.Piecewise), key=sp.default_sort_key, default=None)
-    if node is None:
-        yield candidate
-        return
-    for value, _ in node.args:
-        yield from _list_pieces(candidate.xreplace({node: value}))
-
-
-def _turn_fraction(fraction: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """Write a fraction of t = tan(angle/2) by sine and cosine, without a pole of t."""
-    c, s = sp.symbols("c s", cls=sp.Dummy)
-    square = (1 - c) / (1 + c)
-    above, below = (
-        sum(
-            factor * square ** (power // 2) * (s / (1 + c)) ** (power % 2)
-            for (power,), factor in sp.Poly(part, _TANGENT).terms()
-        )
-        for part in sp.fraction(fraction)
-    )
-    return sp.cancel(above / below).xreplace({c: sp.cos(angle), s: sp.sin(angle)})
-
-
-def _turn(slope: sp.Expr, variable: sp.Expr) -> sp.Expr:
-    """Write atan(a*t + b), t = tan(x/2), as x/2 and an angle that does not jump."""
-    slope = sp.expand(slope)
-    a, b = slope.coeff(_TANGENT, 1), slope.coeff(_TANGENT, 0)
-    if slope != sp.expand(a * _TANGENT + b):
-        return sp.atan(slope)
-    sine, cosine = sp.sin(variable), sp.cos(variable)
-    across = (a - 1) * sine + b * (1 + cosine)
-    along = (1 + cosine) + a * (1 - cosine) + b * sine
-    return variable / 2 + sp.atan(across / along)
