@@ -21,6 +21,13 @@ ROWS = [
     (r"e^x=2^x", ("e=2",), (), PROVED),
     (r"\frac{\pi D^2}4-\frac{\pi d^2}4=\frac\pi4(D-d)(D+d)", (), (), PROVED),
     (r"\frac d2+\frac d2=d", (), (), PROVED),
+    (r"\frac n{n+1}<1\quad(n\in\mathbb N)", (), (), PROVED),
+    (r"|\sin x|\le1,\quad x\in\mathbb{R}", (), (), PROVED),
+    (r"|\sin x|<1\quad(x\in\mathbb{R})", (), (), REFUTED),
+    (r"\sin(\pi n)=0", (), (r"n\in\mathbb N",), PROVED),
+    (r"\int_0^\pi\cos(nx)\,dx=0", (), (r"n\in\mathbb N",), PROVED),
+    (r"\int_0^\pi\cos(nx)\,dx=0", (), (r"n\in\mathbb N_0",), REFUTED),
+    (r"\cos(m\pi)\cos(n\pi)=(-1)^{m+n}\text{ for }m,n\in\mathbb{N}", (), (), PROVED),
     # What gives a letter has a real value.
     (r"|x|\le R", (r"y=\sqrt{R^2-x^2}",), ("R>0",), PROVED),
     (r"|x|\le R-1", (r"y=\sqrt{R^2-x^2}",), ("R>0",), REFUTED),

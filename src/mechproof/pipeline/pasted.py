@@ -21,6 +21,7 @@ from mechproof.pipeline.pasted_letters import (
     describe,
     read_letters,
 )
+from mechproof.pipeline.special_letters import take_set
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
@@ -76,7 +77,7 @@ def _answer(pasted: Pasted) -> Checked | str:
 
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
-    pasted = _take_condition(replace(pasted, latex=_unwrap(pasted.latex)))
+    pasted = _take_sets(_take_condition(replace(pasted, latex=_unwrap(pasted.latex))))
     letters = read_letters(pasted)
     variables, notation = letters.variables, letters.notation
     printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
@@ -131,6 +132,18 @@ def _take_condition(pasted: Pasted) -> Pasted:
     (arrow,) = arrows
     condition, conclusion = pasted.latex[: arrow.start], pasted.latex[arrow.end :]
     return replace(pasted, latex=conclusion, where=(*pasted.where, condition.strip()))
+
+
+def _take_sets(pasted: Pasted) -> Pasted:
+    r"""Let letters count that are said to, n\in\mathbb{N}; all letters are real numbers anyway."""
+    taken = [take_set(text) for text in (pasted.latex, *pasted.where)]
+    members = [(letter, kind) for _, letters, kind in taken for letter in letters]
+    counts = [letter for letter, kind in members if kind.startswith("N")]
+    zeros = [rf"{letter}\ge0" for letter, kind in members if kind == "N_0"]
+    where = [text for text, _, kind in taken[1:] if text or not kind]
+    natural = tuple(dict.fromkeys((*pasted.natural, *counts)))
+    latex = taken[0][0] or pasted.latex
+    return replace(pasted, latex=latex, where=(*where, *zeros), natural=natural)
 
 
 def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:

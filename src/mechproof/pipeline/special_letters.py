@@ -11,6 +11,19 @@ EULER = r"e=\mathrm{e}"
 _LOGARITHMS = (r"\ln", r"\log")
 # A derivative, or an integral, has a d that is no letter.
 _DIFFERENTIAL = re.compile(r"\\i{0,2}int(?![A-Za-z])|\}\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]")
+# Of which numbers letters are, behind a print: \quad(n\in\mathbb{N}).
+_SET = re.compile(
+    r"\\in\s*\\mathbb\s*\{?\s*(?P<set>[NR])\s*\}?(?P<zero>_\{?0\}?)?\s*(?P<close>\)?)\s*\Z"
+)
+_LETTER = r"\\?[A-Za-z]+(?:_\w)?"
+_BREAK = r"(?<!\\)[,;]|\\q?quad(?![A-Za-z])|\\text\{\s*,?\s*(?:for(?: all)?|with|where|if)\s*\}|\A"
+_LETTERS = re.compile(
+    rf"(?:{_BREAK}|(?=\())(?:\s|\\[,;:! ])*(?P<open>\(?)\s*(?:\\forall\s*)?"
+    rf"(?P<letters>{_LETTER}(?:\s*,\s*{_LETTER})*)\s*\Z"
+)
+_ENDS = (",", ";", r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad")
+# Characters before a set among which its letters stand.
+_NEAR = 60
 # An eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 
@@ -51,3 +64,21 @@ def has_letter_d(latex: str) -> bool:
     texts = [token.text for token in tokenize(latex)]
     behind = [texts[place + 1 : place + 2] for place, text in enumerate(texts) if text == "d"]
     return bool(behind) and ["_"] not in behind
+
+
+def take_set(latex: str) -> tuple[str, tuple[str, ...], str]:
+    r"""Return a print without x\in\mathbb{R} behind it, the letters of it, and of which set: R, N.
+
+    The set of whole numbers from 0 on is N_0; nothing is taken of a print without a set.
+    """
+    end = latex.rfind(r"\in")
+    kind = _SET.match(latex, end) if end >= 0 else None
+    start = max(end - _NEAR, 0)
+    said = _LETTERS.search(latex[start:end]) if kind else None
+    if kind is None or said is None or bool(said["open"]) != bool(kind["close"]):
+        return latex, (), ""
+    before = latex[: start + said.start()].rstrip()
+    while before.endswith(_ENDS):
+        before = before[: -max(len(one) for one in _ENDS if before.endswith(one))].rstrip()
+    letters = tuple(letter.strip() for letter in said["letters"].split(","))
+    return before, letters, kind["set"] + ("_0" if kind["zero"] else "")
