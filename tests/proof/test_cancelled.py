@@ -77,3 +77,27 @@ def test_a_value_where_a_cancelled_divisor_is_zero_is_refused() -> None:
 @pytest.mark.parametrize("latex", [r"\frac{x^2-1}{x-1}=x+1", r"\frac{x-\frac34}{x-\frac34}=1"])
 def test_single_places_without_a_value_are_left_out(latex: str) -> None:
     assert judge(latex) is Verdict.PROVED
+
+
+ENDLESS = [
+    (r"\lim_{x\to\infty}\mathrm e^x=\infty", Verdict.PROVED),
+    (r"\lim_{x\to-\infty}\mathrm e^x=\infty", Verdict.REFUTED),
+    (r"\lim_{x\to-\infty}x^3=\infty", Verdict.REFUTED),
+    (r"\lim_{x\to0}\frac1{x^2}=\infty", Verdict.PROVED),
+    (r"\lim_{x\to0}\frac1{x^2}=1", Verdict.REFUTED),
+    # From both sides it goes to unlike ends; within a formula infinity is no number.
+    (r"\lim_{x\to0}\frac1x=\infty", Verdict.UNDECIDED),
+    (r"\lim_{x\to\infty}x-\lim_{x\to\infty}x=0", Verdict.UNDECIDED),
+    (r"\lim_{x\to\infty}x=1+\lim_{x\to\infty}x", Verdict.UNDECIDED),
+]
+
+
+@pytest.mark.parametrize(("latex", "verdict"), ENDLESS)
+def test_infinity_is_no_other_value(latex: str, verdict: Verdict) -> None:
+    assert judge(latex) is verdict
+
+
+def test_a_side_without_a_value_is_told() -> None:
+    (judgement,) = judge_pasted(Pasted(r"\frac{x^2-1}{x-1}=x+1", values=("x=1",))).judgements
+    assert judgement.verdict is Verdict.UNDECIDED
+    assert judgement.reason == "a side has no value for what is given"

@@ -10,7 +10,6 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.arithmetic import balls
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
@@ -28,6 +27,7 @@ from mechproof.proof.definedness import (
 from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
+from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import settle_limits
@@ -43,7 +43,7 @@ from mechproof.proof.refutation import (
 )
 from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.witness_text import name_bound, show_plainly
+from mechproof.proof.witness_text import LONGEST, clip
 from mechproof.record import (
     Completion,
     Completions,
@@ -66,8 +66,6 @@ from mechproof.record.substitution import substitute
 UNCOMPARED = "nothing to compare with"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
-# Characters of an expression that a reason names.
-_LONGEST = 240
 # Of the entries of a matrix those are told that are judged worst.
 _WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
 _SETTLED = {
@@ -75,7 +73,6 @@ _SETTLED = {
     PARTIAL_SUMS: settle_endless,
     KNOWN_SERIES: settle_series,
 }
-_SIGNS = {"==": "=", "!=": "differs from"}
 
 
 class ContradictionError(RuntimeError):
@@ -110,7 +107,7 @@ def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answe
             answer = _decide_sides(printed, rebuilt, domain)
             return replace(answer, rung=f"{rung}, {answer.rung}")
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
-        return Answer(Verdict.UNDECIDED, "none", _clip(f"{limits[0]} is not worked out"))
+        return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
     return _decide_scalars(printed, rebuilt, domain)
@@ -148,6 +145,8 @@ def _tell_all(failed: Mapping[str, Answer], rung: str = "") -> Answer:
 
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
     sides = printed, rebuilt
+    if found := decide_endless(sides):
+        return found
     if rung := prove_equal(printed, rebuilt, domain):
         return _report_equal(sides, domain, rung)
     if rung := prove_where_defined(printed, rebuilt, domain):
@@ -184,13 +183,13 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
 
 def _tell_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
     told = dict.fromkeys(need.tell() for listed in needs for need in listed)
-    return _clip(f"it is true where {' and '.join(told)}, which is not shown")
+    return clip(f"it is true where {' and '.join(told)}, which is not shown")
 
 
 def _tell_needs(needs: Sequence[list[Slack]]) -> str:
     """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
     told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
-    return told if len(told) <= _LONGEST else "every root and logarithm has a real value"
+    return told if len(told) <= LONGEST else "every root and logarithm has a real value"
 
 
 def _find_break(
@@ -218,7 +217,7 @@ def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
 
 def _report_unproved(comparison: Comparison, why: str) -> Answer:
     agreeing, undecided = comparison.agreeing, comparison.undecided
-    told = [_clip(why)]
+    told = [clip(why)]
     if agreeing:
         points = "1 exact point" if agreeing == 1 else f"{agreeing} exact points"
         within = f" within {comparison.widest}" if comparison.widest else ""
@@ -243,7 +242,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return Answer(Verdict.UNDECIDED, "none", reason)
     relation = _put_in(statement.relation, domain)
     if has_parts(relation, sp.Limit):
-        return Answer(Verdict.UNDECIDED, "none", _clip(f"{relation}: a limit is not worked out"))
+        return Answer(Verdict.UNDECIDED, "none", clip(f"{relation}: a limit is not worked out"))
     if isinstance(statement.relation, sp.And):
         parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
@@ -252,7 +251,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         if any(inside):
             return Answer(Verdict.UNDECIDED, "none", _tell_inside(inside))
         sign = getattr(statement.relation, "rel_op", "")
-        return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
+        return decide_exact(relation, resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
         return _decide_sides(relation.lhs, relation.rhs, domain)
     # What few points refute need not be tried by every rung.
@@ -288,40 +287,11 @@ def _explain_relation(relation: sp.Basic, domain: Domain) -> str:
     if told := newton.explain(relation, domain):
         return told
     slack = find_slack(relation)
-    return _clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
+    return clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
 
 
 def _count(number: int) -> str:
     return "both" if number == 2 else f"all {number}"
-
-
-def _clip(text: str) -> str:
-    text = name_bound(text)
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
-
-
-def _resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
-    """Return the exact numbers that a relation compares; none where it compares no two numbers."""
-    sides = relation.args if isinstance(relation, Relational) else ()
-    resolved = tuple(domain.resolve(side) for side in sides)
-    return () if any(map(find_free, resolved)) else resolved
-
-
-def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> Answer:
-    holds = balls.truth(relation, {}, 512)
-    verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
-    outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
-    if not sides:
-        is_settled = relation in (sp.true, sp.false)
-        told = "by what defines its letters it" if is_settled else _clip(str(relation))
-        return Answer(verdicts[holds], "evaluation", f"{told} {outcome}")
-    values = [balls.evaluate(side, {}, 512) for side in sides]
-    plain, enclosed = show_plainly(*values), balls.show_apart(*values)
-    sign = f" {_SIGNS.get(sign, sign)} "
-    printed, rebuilt = enclosed if holds is False else ("", "")
-    evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
-    told = "" if holds else f" {outcome}"
-    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)}{told}", (evidence,))
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:

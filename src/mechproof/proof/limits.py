@@ -22,10 +22,15 @@ _ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp
 
 
 def settle_limits(expression: Any, domain: Domain) -> Any:
-    """Put the values of limits in their places, as far as they are shown."""
+    """Put the values of limits in their places, as far as they are shown.
+
+    An infinite one has a value where it stands alone, and none within a formula.
+    """
     limits = sorted(find_parts(expression, sp.Limit), key=sp.default_sort_key)
-    values = ((limit, _find_value(limit, domain)) for limit in limits)
-    return expression.xreplace({limit: value for limit, value in values if value is not None})
+    found = {limit: _find_value(limit, domain) for limit in limits}
+    values = {limit: value for limit, value in found.items() if value is not None}
+    finite = {limit: value for limit, value in values.items() if not value.is_infinite}
+    return expression.xreplace(finite) if expression not in values else values[expression]
 
 
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
@@ -47,10 +52,11 @@ def _find_from_sides(
     first, *others = (
         find_limit(body, variable, point, side, domain) for side in sides if defined[side]
     )
-    if first is None or first.is_infinite:
+    if first is None or None in others:
         return None
-    are_same = all(o is not None and decide_equal(first, o, domain) for o in others)
-    return first if are_same else None
+    if first.is_infinite:
+        return first if {*others} <= {first} else None
+    return first if all(decide_equal(first, other, domain) for other in others) else None
 
 
 def _find_smooth(

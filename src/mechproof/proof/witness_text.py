@@ -11,6 +11,8 @@ from mechproof.proof.dimensions import DimensionError, infer_common, is_angle
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.verdict import Evidence
 
+# Characters of an expression that a reason names.
+LONGEST = 240
 # Decimals of a fraction that is written as a decimal number.
 _MOST_DECIMALS = 6
 _DIGITS = (6, 9, 12, 16, 24, 48)
@@ -96,3 +98,9 @@ def _tell_sources(point: Point, domain: Domain) -> str:
             chosen = ", ".join(sorted(str(s) for s in point.keys() - met.keys()))
             return f", sizes of {published.source}" + (f"; chosen: {chosen}" if chosen else "")
     return ", all values chosen" if point and domain.published else ""
+
+
+def clip(text: str) -> str:
+    """Return a text that names an expression, cut where a reader no longer takes it in."""
+    text = name_bound(text)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."

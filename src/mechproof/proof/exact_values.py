@@ -1,0 +1,55 @@
+"""Rung: exact numbers, which balls compare, and what has no value or is infinite."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from mechproof.arithmetic import balls
+from mechproof.proof.domain import Domain
+from mechproof.proof.verdict import Answer, Evidence, Verdict
+from mechproof.proof.witness_text import clip, show_plainly
+from mechproof.record.parts import find_free
+
+RUNG = "evaluation"
+_SIGNS = {"==": "=", "!=": "differs from"}
+
+
+def resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
+    """Return the exact numbers that a relation compares; none where it compares no two numbers."""
+    sides = relation.args if isinstance(relation, Relational) else ()
+    resolved = tuple(domain.resolve(side) for side in sides)
+    return () if any(map(find_free, resolved)) else resolved
+
+
+def decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> Answer:
+    """Decide a relation without letters by balls of its sides, if it has two, and tell them."""
+    holds = balls.truth(relation, {}, 512)
+    verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
+    outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
+    if not sides:
+        is_settled = relation in (sp.true, sp.false)
+        told = "by what defines its letters it" if is_settled else clip(str(relation))
+        return Answer(verdicts[holds], RUNG, f"{told} {outcome}")
+    values = [balls.evaluate(side, {}, 512) for side in sides]
+    plain, enclosed = show_plainly(*values), balls.show_apart(*values)
+    sign = f" {_SIGNS.get(sign, sign)} "
+    printed, rebuilt = enclosed if holds is False else ("", "")
+    evidence = Evidence(f"{sign.join(enclosed)} {outcome}", printed=printed, rebuilt=rebuilt)
+    told = "" if holds else f" {outcome}"
+    return Answer(verdicts[holds], RUNG, f"{sign.join(plain)}{told}", (evidence,))
+
+
+def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
+    """Decide where SymPy says that a side has no value, or that one is infinite; None elsewhere."""
+    if any(side.has(sp.nan, sp.zoo) for side in sides):
+        return Answer(Verdict.UNDECIDED, "none", "a side has no value for what is given")
+    if not any(side in (sp.oo, -sp.oo) for side in sides):
+        return None
+    printed, rebuilt = (str(side).replace("oo", "infinity") for side in sides)
+    if sides[0] == sides[1]:
+        return Answer(Verdict.PROVED, RUNG, f"both sides are {printed}")
+    if not all(side.is_extended_real for side in sides):
+        return None
+    what = f"one side is {printed}, the other {rebuilt}"
+    return Answer(Verdict.REFUTED, RUNG, what, (Evidence(what),))
