@@ -21,7 +21,7 @@ from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Numbe
 from mechproof.proof.dimensions import DimensionError, infer
 from mechproof.record import FREQUENCY, NUMBER
 
-_COUNT_FROM_ZERO = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
+_IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
 # In which revolutions are counted.
 _MINUTE = "1/min"
 
@@ -66,9 +66,7 @@ def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> Non
         raise read.source.refuse(
             first.start,
             f"a number with a unit, {first.unit}, beside letters",
-            f"Declare the unit of {without}."
-            if without
-            else "Print it in units that count from zero: K for °C, rad/s for 1/min.",
+            f"Declare the unit of {without}." if without else _IN_SI,
         )
 
 

@@ -25,7 +25,7 @@ _UPRIGHT = re.compile(
 _NAMES = ("real part", "imaginary part")
 
 
-def find_unit(prints: Iterable[str]) -> str:
+def find_imaginary_unit(prints: Iterable[str]) -> str:
     r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; nothing if none does."""
     prints = list(prints)
     if upright := next(filter(None, map(_UPRIGHT.search, prints)), None):

@@ -10,7 +10,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from mechproof.document.complex_parts import find_unit
+from mechproof.document.complex_parts import find_imaginary_unit
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.extremes import find_extremes
 from mechproof.document.inline import RATE, Inline, find_inline, say_of_others
@@ -78,7 +78,7 @@ def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
-    unit = find_unit(prints)
+    unit = find_imaginary_unit(prints)
     said = dict(find_said(source))
     has_euler = _is_euler(prints)
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints

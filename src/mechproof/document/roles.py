@@ -22,7 +22,7 @@ from mechproof.document.laws import read_piece
 from mechproof.document.relations import read_relations
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
-from mechproof.latex.measures import find_factor, find_number, find_unit, is_number
+from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_behind
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
@@ -186,7 +186,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     nodes = chain.members[left : left + 2]
     is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
     if chain.relations[left] not in EQUAL and not is_rounded:
-        units = (find_unit(nodes[0]), find_unit(nodes[1]))
+        units = (name_unit_behind(nodes[0]), name_unit_behind(nodes[1]))
         limited = (_work_out(read, nodes[0], known), _work_out(read, nodes[1], known))
         return Sign(Role.RELATION, units=units, limited=limited if any(units) else (None, None))
     has_place = any(isinstance(part, At | Approach) for part in walk(nodes))

@@ -15,7 +15,7 @@ from mechproof.document.block import Declared, read_block
 from mechproof.document.calculated_sizes import calculate_sizes
 from mechproof.document.collected_sizes import collect_sizes
 from mechproof.document.commas import join_thousands, mark_decimals
-from mechproof.document.complex_parts import find_unit, is_complex
+from mechproof.document.complex_parts import find_imaginary_unit, is_complex
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import Later, define_later, find_later
@@ -98,7 +98,7 @@ class Document:
         Of a vector a size will do that follows from how it is used.
         """
         prints = [p.latex.string for p in self.printed]
-        self.block.imaginary = find_unit(prints)
+        self.block.imaginary = find_imaginary_unit(prints)
         collected = collect_letters(prints, imaginary=self.block.imaginary)
         self._uncollected = collected.unread
         letters = drop_transposition([*collected.letters, *collected.guessed], prints)

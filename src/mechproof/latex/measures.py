@@ -243,7 +243,7 @@ def _read_digits(node: Node) -> tuple[str, str]:
     return "", ""
 
 
-def find_unit(node: Node) -> str:
+def name_unit_behind(node: Node) -> str:
     """Return the unit of a number, nothing for what has none."""
     inside = _split_sign(node)[1]
     return inside.unit if isinstance(inside, Measure | Calculated) else ""
