@@ -39,8 +39,9 @@ def test_a_limit_is_proved_and_another_value_refuted(limit: str) -> None:
         sp.Limit(sp.Abs(x) / x, x, 0, "+-"),
         sp.Limit(sp.sin(x), x, sp.oo),
         sp.Limit(sp.sin(1 / x), x, 0, "+"),
-        sp.Limit(x**x, x, sp.oo),
         sp.Limit(sp.exp(x * sp.sin(x)), x, sp.oo),
+        # Within a formula infinity is no number.
+        1 + sp.Limit(x**x, x, sp.oo),
         sp.Limit((a - 1) * x, x, sp.oo),
         # Where there are no values there is no limit.
         sp.Limit(x * sp.log(x), x, 0, "-"),
@@ -49,8 +50,13 @@ def test_a_limit_is_proved_and_another_value_refuted(limit: str) -> None:
         sp.Limit(sp.sqrt(-1 - x) / x, x, sp.oo),
     ],
 )
-def test_what_has_no_limit_is_left(limit: sp.Limit) -> None:
+def test_what_has_no_limit_is_left(limit: sp.Expr) -> None:
     assert settle_limits(limit, DOMAIN) == limit
+
+
+def test_an_infinite_limit_that_stands_alone_is_told() -> None:
+    assert settle_limits(sp.Limit(x**x, x, sp.oo), DOMAIN) == sp.oo
+    assert settle_limits(sp.Limit(sp.log(x), x, 0, "+"), DOMAIN) == -sp.oo
 
 
 def test_one_side_does_not_speak_for_the_other() -> None:
