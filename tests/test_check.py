@@ -194,7 +194,7 @@ REFUSED = [
     ([r"|x|=x\text{ for }x=1"], "by --let"),
     ([r"|x|=x,\ x>0,\ x<0"], "no value of x"),
     ([r"y=2x,\ y>0"], "its condition"),
-    ([r"|x|=x,\ x\in\mathbb N"], "--natural"),
+    ([r"|x|=x,\ x\in\mathbb Z"], "--natural"),
     ([r"x_{\alpha}=x_{alpha}"], "too much alike"),
     ([r"\int_0^1x_{\alpha}x_{alpha}\,dx_{alpha}=1"], "would be taken for"),
     ([r"\overline{x+y}=\bar x+\bar y"], r"--name '\overline{x+y}'"),
