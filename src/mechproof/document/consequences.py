@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from mechproof.document.constraints import find_combination, find_multiple, list_divisors
+from mechproof.document.constraints import find_combination, find_multiple, list_factors_below
 from mechproof.document.tasks import Task
 from mechproof.document.witnesses import hold_together
 from mechproof.proof.domain import Domain
@@ -37,7 +37,7 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
         if rest != 0:
             reason = f"cannot hold together with {name}: {reason}, plus {rest}"
             return Verdict.DEFINITION, GIVEN, reason
-        if hold_together([other.residual], domain, list_divisors(task.residual)):
+        if hold_together([other.residual], domain, list_factors_below(task.residual)):
             return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
     return _combine(task, others, domain)
 
@@ -59,7 +59,7 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
     for known in (given, *_list_rates(task, alone)):
         multipliers = find_combination(task.residual, list(known.values()), domain)
         used = {n: m for n, m in zip(known, multipliers or (), strict=False) if m != 0}
-        divisors = list_divisors(task.residual)
+        divisors = list_factors_below(task.residual)
         if used and hold_together([known[name] for name in used], domain, divisors):
             parts = ", plus ".join(f"{name} times {m}" for name, m in used.items())
             reason = f"follows from constraints, taken as given: left - right is {parts}"
@@ -88,7 +88,7 @@ def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
         if not known or rest == task.residual:
             return None
     is_shown = decide(Equality(rest, sp.S.Zero), domain).verdict is Verdict.PROVED
-    if not is_shown or not hold_together([*used.values()], domain, list_divisors(rest)):
+    if not is_shown or not hold_together([*used.values()], domain, list_factors_below(rest)):
         return None
     reason = f"follows from {', '.join(used)}, taken as given, and from derivatives of these"
     return Verdict.PROVED, COMBINATION, reason

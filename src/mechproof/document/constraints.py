@@ -22,7 +22,7 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.preparation import take_values
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Equality
+from mechproof.record import Equality, list_divisors
 
 # Operations of residuals beyond which no multiplier is looked for.
 LARGEST = 1000
@@ -91,11 +91,9 @@ def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr,
     return tuple(found) if found and any(found) else None
 
 
-def list_divisors(expression: sp.Expr) -> list[sp.Expr]:
+def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
     """Return the factors by which an expression is divided, as tangents are by cosines."""
-    powers = (one for one in expression.atoms(sp.Pow) if one.exp.could_extract_minus_sign())
-    cosines = (sp.cos(one.args[0]) for one in expression.atoms(sp.tan))
-    below = sp.Mul(*(power.base for power in powers), *cosines)
+    below = sp.Mul(*list_divisors(expression))
     if any(power.exp.could_extract_minus_sign() for power in below.atoms(sp.Pow)):
         # By the fractions in it is divided elsewhere.
         below = sp.numer(sp.together(below))
@@ -104,11 +102,11 @@ def list_divisors(expression: sp.Expr) -> list[sp.Expr]:
 
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
     """Return whether multipliers have values where the residual has one."""
-    own = {*list_divisors(residual)}
+    own = {*list_factors_below(residual)}
     # Multipliers have the sines of sums written out, which has poles for tangents alone.
     own |= {sp.expand_trig(factor) for factor in own if not factor.has(sp.tan)}
     own |= {-factor for factor in own}
-    divisors = {factor for one in multipliers for factor in list_divisors(one)} - own
+    divisors = {factor for one in multipliers for factor in list_factors_below(one)} - own
     return all(is_nonzero(factor, domain) for factor in divisors)
 
 
