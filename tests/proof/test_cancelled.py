@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import pytest
 
 from mechproof.latex import ReadingError
@@ -36,6 +38,32 @@ NEVER = [
     (r"\frac{n-7}{n-7}=1", ""),
     (r"\frac{(n^2-49)x}{n^2-49}=x", ""),
 ]
+# These have none where a letter is bound, or for a matrix that has no inverse.
+NEVER += [
+    (rf"{binding}\frac{{\sin^2x+\cos^2x-1}}{{\sin^2x+\cos^2x-1}}{rest}", "")
+    for binding, rest in [
+        (r"\lim_{x\to0}", "=1"),
+        (r"\int_0^1", r"\,dx=1"),
+        (r"\frac d{dx}", "=0"),
+    ]
+]
+NEVER += [(r"\frac{\int_0^1x\,dx-\frac12}{\int_0^1x\,dx-\frac12}=1", "")]
+_DIAGONAL = r"\begin{pmatrix}x&0\\0&1\end{pmatrix}"
+_UNITY = r"\begin{pmatrix}1&0\\0&1\end{pmatrix}"
+GIVEN += [
+    (r"\int_0^1\frac xx\,dt=1", "x=0"),
+    (rf"{_DIAGONAL}{_DIAGONAL}^{{-1}}={_UNITY}", "x=0"),
+]
+# Of whole numbers n; SymPy 1.14 takes the first two tangents for 0, the next for \tan x.
+TANGENTS = [
+    (r"\tan\left(n\pi+\frac\pi2\right)=0", ""),
+    (r"\lim_{x\to n\pi+\frac\pi2}\tan x=0", ""),
+    (r"\tan\left(n\pi+\frac\pi2+x\right)=\tan x", ""),
+    (r"\tan x=0", r"x=n\pi+\frac\pi2"),
+    (r"\left.\tan x\right|_{x=n\pi+\frac\pi2}=0", ""),
+    (r"\sum_{k=1}^n\tan\left(k\pi+\frac\pi2\right)=0", ""),
+    (r"\cot\left(n\pi\right)-\cot\left(n\pi\right)=0", ""),
+]
 # Sums keep what their terms have lost, whatever divides them.
 SUMS = [r"\sum_{n=1}^5\frac{n-3}{n-3}=5", r"\sum_{n=1}^5(n-3)(n-3)^{-1}=5"]
 
@@ -60,6 +88,21 @@ def test_a_letter_that_makes_a_cancelled_divisor_zero_leaves_no_value(
 @pytest.mark.parametrize(("latex", "where"), NEVER)
 def test_a_quotient_of_zeros_is_not_one(latex: str, where: str) -> None:
     assert judge(latex, where=where) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(("latex", "value"), TANGENTS)
+def test_a_tangent_at_its_pole_has_no_value(latex: str, value: str) -> None:
+    pasted = Pasted(latex, values=(value,) if value else (), natural=("n",))
+    verdicts = []
+    with suppress(ReadingError):
+        verdicts = [judgement.verdict for judgement in judge_pasted(pasted).judgements]
+    assert {*verdicts} <= {Verdict.UNDECIDED, Verdict.REFUTED}
+
+
+def test_whole_turns_leave_a_tangent_as_it_is() -> None:
+    for latex in (r"\tan(n\pi+x)=\tan x", r"\tan\left(n\pi+\frac\pi2+x\right)=-\cot x"):
+        (judgement,) = judge_pasted(Pasted(latex, natural=("n",))).judgements
+        assert judgement.verdict is Verdict.PROVED
 
 
 @pytest.mark.parametrize("latex", SUMS)

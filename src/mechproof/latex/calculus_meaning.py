@@ -17,7 +17,14 @@ from mechproof.latex.tree import (
     Letter,
     Repeated,
 )
-from mechproof.latex.values import depends, differentiate, make_running, settle, settle_all
+from mechproof.latex.values import (
+    depends,
+    differentiate,
+    make_running,
+    settle,
+    settle_all,
+    split_tangents,
+)
 from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
 
 if TYPE_CHECKING:
@@ -29,6 +36,8 @@ _OF_SIGNS = (sp.Abs, sp.sign)
 _UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 # What has a variable of its own.
 BINDING = (Approach, At, Derivation, Integration, Repeated)
+# Of these a variable runs over all numbers between some: what they lose must be zero at few.
+RUNNING = (Approach, Derivation, Integration)
 
 
 def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
@@ -56,7 +65,8 @@ def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Ex
         if value.has(shown):
             continue
         for factor in sp.Mul.make_args(divisor):
-            if not (factor.is_number or factor.as_base_exp()[0] in kept or value.has(1 / factor)):
+            is_kept = factor.as_base_exp()[0] in kept or value.has(1 / factor)
+            if not (is_kept or (factor.is_number and factor.is_nonzero)):
                 yield factor
 
 
@@ -152,7 +162,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
         )
     term = meaning.take_number(node.term, meaning.side(node.term))
     running = make_running(variable.name, term)
-    inside = settle(term, meaning.values, {variable: running})
+    inside = settle(split_tangents(term, (point,)), meaning.values, {variable: running})
     return sp.Limit(inside, running, point, node.side)
 
 

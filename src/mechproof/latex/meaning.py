@@ -12,6 +12,7 @@ from sympy.matrices.exceptions import ShapeError
 
 from mechproof.latex.calculus_meaning import (
     BINDING,
+    RUNNING,
     give_derivative,
     give_integral,
     give_limit,
@@ -61,7 +62,7 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
 )
-from mechproof.latex.values import is_root, name_turns
+from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
 from mechproof.record import (
     FunctionWithoutArgument,
@@ -152,9 +153,11 @@ class Meaning:
         """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
         if not isinstance(node, (*BINDING, Cases)):
             return _RULES[type(node)](self, node)
-        outside = {**self.divisors}, {**self.lost}
+        divisors, lost = {**self.divisors}, {**self.lost}
         found = _RULES[type(node)](self, node)
-        self.divisors, self.lost = outside
+        self.divisors = divisors
+        if not isinstance(node, RUNNING):
+            self.lost = lost
         return found
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
@@ -200,7 +203,8 @@ class Meaning:
         return self.of(node.above) / below
 
     def _divide_by(self, number: Any, shown: Any = None) -> None:
-        if isinstance(number, sp.Expr) and not (is_matrix(number) or number.is_number):
+        is_scalar = isinstance(number, sp.Expr) and not is_matrix(number)
+        if is_scalar and not (number.is_number and number.is_nonzero):
             self.divisors[number] = shown or 1 / number
 
     def _power(self, node: Power) -> Any:
@@ -211,6 +215,7 @@ class Meaning:
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             raise self.source.refuse(node.start, _UNFIT)
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
+            self._divide_by(base.det(method="berkowitz"))
             return invert(base)
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
@@ -241,7 +246,10 @@ class Meaning:
         is_known = node.function.name in FUNCTIONS and node.function.name not in OF_MATRICES
         read = self._number if is_known else self.of
         arguments = [read(argument) for argument in node.arguments]
-        value = node.function.make(*arguments)
+        make = node.function.make
+        if make in QUOTIENTS and has_counts(settle_all(arguments[0], self.values)):
+            make = QUOTIENTS[make]
+        value = make(*arguments)
         if isinstance(value, sp.Expr):
             for divisor in list_divisors(value):
                 self._divide_by(divisor, value)

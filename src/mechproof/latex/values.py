@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from itertools import count, pairwise
 from typing import Any
 
@@ -10,6 +10,11 @@ import sympy as sp
 
 Values = Mapping[sp.Basic, sp.Basic]
 Moving = Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
+# Of angles with whole numbers n, for SymPy 1.14 takes tan(x + pi*(n + 1/2)) for tan(x).
+QUOTIENTS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
+    sp.tan: lambda angle: sp.sin(angle) / sp.cos(angle),
+    sp.cot: lambda angle: sp.cos(angle) / sp.sin(angle),
+}
 
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
@@ -36,6 +41,19 @@ def settle_all(expression: Any, values: Values) -> Any:
     return expression
 
 
+def has_counts(value: sp.Basic) -> bool:
+    """Tell whether whole numbers are in an expression."""
+    return any(symbol.is_integer for symbol in value.free_symbols)
+
+
+def split_tangents(expression: Any, put_in: Iterable[sp.Basic]) -> Any:
+    """Return an expression into which values are put in safely, whole numbers among them."""
+    if any(map(has_counts, put_in)):
+        for tangent, quotient in QUOTIENTS.items():
+            expression = expression.replace(tangent, quotient)
+    return expression
+
+
 def settle(expression: Any, values: Values, changed: Values) -> Any:
     """Put in new values, also where the symbol is hidden in one that is given by it."""
     for _ in range(len(values) + 1):
@@ -45,7 +63,7 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
             if symbol in values and depends(symbol, changed.keys(), values)
         }
         if not hidden:
-            return expression.xreplace(dict(changed))
+            return split_tangents(expression, changed.values()).xreplace(dict(changed))
         expression = expression.xreplace(hidden)
     raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
 
