@@ -18,6 +18,8 @@ from mechproof.latex.tree import (
     Repeated,
 )
 from mechproof.latex.values import (
+    OF_SIGNS,
+    UNSMOOTH,
     depends,
     differentiate,
     make_running,
@@ -30,10 +32,6 @@ from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, Value
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
-# Functions with kinks or steps, of which SymPy gives a derivative everywhere; of the first two
-# there is one where the argument is not zero.
-_OF_SIGNS = (sp.Abs, sp.sign)
-_UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 # What has a variable of its own.
 BINDING = (Approach, At, Derivation, Integration, Repeated)
 # Of these a variable runs over all numbers between some: what they lose must be zero at few.
@@ -127,13 +125,13 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
             f"{variable} does not stand in what is differentiated: does it depend on it?",
             meaning.remedies.name.format(meaning.source.latex[node.start : node.end]),
         )
-    if any(depends_on & part.free_symbols for part in value.atoms(*_UNSMOOTH)):
+    if any(depends_on & part.free_symbols for part in value.atoms(*UNSMOOTH)):
         raise meaning.source.refuse(
             node.of.start,
             "a derivative of a function with kinks or steps is not read",
             "Say on which side of them it is meant, and print it without them.",
         )
-    for part in sorted(value.atoms(*_OF_SIGNS), key=sp.default_sort_key):
+    for part in sorted(value.atoms(*OF_SIGNS), key=sp.default_sort_key):
         needed += 1 / part.args[0] if depends_on & part.free_symbols else 0
     try:
         for _ in range(node.order):

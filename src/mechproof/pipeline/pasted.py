@@ -16,6 +16,7 @@ from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
 from mechproof.pipeline.pasted_letters import (
     COMMAND,
+    Letters,
     Pasted,
     count_from_zero,
     describe,
@@ -93,7 +94,7 @@ def judge_pasted(pasted: Pasted) -> Checked:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
-    rows = tuple(_compare_tied(row, letters.tied) for row in rows)
+    rows = tuple(_compare_given(row, letters) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
@@ -116,12 +117,13 @@ def _is_shown(relation: Relational, domain: Domain) -> bool:
     return is_shown(slack, domain) if slack else is_nonzero(relation.lhs, domain)
 
 
-def _compare_tied(row: Row, tied: Collection[sp.Basic]) -> Row:
-    """Compare what is printed of a letter by which another is given: it is not introduced."""
+def _compare_given(row: Row, letters: Letters) -> Row:
+    """Compare what is printed of a letter that others give: it is not introduced."""
     says = row.says
-    if not (isinstance(says, Definition) and says.symbol in tied):
+    if not (isinstance(says, Definition) and says.symbol in (*letters.tied, *letters.rates)):
         return row
-    return replace(row, says=Equality(says.symbol, says.printed, "member"))
+    given = letters.rates.get(says.symbol, says.symbol)
+    return replace(row, says=Equality(given, says.printed, "member"))
 
 
 def _take_condition(pasted: Pasted) -> Pasted:

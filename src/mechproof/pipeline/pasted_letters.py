@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -14,8 +14,9 @@ from mechproof.document.relations import read_relations
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
-from mechproof.latex.tokens import tokenize
-from mechproof.latex.values import depends
+from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, settle_all
+from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
+from mechproof.pipeline.counting_letters import find_counts
 from mechproof.pipeline.special_letters import (
     EULER,
     has_differential,
@@ -37,7 +38,9 @@ COMMAND = Remedies(
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
-_RATE = re.compile(r"(?P<primed>[^']+)'+|\\d{1,3}ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*")
+_RATE = re.compile(
+    r"(?P<primed>[^']+)(?P<primes>'+)|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*"
+)
 
 
 @dataclass(frozen=True)
@@ -56,41 +59,54 @@ class Pasted:
     natural: tuple[str, ...] = ()
     lower_limit: str = ""
 
+    @property
+    def prints(self) -> tuple[str, ...]:
+        """All that is read: the equation, and what is said of its letters."""
+        return (self.latex, *self.where, *self.values)
+
 
 @dataclass(frozen=True)
 class Letters:
     """Letters with their values, how they are written, and relations that are said of them.
 
-    `tied` are those of equations that give one of them by the others; `needed` must hold so that
-    values are real.
+    `tied` are those of equations that give one of them by the others, `rates` the derivatives of
+    letters that have values; `needed` must hold so that values are real.
     """
 
     variables: tuple[Variable, ...]
     notation: Notation
     relations: Sequence[sp.Basic]
     tied: frozenset[sp.Basic]
-    needed: tuple[Relational, ...]
+    rates: Mapping[sp.Basic, sp.Expr]
+    needed: Sequence[Relational]
 
 
 def read_letters(pasted: Pasted) -> Letters:
     """Return the letters with their values, how they are written, and what is said of them."""
     pasted = _take_special(pasted)
-    counts = _find_counts(pasted)
+    counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
     variables = _declare(pasted, counts)
-    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
+    symbols = {latex: v.symbol for v in variables for latex in v.latex}
+    phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
+    notation = Notation(
+        factors=(*pasted.factors, *counts),
+        lower_limit=_read_limit(pasted),
+        phases=frozenset((one, other) for one, other in phases if one and other),
+    )
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
     variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
-    _refuse_rates(variables)
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
+    rates = _find_rates(variables)
+    variables = tuple(replace(v, given=rates.get(v.symbol, v.given)) for v in variables)
     left = [r for r in relations if r not in equations]
-    return Letters(variables, notation, left, tied, tuple(_list_needed(variables)))
+    return Letters(variables, notation, left, tied, rates, _list_needed(variables))
 
 
 def _take_special(pasted: Pasted) -> Pasted:
-    """Return what is pasted with a value for Euler's number e, and with d as a letter."""
-    prints = (pasted.latex, *pasted.where, *pasted.values)
+    """Return what is pasted with what its letters are taken for: Euler's number e, factors, ..."""
+    prints = pasted.prints
     said = {text.partition("=")[0].strip() for text in pasted.values}
     named = [*pasted.names, *(letter for letter in ("e", "d") if letter in said)]
     if "e" not in (*named, *pasted.natural) and means_euler(pasted.latex):
@@ -98,30 +114,54 @@ def _take_special(pasted: Pasted) -> Pasted:
         pasted = replace(pasted, values=(*pasted.values, EULER))
     if any(map(has_letter_d, prints)) and not any(map(has_differential, prints)):
         named.append("d")
-    return replace(pasted, names=tuple(dict.fromkeys(named)))
+    named += find_increments(prints)
+    factors = (*pasted.factors, *find_factors(prints))
+    return replace(pasted, names=tuple(dict.fromkeys(named)), factors=factors)
 
 
-def _refuse_rates(variables: Sequence[Variable]) -> None:
-    """Refuse a derivative by its accent of a letter that has a value: it would be any number."""
-    given = {name_symbol(v.latex[0]) for v in variables if v.given is not None}
+def _find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
+    r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
+    values = {v.symbol: v.given for v in variables if v.given is not None}
+    given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
+    rates: dict[sp.Basic, sp.Expr] = {}
     for variable in variables:
         rate = _RATE.fullmatch(variable.latex[0])
-        if rate and name_symbol(rate["primed"] or rate["dotted"]) in given:
-            raise ValueError(
-                f"{variable.latex[0]} is a derivative of a letter that has a value: print it as a "
-                r"fraction, \frac{d}{dx}(…)"
-            )
+        base = given.get(name_symbol(rate["primed"] or rate["dotted"])) if rate else None
+        if rate and base is not None and variable.given is None:
+            value = settle_all(base, values)
+            rates[variable.symbol] = _differentiate(variable.latex[0], value, rate)
+    return rates
 
 
-def _list_needed(variables: Sequence[Variable]) -> Iterator[Relational]:
-    """Yield what must hold so that letters that have values are real numbers."""
+def _differentiate(latex: str, value: sp.Expr, rate: re.Match[str]) -> sp.Expr:
+    """Return a derivative by the time for dots, for primes by x or the only letter there is."""
+    running = {s for s in value.free_symbols if not s.is_integer}
+    name = "t" if rate["dotted"] else "x"
+    by = next((s for s in running if s.name == name), None)
+    if by is None and rate["primed"] and len(running) == 1:
+        (by,) = running
+    if by is None or value.has(*UNSMOOTH, *OF_SIGNS):
+        raise ValueError(
+            f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
+            r"as a fraction, \frac{d}{dx}(…)"
+        )
+    order = len(rate["primes"] or rate["dots"])
+    derivative: sp.Expr = value.diff(by, order)
+    return derivative
+
+
+def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
+    """Return what must hold so that letters that have values are real numbers."""
+    needed: dict[Relational, None] = {}
     values = [v.given for v in variables if v.given is not None and v.given.free_symbols]
     for value in values:
         needs = [need for part in list_partial(value) for need in list_needs(part)]
         told = [sp.Gt(number, 0) if strict else sp.Ge(number, 0) for number, strict in needs]
         told += [sp.Ne(divisor, 0) for divisor in list_divisors(value)]
         # Of a number SymPy knows whether it holds.
-        yield from (relation for relation in told if isinstance(relation, Relational))
+        needed |= dict.fromkeys(relation for relation in told if isinstance(relation, Relational))
+    positive = {relation.lhs for relation in needed if isinstance(relation, sp.Gt)}
+    return [r for r in needed if isinstance(r, sp.Gt) or r.lhs not in positive]
 
 
 def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
@@ -129,7 +169,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     said = dict.fromkeys((*pasted.names, *pasted.natural))
     named = [_make(latex, pasted, counts) for latex in said]
     reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
-    prints = (pasted.latex, *pasted.where, *pasted.values)
+    prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
@@ -207,49 +247,6 @@ def count_from_zero(
         for v in variables
     ]
     return tuple(from_zero), [relation.xreplace(anew) for relation in relations]
-
-
-def _find_counts(pasted: Pasted) -> tuple[str, ...]:
-    r"""Return the letters of n! and up to which sums go, n also in \sum_{k=1}^{n-1}."""
-    found: dict[str, None] = dict.fromkeys(pasted.natural)
-    for latex in (pasted.latex, *pasted.where, *pasted.values):
-        texts = [token.text for token in tokenize(latex)]
-        for place, text in enumerate(texts):
-            if text in (r"\sum", r"\prod"):
-                found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
-            if text == "!":
-                found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
-            if text == r"\binom":
-                found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
-    return tuple(x for x in found if x not in pasted.names)
-
-
-def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
-    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
-    start = len(texts) - 1
-    if texts[-1:] == [")"] and "(" in texts:
-        start = len(texts) - texts[::-1].index("(")
-    inside = texts[start:]
-    if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
-        yield from (text for text in inside if text.isalpha())
-
-
-def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
-    """Yield the letters that stand alone or in a plain sum in either of two groups of braces."""
-    for _ in range(2):
-        close = texts.index("}") if "}" in texts else 0
-        yield from _letters_of_factorial(["(", *texts[1:close], ")"])
-        texts = texts[close + 1 :]
-
-
-def _letters_of_limit(texts: list[str]) -> Iterator[str]:
-    """Yield the letters of the upper limit that follows a lower one, if it is a plain sum."""
-    low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
-    if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
-        return
-    limit = texts[low + 2 : texts.index("}", low)]
-    if all(text.isalnum() or text in ("+", "-") for text in limit):
-        yield from (text for text in limit if text.isalpha())
 
 
 def _read_limit(pasted: Pasted) -> sp.Expr | None:

@@ -1,0 +1,102 @@
+r"""What stands side by side in a single equation: r(1-\cos x), \cos\omega t, \delta t, \Delta x.
+
+A paper declares its letters; of a single equation nothing is known but its print.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+
+from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.tokens import tokenize
+
+# Letters that are functions as often as numbers.
+_FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
+# What may be a rate or a number beside an angle, a time or a length, and what it is beside.
+_RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
+_SPEEDS = (r"\omega", r"\Omega")
+_RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta")
+_SUMS = ("+", "-", r"\cdot", r"\pm")
+_INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
+
+
+def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
+    r"""Return the letters that a bracket behind them multiplies: r(1-\cos\varphi)=r-r\cos\varphi.
+
+    Such a letter also stands without a bracket, as functions do not, and each of its brackets is
+    no plain argument.
+    """
+    bare: set[str] = set()
+    sums: dict[str, list[bool]] = defaultdict(list)
+    for texts in map(_split, prints):
+        for letter, end in _list_letters(texts):
+            behind = _skip_power(texts, end)
+            if texts[behind : behind + 1] != ["("]:
+                bare.add(letter)
+            else:
+                sums[letter].append(_is_sum(texts[behind:]))
+    return tuple(x for x in sums if x in bare and all(sums[x]) and x not in _FUNCTIONS)
+
+
+def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx."""
+    met: list[tuple[str, str]] = []
+    for texts in map(_split, prints):
+        starts = (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS)
+        pairs = (texts[(n := _skip_power(texts, start + 1)) : n + 2] for start in starts)
+        met += [(pair[0], pair[1]) for pair in pairs if len(pair) == 2]
+    return tuple(
+        (one, other)
+        for one, other in dict.fromkeys(met)
+        if (one in _SPEEDS and other in ("t", r"\tau"))
+        or ((one in (*_RATES, *_SPEEDS) and other in _RUNNING) and met.count((one, other)) > 1)
+    )
+
+
+def find_increments(prints: Sequence[str]) -> tuple[str, ...]:
+    r"""Return \Delta x as one name, and \delta where it also stands alone, or in an exponent."""
+    found = dict.fromkeys(name for text in prints for name in _INCREMENT.findall(text))
+    for texts in map(_split, prints):
+        places = [place for place, text in enumerate(texts) if text == r"\delta"]
+        is_alone = any(not begins_letter("".join(texts[n + 1 : n + 2])) for n in places)
+        if is_alone or any(texts[max(n - 3, 0) : n] == ["^", "{", "-"] for n in places):
+            found[r"\delta"] = None
+    return tuple(found)
+
+
+def _split(latex: str) -> list[str]:
+    return [token.text for token in tokenize(latex)]
+
+
+def _list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
+    """Yield each letter with its index, and where it ends; none with a prime, or behind a d."""
+    end = 0
+    for place, text in enumerate(texts):
+        if place < end or not begins_letter(text):
+            continue
+        end = place + 1
+        if texts[end : end + 2] == ["_", "{"] and "}" in texts[end:]:
+            end = texts.index("}", end) + 1
+        if texts[end : end + 1] != ["'"] and texts[place - 1 : place] != ["d"]:
+            yield "".join(texts[place:end]), end
+
+
+def _skip_power(texts: Sequence[str], place: int) -> int:
+    if texts[place : place + 2] == ["^", "{"] and "}" in texts[place:]:
+        return texts.index("}", place) + 1
+    return place
+
+
+def _is_sum(texts: Sequence[str]) -> bool:
+    """Tell whether the bracket that texts begin with holds a sum, or a product with a dot."""
+    depth = 0
+    for place, text in enumerate(texts):
+        depth += (text in ("(", "{", "[")) - (text in (")", "}", "]"))
+        if not depth:
+            return False
+        if depth == 1 and place > 1 and text in _SUMS:
+            return True
+    return False

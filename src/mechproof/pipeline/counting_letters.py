@@ -1,0 +1,53 @@
+r"""Letters of a single equation that count, by where they stand: n!, \binom{n}{k}, \sum_{k=1}^n."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from mechproof.latex.tokens import tokenize
+
+
+def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
+    r"""Return what is said to count, the letters of n! and those up to which sums go.
+
+    It is n also in \sum_{k=1}^{n-1}.
+    """
+    found = dict.fromkeys(said)
+    for latex in prints:
+        texts = [token.text for token in tokenize(latex)]
+        for place, text in enumerate(texts):
+            if text in (r"\sum", r"\prod"):
+                found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
+            if text == "!":
+                found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
+            if text == r"\binom":
+                found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
+    return tuple(found)
+
+
+def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
+    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
+    start = len(texts) - 1
+    if texts[-1:] == [")"] and "(" in texts:
+        start = len(texts) - texts[::-1].index("(")
+    inside = texts[start:]
+    if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
+        yield from (text for text in inside if text.isalpha())
+
+
+def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
+    """Yield the letters that stand alone or in a plain sum in either of two groups of braces."""
+    for _ in range(2):
+        close = texts.index("}") if "}" in texts else 0
+        yield from _letters_of_factorial(["(", *texts[1:close], ")"])
+        texts = texts[close + 1 :]
+
+
+def _letters_of_limit(texts: list[str]) -> Iterator[str]:
+    """Yield the letters of the upper limit that follows a lower one, if it is a plain sum."""
+    low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
+    if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
+        return
+    limit = texts[low + 2 : texts.index("}", low)]
+    if all(text.isalnum() or text in ("+", "-") for text in limit):
+        yield from (text for text in limit if text.isalpha())

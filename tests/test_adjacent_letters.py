@@ -1,0 +1,68 @@
+"""Single equations: what letters side by side are taken for, and derivatives of given letters."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.latex import ReadingError
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
+
+# A print, what is said of its letters, and its verdict.
+ROWS = [
+    (r"r(1-\cos\varphi)=r-r\cos\varphi", (), PROVED),
+    (r"r(1-\cos\varphi)=r+r\cos\varphi", (), REFUTED),
+    (r"\int_0^{2\pi}r^2(1-\cos t)^2\,dt=3\pi r^2", (), PROVED),
+    (r"b(a\cdot c)-c(a\cdot b)=0", (), PROVED),
+    (r"\sin\omega t\cos\omega t=\frac12\sin2\omega t", (), PROVED),
+    (r"\sin\omega t\cos\omega t=\frac12\sin\omega t", (), REFUTED),
+    (r"\cos^2bx+\sin^2bx=1", (), PROVED),
+    (r"\frac{\mathrm d}{\mathrm dt}\mathrm e^{-\delta t}=-\delta\mathrm e^{-\delta t}", (), PROVED),
+    (r"\mathrm e^{-\delta t}\cos t\le\mathrm e^{-\delta t}", (), PROVED),
+    (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=2x", (), PROVED),
+    (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=x", (), REFUTED),
+    ("y'=2x", ("y=x^2",), PROVED),
+    ("y'=3x", ("y=x^2",), REFUTED),
+    ("y''+y=0", (r"y=\sin x",), PROVED),
+    (r"s'=\cos\varphi", (r"s=\sin\varphi",), PROVED),
+    (r"\dot x^2+\dot y^2=r^2", (r"x=r\cos t", r"y=r\sin t"), PROVED),
+    (r"\dot y=2x\dot x", ("y=x^2", r"x=\sin t"), PROVED),
+    (r"\ddot x+\omega^2x=0", (r"x=A\cos(\omega t)",), PROVED),
+    (r"\ddot x-\omega^2x=0", (r"x=A\cos(\omega t)",), REFUTED),
+]
+# What stays open, and words of the question.
+ASKED = [
+    ("f(x+h)-f=h", (), "the argument of a function"),
+    ("v(t)=v_0+a", (), "the argument of a function"),
+    ("y=y(x)", (), "the argument of a function"),
+    ("s(t+T)=s(t)", (), "the argument of a function"),
+    ("M(x)=F(l-x)+M", (), "the argument of a function"),
+    (r"r(1-\cos\varphi)=2\sin^2\frac\varphi2", (), "the argument of a function"),
+    (r"\cos\alpha x\sin\alpha x=1", (), "belong to the argument"),
+    (r"\sin\alpha t=1", (), "belong to the argument"),
+    (r"\delta x=\delta y", (), "one quantity, or a product"),
+    ("s'=h", (r"s=h\sin\varphi",), "by what"),
+    (r"\dot x=x", ("x=2s",), "by what"),
+    ("y'=1", ("y=|x|",), "by what"),
+]
+
+
+@pytest.mark.parametrize(("latex", "values", "verdict"), ROWS)
+def test_what_stands_side_by_side_is_read(
+    latex: str, values: tuple[str, ...], verdict: Verdict
+) -> None:
+    (judgement,) = judge_pasted(Pasted(latex, values=values)).judgements
+    assert judgement.verdict is verdict
+
+
+@pytest.mark.parametrize(("latex", "values", "words"), ASKED)
+def test_what_may_mean_two_things_is_asked(latex: str, values: tuple[str, ...], words: str) -> None:
+    with pytest.raises((ReadingError, ValueError), match=words):
+        judge_pasted(Pasted(latex, values=values))
+
+
+def test_a_derivative_of_a_given_letter_is_told() -> None:
+    assert judge_pasted(Pasted("y'>0", values=(r"y=\sqrt x",))).taken["y'"] == "= 1/(2*sqrt(x))"
