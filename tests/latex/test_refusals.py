@@ -175,7 +175,6 @@ MEANINGLESS = [
         for latex in (
             *(r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
             *(r"\sqrt{M}", r"\sum_{i=1}^2M", r"\int_0^1M\,dx", r"\lim_{x\to0}M"),
-            r"\frac{d}{dx}M",
         )
     ),
     (r"\begin{pmatrix}1\end{pmatrix}^{1/2}", "do not fit"),

@@ -125,6 +125,8 @@ def _read_bracket(parser: Parser, start: int) -> Node:
 def _read_cross(parser: Parser, bracket: Bracket) -> Node:
     r"""Read [a]_\times, the matrix by which a cross product multiplies."""
     texts = [token.text for token in parser.rest[:4]]
+    if places.is_between(parser):
+        return places.read_between(parser, bracket)
     if texts != ["_", "{", r"\times", "}"]:
         _refuse_index(parser, bracket.start)
         return bracket

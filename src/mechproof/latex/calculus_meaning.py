@@ -103,7 +103,7 @@ def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.
     )
 
 
-def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
+def give_derivative(meaning: Meaning, node: Derivation) -> Any:
     """Return a derivative, worked out, where what is differentiated has a value."""
     variable = meaning.letter(node.by)
     is_given = variable in meaning.values and not node.is_partial
@@ -111,7 +111,9 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
         raise meaning.source.refuse(
             node.by.start, f"a derivative by {variable}, which is given by others or no letter"
         )
-    printed = meaning.take_number(node.of, meaning.side(node.of))
+    printed = meaning.side(node.of)
+    if not isinstance(printed, sp.MatrixBase):
+        printed = meaning.take_number(node.of, printed)
     moving = {} if node.is_partial else meaning.moving
     depends_on = {variable, *(s for s, (by, _) in moving.items() if by == variable)}
     depends_on |= {rate for s in depends_on & moving.keys() for rate in moving[s][1]}
@@ -131,12 +133,23 @@ def give_derivative(meaning: Meaning, node: Derivation) -> sp.Expr:
             "a derivative of a function with kinks or steps is not read",
             "Say on which side of them it is meant, and print it without them.",
         )
+    if isinstance(needed, sp.MatrixBase):
+        return needed.applyfunc(lambda entry: _differentiate(meaning, node, entry, depends_on))
+    return _differentiate(meaning, node, needed, depends_on)
+
+
+def _differentiate(
+    meaning: Meaning, node: Derivation, needed: sp.Expr, depends_on: set[sp.Basic]
+) -> sp.Expr:
+    """Return the derivative of a number, where that and its moduli have values."""
+    value = needed.replace(ValueWhere, lambda inner, _: inner)
     for part in sorted(value.atoms(*OF_SIGNS), key=sp.default_sort_key):
         needed += 1 / part.args[0] if depends_on & part.free_symbols else 0
+    moving = {} if node.is_partial else meaning.moving
     try:
         for _ in range(node.order):
             value = value.replace(sp.sign, lambda number: number / sp.Abs(number))
-            value = differentiate(value, variable, moving)
+            value = differentiate(value, meaning.letter(node.by), moving)
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
     return DerivativeWhere(value, needed)

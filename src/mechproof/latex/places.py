@@ -1,15 +1,19 @@
-r"""Values at a place: `y|_{x=0}`, `\left.y\right|_{x=0}`, and `y(0)` of a letter that depends."""
+r"""Values at a place: `y|_{x=0}`, `\left.y\right|_{x=0}`, and `y(0)` of a letter that depends.
+
+Values between two places are read, too: `[y]_0^1`, `\left.y\right|_{x=0}^{x=1}`.
+"""
 
 from __future__ import annotations
 
-from itertools import takewhile
+from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import begins_member
-from mechproof.latex.tree import At, Letter, Node
+from mechproof.latex.names import find_brace
+from mechproof.latex.tree import Add, Approach, At, Bracket, Constant, Letter, Node, walk
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -49,8 +53,63 @@ def read_bar(parser: Parser, term: Node, place: int) -> Node:
 
 
 def _read_place(parser: Parser, term: Node) -> Node:
+    if is_between(parser):
+        return read_between(parser, term)
     parser.take("_")
     return parser.read_inside("{", lambda: _read_values(parser, term), "}")
+
+
+def is_between(parser: Parser) -> bool:
+    """Return whether limits stand here, a lower and an upper one."""
+    if (parser.text, parser.peek()) != ("_", "{"):
+        return False
+    end = find_brace(parser.tokens, parser.place + 2)
+    return [token.text for token in parser.tokens[end + 1 : end + 3]] == ["^", "{"]
+
+
+def read_between(parser: Parser, term: Node) -> Node:
+    """Read limits behind a term: its value at the upper one without that at the lower one."""
+    start, by = parser.start, None
+    ends: list[tuple[Letter | None, Node]] = []
+    for sign in ("_", "^"):
+        parser.take(sign)
+        ends.append(parser.read_inside("{", lambda: _read_end(parser), "}"))
+        by = ends[-1][0] or by
+    by = by or _find_moving(parser, term)
+    if by is None:
+        raise parser.refuse(
+            "limits behind a term of several letters: of which one?",
+            r"Print the letter: \right|_{x=0}^{x=1}.",
+            start,
+        )
+    low, high = (_put(term, by, point) for _, point in ends)
+    difference = Add(((1, high), (-1, low)), start=term.start, end=parser.end)
+    return Bracket(difference, start=term.start, end=parser.end)
+
+
+def _read_end(parser: Parser) -> tuple[Letter | None, Node]:
+    """Read x=0, or 0 alone."""
+    first = parser.read_sum()
+    if isinstance(first, Letter) and parser.skip("="):
+        return first, parser.read_sum()
+    return None, first
+
+
+def _find_moving(parser: Parser, term: Node) -> Letter | None:
+    r"""Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx."""
+    letters = {node.text: node for node in walk(term) if isinstance(node, Letter)}
+    if len(letters) > 1:
+        texts = [token.text for token in parser.tokens]
+        letters = {x: node for x, node in letters.items() if ("d", x) in pairwise(texts)}
+    return next(iter(letters.values())) if len(letters) == 1 else None
+
+
+def _put(term: Node, by: Letter, point: Node) -> Node:
+    start, end = term.start, point.end
+    is_endless = any(isinstance(node, Constant) and node.value is sp.oo for node in walk(point))
+    if is_endless:
+        return Approach(term, by, point, "-", start=start, end=end)
+    return At(term, by, point, start=start, end=end)
 
 
 def _read_values(parser: Parser, term: Node) -> Node:
