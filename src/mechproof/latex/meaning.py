@@ -20,6 +20,7 @@ from mechproof.latex.calculus_meaning import (
     give_value,
     list_lost,
 )
+from mechproof.latex.dotted import give_dotted
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
 from mechproof.latex.functions import FUNCTIONS, OF_MATRICES
@@ -45,6 +46,7 @@ from mechproof.latex.tree import (
     Constant,
     Degrees,
     Derivation,
+    Dotted,
     Entries,
     Excerpt,
     Extremum,
@@ -283,6 +285,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Add: Meaning._add,
     Product: give_product,
     Quotient: Meaning._quotient,
+    Dotted: give_dotted,
     Power: Meaning._power,
     Radical: Meaning._root,
     Call: Meaning._call,

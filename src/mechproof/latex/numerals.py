@@ -76,3 +76,10 @@ def _is_grouped(parser: Parser, start: int) -> bool:
 
 def _is_along_axis(latex: str, place: int) -> bool:
     return any(m.start() < place < m.end() for m in _ALONG_AXIS.finditer(latex))
+
+
+def is_number_fraction(parser: Parser) -> bool:
+    """Return whether the fraction that stands here is one of numbers."""
+    texts = [token.text for token in parser.tokens[parser.place + 1 :]]
+    inside = texts[: texts.index("}", texts.index("}") + 1)]
+    return all(is_digit(text) or text in "{}." for text in inside)

@@ -18,6 +18,7 @@ from mechproof.latex import (
     calls,
     conditions,
     derivatives,
+    dotted,
     extrema,
     letters,
     places,
@@ -28,6 +29,7 @@ from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.measures import is_unit
 from mechproof.latex.names import Names, to_signs
+from mechproof.latex.numerals import is_number_fraction
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.tokens import read_signs
@@ -208,7 +210,10 @@ class Parser:
         start = self.start
         terms = [self.read_term()]
         while self.text in self.signs:
-            terms.append(self.read_term())
+            if dotted.is_dotted_sum(self):
+                terms = [(1, dotted.read_dotted_sum(self, terms, start))]
+            else:
+                terms.append(self.read_term())
         return self.add_up(terms, start)
 
     def add_up(self, terms: Sequence[tuple[int, Node]], start: int) -> Node:
@@ -236,7 +241,10 @@ class Parser:
         factors = [self.read_factor()]
         signs: list[str] = []
         while not self.ends_product():
-            if self.text == "/":
+            if dotted.is_dotted_product(self):
+                factors = [dotted.read_dotted_product(self, factors, start)]
+                signs = []
+            elif self.text == "/":
                 factors = [self._divide(factors, signs, start)]
                 signs = []
             else:
@@ -284,17 +292,12 @@ class Parser:
                 "a number follows without a sign between: a factor, an index or a decimal place?",
                 r"Print \cdot, or the number first.",
             )
-        if isinstance(left, Number) and self.text == r"\frac" and self._is_number_fraction():
+        if isinstance(left, Number) and self.text == r"\frac" and is_number_fraction(self):
             raise self.refuse(
                 "a number before a fraction of numbers: a product or a mixed number?",
                 r"Print \cdot between them.",
             )
         letters.check_bracket_after(self, left)
-
-    def _is_number_fraction(self) -> bool:
-        texts = [token.text for token in self.tokens[self.place + 1 :]]
-        inside = texts[: texts.index("}", texts.index("}") + 1)]
-        return all(is_digit(text) or text in "{}." for text in inside)
 
     def read_factor(self) -> Node:
         """Read an atom and the power it is raised to."""

@@ -20,6 +20,7 @@ from mechproof.latex.tree import (
     Constant,
     Degrees,
     Derivation,
+    Dotted,
     Entries,
     Excerpt,
     Extremum,
@@ -70,7 +71,7 @@ def _closed(node: Node) -> str:
 
 def _factor(node: Node) -> str:
     node = strip(node)
-    is_sum = isinstance(node, Add | Cases | Chain | Derivation | Product | Quotient)
+    is_sum = isinstance(node, Add | Cases | Chain | Derivation | Dotted | Product | Quotient)
     return f"({write(node)})" if is_sum else write(node)
 
 
@@ -81,7 +82,7 @@ def _letter(node: Letter) -> str:
 
 def _add(node: Add) -> str:
     terms = [(sign, strip(term)) for sign, term in node.terms]
-    texts = [f"({write(t)})" if isinstance(t, Add | Cases) else write(t) for _, t in terms]
+    texts = [f"({write(t)})" if isinstance(t, Add | Cases | Dotted) else write(t) for _, t in terms]
     signs = [" + " if sign > 0 else " - " for sign, _ in terms]
     text = "".join(sign + part for sign, part in zip(signs, texts, strict=True))
     return text[3:] if text.startswith(" + ") else f"-{text[3:]}"
@@ -113,6 +114,14 @@ def _repeated(node: Repeated) -> str:
     apart = "".join(f", {index} != {write(other)}" for other in node.apart)
     limits = f"{index} = {write(node.low)}..{write(node.high)}{apart}"
     return f"{node.name}[{limits}]({write(strip(node.term))})"
+
+
+def _dotted(node: Dotted) -> str:
+    if node.name == "product":
+        return "*".join((*(_factor(x) for _, x in node.first), "...", _factor(node.last[1])))
+    before = _add(Add(node.first, start=node.start, end=node.end))
+    sign, term = node.last
+    return f"{before} + ... {'+' if sign > 0 else '-'} {write(term)}"
 
 
 def _integration(node: Integration) -> str:
@@ -172,6 +181,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Add: _add,
     Product: _product,
     Quotient: _quotient,
+    Dotted: _dotted,
     Power: lambda node: f"{_closed(node.base)}^{_closed(node.exponent)}",
     Radical: _root,
     Call: _call,

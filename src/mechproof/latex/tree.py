@@ -85,6 +85,15 @@ class Product(Node):
 
 
 @dataclass(frozen=True)
+class Dotted(Node):
+    """A sum or a product with dots before its last term; the terms have their signs, 1 or -1."""
+
+    name: str
+    first: tuple[tuple[int, Node], ...]
+    last: tuple[int, Node]
+
+
+@dataclass(frozen=True)
 class Quotient(Node):
     """A fraction, upright or with a slash."""
 

@@ -1,16 +1,21 @@
-r"""Letters of a single equation that count, by where they stand: n!, \binom{n}{k}, \sum_{k=1}^n."""
+r"""Letters of a single equation that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import takewhile
 
 from mechproof.latex.tokens import tokenize
+
+# The letters of last terms, behind dots.
+_LAST = ("n", "N", "m", "k")
+_RELATIONS = ("=", "<", ">", r"\le", r"\ge")
 
 
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
     r"""Return what is said to count, the letters of n! and those up to which sums go.
 
-    It is n also in \sum_{k=1}^{n-1}.
+    It is n also in \sum_{k=1}^{n-1}, and in \dots+n^2.
     """
     found = dict.fromkeys(said)
     for latex in prints:
@@ -20,6 +25,9 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
             if text == "!":
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
+            if text == r"\dots":
+                behind = takewhile(lambda sign: sign not in _RELATIONS, texts[place:])
+                found |= dict.fromkeys(sign for sign in behind if sign in _LAST)
             if text == r"\binom":
                 found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(found)

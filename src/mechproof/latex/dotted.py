@@ -1,0 +1,96 @@
+r"""Sums and products with dots: 1+2+\dots+n, 1\cdot2\cdots n.
+
+The last term says what the others are: with a number for its count it has to give the terms that
+stand before the dots, in their order, two of them at least.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex.signs import DOTS
+from mechproof.latex.tree import Dotted, Node
+
+if TYPE_CHECKING:
+    from mechproof.latex.meaning import Meaning
+    from mechproof.latex.parser import Parser
+
+_DOTTED = r"\dots"
+# Where sums begin that are met.
+_MOST = 12
+_FEWEST = 2
+
+
+def is_dotted_sum(parser: Parser) -> bool:
+    """Return whether a sign stands here, dots behind it, and another sign."""
+    return parser.peek() == _DOTTED and parser.peek(2) in parser.signs
+
+
+def read_dotted_sum(parser: Parser, terms: Sequence[tuple[int, Node]], start: int) -> Node:
+    """Read dots and the last term of the sum behind them."""
+    parser.place += 2
+    last = parser.read_term()
+    return Dotted("sum", tuple(terms), last, start=start, end=parser.end)
+
+
+def is_dotted_product(parser: Parser) -> bool:
+    """Return whether dots for factors stand here, and another factor behind them."""
+    texts = [token.text for token in parser.rest[:3]]
+    inside = texts[1:] if texts[:1] and texts[0] in DOTS else texts
+    return inside[:1] == [_DOTTED] and len(inside) > 1 and inside[1] not in (*parser.signs, "=")
+
+
+def read_dotted_product(parser: Parser, factors: Sequence[Node], start: int) -> Node:
+    """Read dots and the last factor of the product behind them."""
+    while parser.text in (*DOTS, _DOTTED):
+        parser.take()
+    last = parser.read_factor()
+    terms = tuple((1, factor) for factor in factors)
+    return Dotted("product", terms, (1, last), start=start, end=parser.end)
+
+
+def give_dotted(meaning: Meaning, node: Dotted) -> sp.Expr:
+    """Return the sum or product over an index of which the last term is printed."""
+    first = [sign * meaning.take_number(term, meaning.of(term)) for sign, term in node.first]
+    sign, term = node.last
+    last = sign * meaning.take_number(term, meaning.of(term))
+    runs = list(_find_runs(first, last))
+    if len(runs) != 1:
+        command = r"\sum" if node.name == "sum" else r"\prod"
+        raise meaning.source.refuse(
+            node.start,
+            "which terms do the dots stand for?",
+            rf"Print {command}_{{k=1}}^{{n}}, or two terms before the dots that the last one gives "
+            "for whole numbers, its letter declared as one.",
+        )
+    ((count, low, used),) = runs
+    index = _choose_index([*first, last], starts_at_zero=low == 0)
+    kind, join = (sp.Sum, sp.Add) if node.name == "sum" else (sp.Product, sp.Mul)
+    total = kind(last.subs(count, index), (index, low, count))
+    return join(*first[: len(first) - used], total)
+
+
+def _choose_index(terms: Sequence[sp.Expr], *, starts_at_zero: bool) -> sp.Symbol:
+    met = {symbol.name for term in terms for symbol in term.free_symbols}
+    name = next(letter for letter in (*"kjlpq", "index") if letter not in met)
+    return sp.Symbol(name, integer=True, **{"nonnegative" if starts_at_zero else "positive": True})
+
+
+def _find_runs(first: Sequence[sp.Expr], last: sp.Expr) -> Iterator[tuple[sp.Symbol, int, int]]:
+    """Yield a count, the number with which its terms begin, and how many stand before the dots."""
+    for count in sorted((s for s in last.free_symbols if s.is_integer), key=str):
+        for behind in range(1, _MOST):
+            used = 0
+            while used < min(len(first), behind) and _is_same(
+                first[-1 - used], last.subs(count, behind - 1 - used)
+            ):
+                used += 1
+            if used >= _FEWEST:
+                yield count, behind - used, used
+
+
+def _is_same(one: sp.Expr, other: sp.Expr) -> bool:
+    return bool(sp.expand(one - other) == 0)
