@@ -43,6 +43,14 @@ TRUE = {
     "of negative numbers": (integral(1 / x, -2, -1), -sp.log(2)),
     "a modulus": (integral(sp.Abs(sp.sin(x)), 0, TURN), sp.S(4)),
     "a modulus of a polynomial": (integral(sp.Abs(x**2 - 1), -1, 2), sp.Rational(8, 3)),
+    "an arc of a cycloid": (
+        integral(sp.sqrt((1 - sp.cos(x)) ** 2 + sp.sin(x) ** 2), 0, 2 * TURN),
+        sp.S(16),
+    ),
+    "a root of a cosine": (
+        integral(sp.sqrt(e - e * sp.cos(2 * x)), 0, sp.pi),
+        2 * sp.sqrt(2) * sp.sqrt(e),
+    ),
     "to infinity": (integral(x * sp.exp(-x), 0, sp.oo), sp.S.One),
     "to infinity, of a bell": (integral(x * sp.exp(-(x**2)), 0, sp.oo), sp.S.Half),
     "to infinity, a parameter": (integral(sp.exp(-e * x), 0, sp.oo), 1 / e),

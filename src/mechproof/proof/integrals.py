@@ -116,9 +116,31 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
-    if integrand.has(sp.Abs):
-        return _find_value_by_signs(integrand, variable, lower, upper, domain)
+    if (written := integrand.replace(_is_root, _halve_angle)).has(sp.Abs):
+        found = _find_value_by_signs(written, variable, lower, upper, domain)
+        if found is not None or written == integrand:
+            return found
     return _find_by_antiderivative(integrand, variable, lower, upper, domain)
+
+
+def _is_root(node: sp.Basic) -> bool:
+    return isinstance(node, sp.Pow) and node.exp == sp.S.Half and node.has(sp.cos)
+
+
+def _halve_angle(root: sp.Pow) -> sp.Expr:
+    """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
+
+    That of a(1 + cos u) is written by the cosine.
+    """
+    if len(waves := root.atoms(sp.cos)) != 1:
+        return root
+    (wave,), cosine = waves, sp.Dummy("c")
+    squares = {sp.sin(wave.args[0]) ** 2: 1 - cosine**2, wave: cosine}
+    radicand = sp.expand(sp.expand(root.base).subs(squares)).as_poly(cosine)
+    for end, half in ((1, sp.sin), (-1, sp.cos)):
+        if radicand and radicand.degree() == 1 and radicand.eval(end) == 0:
+            return sp.sqrt(-2 * end * radicand.LC()) * sp.Abs(half(wave.args[0] / 2))
+    return root
 
 
 def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:

@@ -68,10 +68,14 @@ def compare(
     widest = balls.to_ball(0)
     has_integrals = has_parts(printed, sp.Integral) or has_parts(rebuilt, sp.Integral)
     for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
-        # Where integrals have no value at one point after another, each takes long.
+        # Integrals take long: those with no value at one point after another, and many digits.
         if has_integrals and undecided >= FEWEST:
             break
-        left, right, decided = _enclose_both(printed, rebuilt, point, precisions)
+        if has_integrals and agreeing >= FEWEST:
+            precisions = precisions[:1]
+        left, right, decided = _enclose_both(
+            printed, rebuilt, point, precisions, gives_up=has_integrals
+        )
         if decided == "apart":
             sides, values = (printed, rebuilt), (left, right)
             found = describe("the two sides", sides, values, point, domain)
@@ -264,8 +268,14 @@ def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
 
 
 def _enclose_both(
-    printed: sp.Basic, rebuilt: sp.Basic, point: Point, precisions: tuple[int, ...]
+    printed: sp.Basic,
+    rebuilt: sp.Basic,
+    point: Point,
+    precisions: tuple[int, ...],
+    *,
+    gives_up: bool,
 ) -> tuple[balls.Ball, balls.Ball, str]:
+    """Enclose both sides with more and more bits; or give up where few do not make them narrow."""
     printed, rebuilt = (put_exactly(side, point) for side in (printed, rebuilt))
     decided = "open"
     for bits in precisions:
@@ -275,6 +285,8 @@ def _enclose_both(
                 return left, right, "apart"
             is_narrow = (left - right).abs_upper() < _NARROW * left.abs_upper().max(arb(1))
             decided = "together" if is_narrow else decided
+        if gives_up and decided == "open":
+            break
     return left, right, decided
 
 
