@@ -14,6 +14,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
+from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.pasted_letters import (
     COMMAND,
     Letters,
@@ -77,7 +78,19 @@ def _answer(pasted: Pasted) -> Checked | str:
 
 
 def judge_pasted(pasted: Pasted) -> Checked:
-    """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
+    """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read.
+
+    Bold letters are vectors; where that cannot be read, capitals are matrices.
+    """
+    try:
+        return _judge(pasted)
+    except ValueError:
+        if not is_capital(pasted.latex):
+            raise
+        return _judge(replace(pasted, has_matrices=True))
+
+
+def _judge(pasted: Pasted) -> Checked:
     pasted = _take_sets(_take_condition(replace(pasted, latex=_unwrap(pasted.latex))))
     letters = read_letters(pasted)
     variables, notation = letters.variables, letters.notation
@@ -94,11 +107,11 @@ def judge_pasted(pasted: Pasted) -> Checked:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
-    rows = tuple(_compare_given(row, letters) for row in rows)
+    rows = tuple(compare_bold(_compare_given(row, letters), variables) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
-    return Checked(read, {v.latex[0]: describe(v) for v in variables})
+    return Checked(read, {v.latex[0]: describe(v) for v in variables if v.latex})
 
 
 def _leave_out_shown(

@@ -16,6 +16,7 @@ from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, settle_all
 from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
+from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_parts, show_entries
 from mechproof.pipeline.counting_letters import find_counts
 from mechproof.pipeline.special_letters import (
     EULER,
@@ -48,7 +49,8 @@ class Pasted:
     """An equation and what is said about its letters, all in LaTeX.
 
     `names` are prints that are one quantity, `factors` names that a bracket multiplies, `where`
-    relations (`0<x<1`), `values` definitions (`C=0`), `natural` counts.
+    relations (`0<x<1`), `values` definitions (`C=0`), `natural` counts. Vectors have three
+    components; with `has_matrices` bold capitals are matrices of three rows and columns.
     """
 
     latex: str
@@ -58,6 +60,7 @@ class Pasted:
     values: tuple[str, ...] = ()
     natural: tuple[str, ...] = ()
     lower_limit: str = ""
+    has_matrices: bool = False
 
     @property
     def prints(self) -> tuple[str, ...]:
@@ -100,6 +103,7 @@ def read_letters(pasted: Pasted) -> Letters:
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
     rates = _find_rates(variables)
     variables = tuple(replace(v, given=rates.get(v.symbol, v.given)) for v in variables)
+    variables = tuple(one for v in variables for one in show_entries(v))
     left = [r for r in relations if r not in equations]
     return Letters(variables, notation, left, tied, rates, _list_needed(variables))
 
@@ -153,7 +157,7 @@ def _differentiate(latex: str, value: sp.Expr, rate: re.Match[str]) -> sp.Expr:
 def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
     """Return what must hold so that letters that have values are real numbers."""
     needed: dict[Relational, None] = {}
-    values = [v.given for v in variables if v.given is not None and v.given.free_symbols]
+    values = [v.given for v in variables if isinstance(v.given, sp.Expr) and v.given.free_symbols]
     for value in values:
         needs = [need for part in list_partial(value) for need in list_needs(part)]
         told = [sp.Gt(number, 0) if strict else sp.Ge(number, 0) for number, strict in needs]
@@ -166,12 +170,13 @@ def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
 
 def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     """Make a variable of each name that is said and of each letter that is met."""
-    said = dict.fromkeys((*pasted.names, *pasted.natural))
+    said = dict.fromkeys((*pasted.names, *pasted.natural, *find_bold(pasted.prints)))
     named = [_make(latex, pasted, counts) for latex in said]
     reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
+    refuse_parts(letters, find_bold(prints))
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))
@@ -184,14 +189,9 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
 
 
 def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
-    """Refuse what is no real number: vectors, the imaginary unit, operators that are not known."""
+    """Refuse what is no real number: the imaginary unit, operators that are not known."""
     operators = {rf"\mathrm{{{name}}}" for text in prints for name in _OPERATOR.findall(text)}
     for letter in letters:
-        if is_vector(letter):
-            raise ValueError(
-                f"{letter} is no number: vectors and matrices need their components: check these, "
-                f"or say --name '{letter}' where it is a number"
-            )
         if letter in _IMAGINARY:
             raise ValueError(
                 f"{letter} is the imaginary unit: complex numbers are not read in a single "
@@ -215,6 +215,9 @@ def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
     name = show_letter(latex.replace(f"_{INDEX}", ""))
     if INDEX in latex:
         return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
+    if is_vector(latex) and latex not in pasted.names:
+        shape = (3, 3) if pasted.has_matrices and is_capital(latex) else (3, 1)
+        return Variable(sp.MatrixSymbol(name, *shape), latex, latex=(latex,))
     variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
     return _count(variable) if latex in (*pasted.natural, *counts) else variable
 
@@ -311,6 +314,10 @@ def _give_values(
 
 def describe(variable: Variable) -> str:
     """Say what a letter is taken for."""
+    if isinstance(variable.symbol, sp.MatrixSymbol):
+        return (
+            "a vector of 3 real numbers" if variable.symbol.shape[1] == 1 else "a real 3x3 matrix"
+        )
     if variable.given is not None:
         return "Euler's number" if variable.given is sp.E else f"= {variable.given}"
     names = {

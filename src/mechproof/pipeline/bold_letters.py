@@ -1,0 +1,95 @@
+r"""Vectors and matrices of a single equation, by their letters: \mathbf{a}, \vec{F}, \mathbf{A}."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.left_scripts import VECTORS
+from mechproof.record import Definition, Equality, Row, Variable
+
+_BOLD = re.compile(
+    rf"(?:{'|'.join(map(re.escape, VECTORS))})"
+    r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
+    r"(?P<index>_(?:\w|\{[^{}]*\}))?"
+)
+_CAPITAL = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*\{?\s*(?:[A-Z]|\\[A-Z])")
+
+
+def find_bold(prints: Iterable[str]) -> tuple[str, ...]:
+    """Return the letters of prints that are bold or have an arrow, each with its index."""
+    return tuple(dict.fromkeys(found[0] for text in prints for found in _BOLD.finditer(text)))
+
+
+def is_capital(latex: str) -> bool:
+    """Tell whether a print has a bold capital, which is a matrix as often as a vector."""
+    return bool(_CAPITAL.search(latex))
+
+
+def show_entries(variable: Variable) -> Iterator[Variable]:
+    """Yield a letter, and those of its entries if it is a vector or a matrix."""
+    symbol = variable.symbol
+    if not isinstance(symbol, sp.MatrixSymbol):
+        yield variable
+        return
+    entries = [sp.Symbol(f"{symbol}[{place}]", real=True) for place in _list_places(symbol)]
+    yield replace(variable, given=sp.ImmutableMatrix(*symbol.shape, entries))
+    yield from (Variable(entry, variable.meaning, latex=()) for entry in entries)
+
+
+def _list_places(symbol: sp.MatrixSymbol) -> list[str]:
+    rows, columns = (range(1, int(size) + 1) for size in symbol.shape)
+    if len(columns) == 1:
+        return [str(row) for row in rows]
+    return [f"{row}, {column}" for row in rows for column in columns]
+
+
+def refuse_parts(letters: Iterable[str], bold: Iterable[str]) -> None:
+    r"""Raise `ValueError` for F or F_x beside \vec{F}: its length or a part of it, or not."""
+    plain = {letter for letter in letters if not _BOLD.fullmatch(letter)}
+    for latex in bold:
+        found = _BOLD.fullmatch(latex)
+        name = "".join(filter(None, found.groups())) if found else ""
+        for letter in sorted(plain):
+            if _bare(name) in (_bare(letter), _bare(letter.partition("_")[0])):
+                raise ValueError(
+                    f"{letter} beside {latex}: its length, or a component of it? Print |{latex}| "
+                    "for the length, all components for the vectors, or another letter"
+                )
+
+
+def _bare(name: str) -> str:
+    return name.replace("{", "").replace("}", "").replace(" ", "")
+
+
+def compare_bold(row: Row, variables: Sequence[Variable]) -> Row:
+    """Take a bold letter that stands on one side only, and alone, to be introduced there.
+
+    Raises `ValueError` for sides of unlike sizes.
+    """
+    says = row.says
+    given: dict[sp.Basic, Any] = {
+        v.symbol: v.given for v in variables if isinstance(v.symbol, sp.MatrixSymbol)
+    }
+    if isinstance(says, Definition) and says.symbol in given:
+        sides = (given[says.symbol], says.printed)
+    elif isinstance(says, Equality) and given:
+        sides = (says.printed, says.rebuilt)
+    else:
+        return row
+    one, other = (given.get(side, side) for side in sides)
+    shapes = [getattr(side, "shape", ()) for side in (one, other)]
+    if shapes[0] != shapes[1]:
+        raise ValueError(
+            f"the sides do not have the same size, {shapes[0]} and {shapes[1]}: bold letters are "
+            "taken for vectors of 3 components, capitals for 3x3 matrices where that fits"
+        )
+    for symbol, entries in given.items():
+        for side, rest in ((one, other), (other, one)):
+            if side == entries and not entries.free_symbols & rest.free_symbols:
+                return replace(row, says=Definition(symbol, rest))
+    return replace(row, says=Equality(one, other, "member"))

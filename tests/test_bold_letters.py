@@ -1,0 +1,55 @@
+"""Single equations: vectors and matrices by their letters."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+PROVED, REFUTED, DEFINITION = Verdict.PROVED, Verdict.REFUTED, Verdict.DEFINITION
+_A, _B, _C = (rf"\mathbf {letter}" for letter in "abc")
+_M, _N = r"\mathbf A", r"\mathbf B"
+ROWS = [
+    (rf"{_A}\times({_B}\times{_C})={_B}({_A}\cdot{_C})-{_C}({_A}\cdot{_B})", PROVED),
+    (rf"{_A}\times({_B}\times{_C})={_C}({_A}\cdot{_B})-{_B}({_A}\cdot{_C})", REFUTED),
+    (r"\vec a\cdot(\vec b\times\vec c)=\vec c\cdot(\vec a\times\vec b)", PROVED),
+    (r"\vec a\cdot(\vec b\times\vec c)=\vec a\cdot(\vec c\times\vec b)", REFUTED),
+    (rf"{_A}\times{_A}=0", PROVED),
+    (rf"({_M}{_N})^T={_N}^T{_M}^T", PROVED),
+    (rf"({_M}{_N})^T={_M}^T{_N}^T", REFUTED),
+    (rf"({_M}{_N})^{{-1}}={_N}^{{-1}}{_M}^{{-1}}", PROVED),
+    (rf"\det({_M}{_N})=\det{_M}\det{_N}", PROVED),
+    (rf"{_M}{_N}={_N}{_M}", REFUTED),
+    (rf"{_M}\mathbf x\cdot\mathbf y=\mathbf x\cdot{_M}^T\mathbf y", PROVED),
+    # What stands alone on one side only is introduced.
+    (r"\mathbf v=\boldsymbol\omega\times\mathbf r", DEFINITION),
+    (r"\mathbf F=m\mathbf a", DEFINITION),
+    (r"\vec r_{AB}+\vec r_{BC}=\vec r_{AC}", DEFINITION),
+    (rf"{_A}=2{_A}", REFUTED),
+]
+REFUSED = [
+    (r"\vec F\cdot\vec s=Fs\cos\alpha", "its length"),
+    (rf"{_A}\cdot{_B}=a_xb_x+a_yb_y+a_zb_z", "a component of it"),
+    (rf"{_A}\cdot{_B}={_B}\times{_A}", "same size"),
+    (r"\mathbf x=\begin{pmatrix}1\\2\end{pmatrix}", "same size"),
+]
+
+
+@pytest.mark.parametrize(("latex", "verdict"), ROWS)
+def test_vectors_and_matrices_are_compared_entry_by_entry(latex: str, verdict: Verdict) -> None:
+    (judgement,) = judge_pasted(Pasted(latex)).judgements
+    assert judgement.verdict is verdict
+
+
+@pytest.mark.parametrize(("latex", "words"), REFUSED)
+def test_what_may_be_a_part_of_a_vector_is_asked(latex: str, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        judge_pasted(Pasted(latex))
+
+
+def test_a_named_letter_is_a_number() -> None:
+    names = (r"\mathbf a", r"\mathbf b")
+    (judgement,) = judge_pasted(Pasted(rf"{_A}{_B}={_B}{_A}", names=names)).judgements
+    assert judgement.verdict is PROVED
