@@ -10,7 +10,7 @@ from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
-from mechproof.proof.monotonicity import RUNG as MONOTONICITY
+from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Slack
@@ -40,6 +40,7 @@ TABLES = {
     ),
     SQUARES: (
         (r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),
+        (r"|\sin x|\le|x|", r"|\sin x|<|x|", ""),
         (r"|\sin2x|\le2|\sin x|", r"|\sin2x|\le\frac{19}{10}|\sin x|", ""),
         (r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),
         (
@@ -75,6 +76,52 @@ TABLES = {
         (r"\frac x{1+x}\le\ln(1+x)", r"\frac x{1+x}<\ln(1+x)", "x>-1"),
         (r"\sin x\ge\frac{2x}\pi", r"\sin x\ge\frac{2x}3", r"0\le x\le\frac\pi2"),
         (r"x\mathrm{e}^{-x}\le\frac1{\mathrm{e}}", r"x\mathrm{e}^{-x}<\frac1{\mathrm{e}}", "x>0"),
+        (r"\sin x<x", r"\sin x<\frac{999x}{1000}", "x>0"),
+        (r"x-\frac{x^3}6<\sin x", r"x-\frac{x^3}7<\sin x", "x>0"),
+        (r"\cos x\le1-\frac{x^2}2+\frac{x^4}{24}", r"\cos x<1-\frac{x^2}2+\frac{x^4}{24}", ""),
+        (r"\sin x>\frac{2x}\pi", r"\sin x>\frac{7x}{10}", r"0<x<\frac\pi2"),
+        (r"\arcsin x\ge x", r"\arcsin x>x", r"0\le x\le1"),
+        (r"\mathrm e^x>x^2", r"\mathrm e^x>2x^2", "x>0"),
+        (r"\mathrm e^x>x^{\mathrm e}", r"\mathrm e^x<x^{\mathrm e}", r"x>\mathrm e"),
+        (r"\ln x<\sqrt x", r"\ln x<\frac7{10}\sqrt x", "x>0"),
+        (r"x^x\ge\mathrm e^{-1/\mathrm e}", r"x^x>\mathrm e^{-1/\mathrm e}", "x>0"),
+        (r"x^p\le1+p\cdot(x-1)", r"x^p<1+p\cdot(x-1)", "0<p<1, x>0"),
+        (r"(x+y)^p\le x^p+y^p", r"(x+y)^p\ge x^p+y^p", "x>0, y>0, 0<p<1"),
+        (
+            r"ab\le\frac{a^p}p+\frac{b^q}q",
+            r"ab<\frac{a^p}p+\frac{b^q}q",
+            r"a>0, b>0, p>1, q=\frac p{p-1}",
+        ),
+        (
+            r"\sqrt{ab}\le\frac{a-b}{\ln a-\ln b}",
+            r"\sqrt{2ab}\le\frac{a-b}{\ln a-\ln b}",
+            "a>b, b>0",
+        ),
+        (
+            r"\frac{a-b}{\ln a-\ln b}\le\frac{a+b}2",
+            r"\frac{a-b}{\ln a-\ln b}\le\frac{a+b}3",
+            "a>b, b>0",
+        ),
+        (
+            r"x\ln x+y\ln y\ge(x+y)\ln\frac{x+y}2",
+            r"x\ln x+y\ln y>(x+y)\ln\frac{x+y}2",
+            "x>0, y>0",
+        ),
+        (
+            r"\ln\left(1+\frac1n\right)>\frac1{n+1}",
+            r"\ln\left(1+\frac1n\right)>\frac7{10n}",
+            r"n\in\mathbb N",
+        ),
+        (
+            r"\left(1+\frac1n\right)^n<\mathrm e",
+            r"\left(1+\frac1n\right)^n<\frac{27}{10}",
+            r"n\in\mathbb N",
+        ),
+        (
+            r"\left(1+\frac1n\right)^{n+1}>\mathrm e",
+            r"\left(1+\frac1n\right)^n>\mathrm e",
+            r"n\in\mathbb N",
+        ),
     ),
 }
 
@@ -127,3 +174,24 @@ def test_what_jumps_at_an_end_is_not_what_it_is_inside() -> None:
     root = sp.sign(a * b) * sp.cbrt(sp.Abs(a * b))
     assert holds_by_squares(Slack(a + b + 1 - 3 * root, strict=False), domain)
     assert not holds_by_squares(Slack(a + b + 1 - 4 * root, strict=False), domain)
+
+
+@pytest.mark.parametrize(
+    ("value", "values", "strict"),
+    [
+        (x - sp.sin(x), sp.S.Reals, False),
+        (x - sp.sin(x), sp.Interval(0, sp.oo), True),
+        (sp.sqrt((x - 1) ** 2) + x - 1, sp.Interval.open(0, sp.oo), True),
+        (sp.exp(-x) - sp.Rational(1, 1000), sp.Interval(0, sp.oo), False),
+        (sp.atan(x) - x / (1 + x) - sp.Rational(3, 5), sp.Interval.open(0, sp.oo), False),
+        (sp.exp(y * x) - 1, sp.Interval.open(0, sp.oo), True),
+        (sp.exp(y**2 * x) - 1, sp.Interval.open(0, sp.oo), True),
+        (1 - sp.log(x) ** 2, sp.Interval.open(0, sp.oo), False),
+        (sp.log(x) + 1 / x, sp.Interval.open(-1, sp.oo), False),
+    ],
+    ids=str,
+)
+def test_what_is_zero_somewhere_or_falls_below_is_not_shown_by_slopes(
+    value: sp.Expr, values: sp.Interval, strict: bool
+) -> None:
+    assert not holds_by_slope(Slack(value, strict), Domain({x: values}, (), {}))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import chain, islice, permutations
 
 import sympy as sp
 
 from mechproof.proof.domain import Domain, Point
+from mechproof.proof.signs import is_positive
+from mechproof.record.relations import find_slack
 
 # One term hides what goes wrong between terms, and none hides all of it: they are not the first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
@@ -26,6 +29,35 @@ def has_steps(expression: sp.Expr, domain: Domain) -> bool:
     runs = (isinstance(domain.set_of(s), sp.Interval) for s in resolved.free_symbols)
     counts = any(s.is_integer for s in resolved.free_symbols)
     return counts or not all(runs) or resolved.has(*_STEPS)
+
+
+def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, Domain] | None:
+    """Let a count be any real number from the first count on; None where it has no first one.
+
+    Powers of what may be negative have no real values between whole exponents, factorials others.
+    """
+    first = find_first(count, domain)
+    if first is None or value.has(sp.factorial, *_STEPS):
+        return None
+    run = sp.Dummy(count.name, positive=True) if first > 0 else sp.Dummy(count.name, real=True)
+    within = {s: values for s, values in domain.within.items() if s != count}
+    where = tuple(relation for relation in domain.where if not relation.has(count))
+    within[run] = sp.Interval(first, sp.oo)
+    written, part = value.xreplace({count: run}), replace(domain, within=within, where=where)
+    powers = (power for power in written.atoms(sp.Pow) if power.exp.has(run))
+    return (written, part) if all(is_positive(p.base, part) for p in powers) else None
+
+
+def find_first(count: sp.Basic, domain: Domain) -> sp.Integer | None:
+    """Return a whole number below which a count is said not to be."""
+    first = {sp.S.Naturals: sp.S.One, sp.S.Naturals0: sp.S.Zero}.get(domain.set_of(count))
+    if first is None:
+        return None
+    for slack in filter(None, map(find_slack, domain.where)):
+        least = sp.expand(count - slack.value)
+        if least.is_Rational:
+            first = max(first, sp.floor(least) + 1 if slack.strict else sp.ceiling(least))
+    return first
 
 
 def choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> Iterator[Point]:

@@ -14,9 +14,16 @@ from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import is_shown_there
-from mechproof.proof.signs import find_sign, is_shown
+from mechproof.proof.signs import find_sign, is_nonzero, is_shown
 from mechproof.proof.sums import canonicalise
-from mechproof.record import DerivativeWhere, Slack, ValueWhere, list_needs, list_partial
+from mechproof.record import (
+    DerivativeWhere,
+    Slack,
+    ValueWhere,
+    list_divisors,
+    list_needs,
+    list_partial,
+)
 
 
 class InnerNeed(NamedTuple):
@@ -92,6 +99,15 @@ def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
     parts = list_partial(domain.resolve(expression))
     needs = dict.fromkeys(need for node in parts for need in list_needs(node))
     return [need for need in needs if not _is_shown(need, domain)]
+
+
+def has_values(expression: sp.Basic, domain: Domain) -> bool:
+    """Tell whether an expression is shown to have a value throughout the domain."""
+    return (
+        all(map(list_needs, list_partial(expression)))
+        and not list_unshown(expression, domain)
+        and all(is_nonzero(number, domain) for number in list_divisors(expression))
+    )
 
 
 def list_necessary(expression: sp.Basic) -> list[Slack]:

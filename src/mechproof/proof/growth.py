@@ -18,8 +18,9 @@ from mechproof.proof.signs import find_sign, is_positive
 from mechproof.record import list_needs, list_partial
 
 _Y = sp.Dummy("y", positive=True)
-# Work limit: parts of parts.
-_DEEPEST = 12
+# Work limits: parts of parts, and how many of them it costs to write a sum anew.
+_DEEPEST = 15
+_REWRITTEN = 3
 _HALF_PI = sp.pi / 2
 # The limits at minus and plus infinity of functions that are continuous everywhere.
 _ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
@@ -106,7 +107,7 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
         return node
     if node == _Y:
         return sp.oo
-    if depth == 0:
+    if depth <= 0:
         return None
     if isinstance(node, sp.Add):
         return _find_sum(node, domain, depth - 1)
@@ -159,7 +160,7 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
         return _settle(order, domain)
     for rewrite in _REWRITES:
         other = rewrite(node)
-        found = None if other in (None, node) else _find(other, domain, depth)
+        found = None if other in (None, node) else _find(other, domain, depth - _REWRITTEN)
         if found is not None:
             return found
     return None
@@ -171,7 +172,7 @@ def _join_logarithms(node: sp.Add) -> sp.Expr | None:
     logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
     if len(logarithms) < 2:
         return None
-    scale = abs(logarithms[0][0])
+    scale = min(abs(factor) for factor, _ in logarithms)
     whole = sp.Mul(*(u ** (f / scale) for f, u in logarithms))
     rest = sp.Add(*(f * t for f, t in terms if not isinstance(t, sp.log)))
     return scale * sp.log(sp.cancel(sp.together(whole))) + rest
@@ -186,6 +187,7 @@ def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
 
 _REWRITES: tuple[Callable[[sp.Add], sp.Expr | None], ...] = (
     _join_logarithms,
+    lambda node: sp.collect(sp.expand(node), _Y),
     _multiply_by_conjugate,
     lambda node: sp.together(node),
     lambda node: sp.expand(node),
@@ -209,13 +211,17 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
         return _constant(node if _direction(node, domain) else None)
     if node == _Y:
         return _Order(sp.S.Zero, sp.S.One, sp.S.Zero, sp.S.One)
-    if depth == 0:
+    if isinstance(node, sp.Add) and node.is_rational_function(_Y):
+        return _find_order_of_fraction(node, domain)
+    if depth <= 0:
         return None
     if isinstance(node, sp.Mul):
         orders = _find_orders(node.args, domain, depth - 1)
         return reduce(_Order.times, orders) if orders else None
     if isinstance(node, sp.Add):
-        return _find_order_of_sum(node, domain, depth - 1)
+        found = _find_order_of_sum(node, domain, depth - 1)
+        joined = None if found else _join_logarithms(node)
+        return found if joined is None else _find_order(joined, domain, depth)
     if isinstance(node, sp.Pow) and not node.exp.has(_Y):
         base = _find_order(node.base, domain, depth - 1)
         return None if base is None else _raise(base, node.exp, domain)
@@ -255,14 +261,16 @@ def _raise(base: _Order, exponent: sp.Expr, domain: Domain) -> _Order | None:
     return _Order(rate, power, logs, factor)
 
 
+def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> _Order | None:
+    above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
+    factor = above.LC() / below.LC()
+    power = sp.Integer(above.degree() - below.degree())
+    is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
+    return _Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
+
+
 def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> _Order | None:
     """Return the order of the terms that grow fastest, where they do not cancel."""
-    if node.is_rational_function(_Y):
-        above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
-        factor = above.LC() / below.LC()
-        power = sp.Integer(above.degree() - below.degree())
-        is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
-        return _Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
     orders = _find_orders(node.args, domain, depth)
     if not orders:
         return None

@@ -18,6 +18,8 @@ from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
 
 RUNG = "induction"
+# Work limit: terms that come or go in one step.
+_MOST_STEPS = 4
 
 
 def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
@@ -32,20 +34,23 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
     """Return the symbols up to which sums and products run from an integer, each term once."""
     sums = difference.atoms(sp.Sum, sp.Product)
-    ends = {total.limits[0][2].as_coeff_Add()[1] for total in sums if _is_plain(total)}
-    counts = {end for end in ends if end.is_Symbol and end.is_positive and end.is_integer}
-    return {n for n in counts if all(_is_plain(total) for total in sums if total.has(n))}
+    ends = {symbol for total in sums for symbol in total.limits[0][2].free_symbols}
+    counts = {end for end in ends if end.is_positive and end.is_integer}
+    return {n for n in counts if all(is_plain(total, n) for total in sums if total.has(n))}
 
 
-def _is_plain(total: sp.Sum) -> bool:
-    """Tell whether a sum has one index and runs from an integer to n + k, its terms without n."""
+def is_plain(total: sp.Sum | sp.Product, count: sp.Symbol) -> bool:
+    """Tell whether the ends of the one index go on by whole steps with n, its terms without n."""
     (_, lower, upper), *others = total.limits
-    shift, count = upper.as_coeff_Add()
+    rates = [sp.diff(end, count) for end in (lower, upper)]
+    first = (upper - lower).subs(count, 1)
     return bool(
         not others
-        and lower.is_Integer
-        and shift.is_Integer
-        and lower <= shift + 2
+        and all(rate.is_Integer and 0 <= rate <= _MOST_STEPS for rate in rates)
+        and rates[0] <= rates[1]
+        and first.is_Integer
+        and first >= -1
+        and lower.subs(count, 1).is_Integer
         and not total.function.has(count)
     )
 
@@ -56,27 +61,37 @@ def _begins(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
 
 def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
     """Tell whether the step from n to n + 1 adds nothing to the difference."""
-    last = {
-        total: total.function.subs(total.limits[0][0], total.limits[0][2] + 1)
-        for total in difference.atoms(sp.Sum, sp.Product)
-        if total.has(count)
-    }
-    kept = {total: sp.Dummy() for total in last}
-    before = difference.xreplace(kept)
-    after = {
-        kept[total]: kept[total] * more if isinstance(total, sp.Product) else kept[total] + more
-        for total, more in last.items()
-    }
-    following = before.subs(count, count + 1).xreplace(after)
-    products = [kept[total] for total in last if isinstance(total, sp.Product)]
+    before, following, products = follow(difference, count)
     if not products:
         return _vanishes(following - before, domain)
     # What a product is for n follows from the difference, which is taken to vanish there.
     slope = before.diff(*products)
-    if len(products) > 1 or slope.has(count, *kept.values()) or not is_analytic(slope):
+    named = before.free_symbols - difference.free_symbols
+    if len(products) > 1 or slope.has(count, *named) or not is_analytic(slope):
         return False
     following = following.subs(products[0], products[0] - before / slope)
     return _vanishes(sp.expand(following * slope), domain)
+
+
+def follow(number: sp.Expr, count: sp.Symbol) -> tuple[sp.Expr, sp.Expr, list[sp.Symbol]]:
+    """Return a number for n and for n + 1, its sums and products to n named; and the products."""
+    totals = [total for total in number.atoms(sp.Sum, sp.Product) if total.has(count)]
+    kept = {total: sp.Dummy() for total in totals}
+    before = number.xreplace(kept)
+    after = {kept[total]: _go_on(total, count, kept[total]) for total in totals}
+    following = before.subs(count, count + 1).xreplace(after)
+    return before, following, [kept[total] for total in totals if isinstance(total, sp.Product)]
+
+
+def _go_on(total: sp.Sum | sp.Product, count: sp.Symbol, value: sp.Symbol) -> sp.Expr:
+    """Return the value for n + 1, by the one for n: with the terms that come and go."""
+    index, lower, upper = total.limits[0]
+    come = [upper + k for k in range(1, int(sp.diff(upper, count)) + 1)]
+    go = [lower + k for k in range(int(sp.diff(lower, count)))]
+    more, less = ([total.function.subs(index, k) for k in numbers] for numbers in (come, go))
+    if isinstance(total, sp.Product):
+        return value * sp.Mul(*more) / sp.Mul(*less)
+    return value + sp.Add(*more) - sp.Add(*less)
 
 
 def _vanishes(value: sp.Expr, domain: Domain) -> bool:

@@ -102,6 +102,8 @@ def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
     """Tell whether a number is shown to be positive, or not negative."""
     if is_shown_there(Slack(value, strict), domain):
         return True
+    if not _list_roots(value) and monotonicity.holds_by_slope(Slack(value, strict), domain):
+        return True
     if depth == 0 or is_negative_somewhere(value, domain):
         return False
     return any(

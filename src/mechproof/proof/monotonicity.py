@@ -1,8 +1,12 @@
 """Rung: an inequality by the slope of the difference of its sides.
 
-f >= 0 on an interval if f >= 0 at a place from which f grows to both sides, or at both ends of it
-where f is concave. The sign of a slope is shown as that of any other number, or again by its own
-slope; f is shown to be continuous, and its slope exists inside.
+f >= 0 on an interval if f >= 0 at a place from which f grows to both sides, be it a limit at an
+end; at both ends of it where f is concave; or where its slope is zero, f being convex. The sign of
+a slope is shown as that of any other number, or again by its own slope; f is shown to be
+continuous, and its slope exists inside.
+
+A function that does not fall grows strictly if it is analytic and its slope is zero on no interval:
+that is known of an analytic slope from one place at which it is not zero.
 """
 
 from __future__ import annotations
@@ -14,12 +18,16 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
+from mechproof.proof.definedness import has_values
 from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import (
-    find_sign_there,
     is_negative_somewhere,
     is_shown_there,
 )
+from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.set_values import place as choose_place
+from mechproof.proof.sign_forms import compare_logarithms, free_logarithms, list_forms
+from mechproof.proof.turning_points import is_analytic_inside, list_values, list_zeros
 from mechproof.record import Slack
 from mechproof.record.parts import has_parts
 
@@ -29,10 +37,9 @@ _TRANSCENDENTAL = (
     *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.erf),
     *(sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh),
 )
-_PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
-# Work limits: slopes of slopes, operations of a slope, and variables that are tried.
-_MOST_SLOPES = 3
-_LARGEST = 60
+# Work limits: slopes of slopes, operations of a number and its slope, variables that are tried.
+_MOST_SLOPES = 5
+_LARGEST, _LARGEST_SLOPE = 60, 150
 _MOST_VARIABLES = 2
 
 
@@ -41,96 +48,145 @@ def holds_by_slope(slack: Slack, domain: Domain) -> bool:
     value = domain.resolve(slack.value)
     if has_parts(value, *_KINKED, sp.Sum, sp.Product, sp.Integral):
         return False
+    return any(
+        _holds(number, x, slack.strict, part, _MOST_SLOPES)
+        for number, part in list_forms(value, domain)
+        for x in _list_variables(number, part)
+    )
+
+
+def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
+    """List the variables of functions that run in intervals and stand in no relation."""
     powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}
     coupled = {s for relation in domain.where for s in relation.free_symbols}
     symbols = {s for node in nodes for s in node.free_symbols} - coupled
     runs = sorted((s for s in symbols if isinstance(domain.set_of(s), sp.Interval)), key=str)
-    return any(
-        _holds(number, x, slack.strict, domain, _MOST_SLOPES)
-        for x in runs[:_MOST_VARIABLES]
-        for number in (value, *_multiply_out(value, domain))
-    )
-
-
-def _multiply_out(value: sp.Expr, domain: Domain) -> Iterator[sp.Expr]:
-    """Yield a quotient times what is below it, or its opposite, if that is positive."""
-    above, below = sp.fraction(sp.together(value))
-    sign = find_sign_there(below, domain) if below.free_symbols else None
-    if sign is not None and sign.strict:
-        yield sign.direction * above
+    return runs[:_MOST_VARIABLES]
 
 
 def _holds(f: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int) -> bool:
     if _is_shown(f, strict, domain):
         return True
-    if not slopes or not f.has(x) or f.count_ops() > _LARGEST:
+    if not slopes or not f.has(x) or f.count_ops() > _LARGEST or has_parts(f, *_KINKED):
         return False
     if is_negative_somewhere(f, domain):
         return False
-    slope = sp.factor_terms(sp.together(sp.diff(f, x)))
-    if any(
-        all(
-            _holds(direction * slope, x, is_strict, part, slopes - 1)
-            for direction, is_strict, part in parts
-        )
-        for parts in _list_ways(f, x, strict, domain)
-    ):
+    if (written := compare_logarithms(f, domain)) is not None:
+        forms = dict.fromkeys([free_logarithms(written, domain), written])
+        return any(_holds(form, x, strict, domain, slopes) for form in forms)
+    inside, slope = domain.with_set(x, domain.set_of(x).interior), sp.diff(f, x)
+    if slope.count_ops() > _LARGEST_SLOPE:
+        return False
+    slope = free_logarithms(slope, inside)
+    ways = _list_ways(f, x, slope, strict, domain)
+    if any(all(_grows(f, d * slope, x, s, part, slopes) for d, s, part in way) for way in ways):
         return True
-    return _is_concave(f, slope, x, strict, domain, slopes)
+    bend = free_logarithms(sp.diff(f, x, 2), inside)
+    return _is_concave(f, bend, x, strict, domain, slopes) or _is_convex(
+        f, slope, bend, x, strict, domain, slopes
+    )
+
+
+def _grows(
+    f: sp.Expr, slope: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int
+) -> bool:
+    """Tell whether f is shown not to fall where its slope, or its opposite, is that."""
+    is_strict = strict and not _is_zero_nowhere_long(f, slope, x, domain)
+    return _holds(slope, x, is_strict, domain, slopes - 1)
+
+
+def _is_zero_nowhere_long(f: sp.Expr, slope: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
+    """Tell whether a derivative of an analytic function, for no parameters, is zero throughout."""
+    middle = choose_place(domain.set_of(x), sp.S.Half, 1)
+    is_positive_there = _is_shown(slope.subs(x, middle), True, _without(domain, x))
+    return is_positive_there and is_analytic_inside(f, x, domain)
 
 
 def _is_shown(value: sp.Expr, strict: bool, domain: Domain) -> bool:
+    if value == sp.oo:
+        return True
     value = sp.factor_terms(value)
     if is_shown_there(Slack(value, strict), domain):
         return True
-    return not strict and decide_equal(value, sp.S.Zero, domain) is not None
+    return not strict and _is_zero(value, domain)
 
 
 _Way = list[tuple[sp.Integer, bool, Domain]]
 
 
-def _list_ways(f: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain) -> Iterator[_Way]:
+def _list_ways(
+    f: sp.Expr, x: sp.Symbol, slope: sp.Expr, strict: bool, domain: Domain
+) -> Iterator[_Way]:
     """Yield what must grow, and where, for f to be at least what it is at one place."""
     values = domain.set_of(x)
-    ends = [end for end in (values.start, values.end) if end.is_finite]
-    places = [*ends, *(p for p in _PLACES if values.interior.contains(p) == sp.true)]
-    for place in dict.fromkeys(places):
-        closed = sp.Union(values, sp.FiniteSet(place))
-        if not isinstance(closed, sp.Interval):
-            continue
-        if find_break(f, x, domain.with_set(x, closed)) is not None:
-            continue
-        there = f.subs(x, place)
-        is_left_out = values.contains(place) == sp.false
+    for place, there in list_values(f, x, slope, domain):
+        is_left_out = values.contains(place) != sp.true
         is_above = _is_shown(there, strict, _without(domain, x))
         if not is_above and not (
             strict and is_left_out and _is_shown(there, False, _without(domain, x))
         ):
             continue
-        needs_growth = not is_above
         sides = ((sp.Integer(-1), values.start, place), (sp.Integer(1), place, values.end))
         yield [
-            (direction, needs_growth, domain.with_set(x, sp.Interval.open(low, high)))
+            (direction, not is_above, domain.with_set(x, sp.Interval.open(low, high)))
             for direction, low, high in sides
             if (low < high) == sp.true
         ]
 
 
 def _is_concave(
-    f: sp.Expr, slope: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int
+    f: sp.Expr, bend: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int
 ) -> bool:
-    """Tell whether f is shown to be concave between two ends at which it is not negative."""
+    """Tell whether f is shown to be concave between two ends at which it is not negative.
+
+    If it is zero between them it is zero throughout.
+    """
     values = domain.set_of(x)
-    low, high = values.start, values.end
-    if strict or not (low.is_finite and high.is_finite):
+    if not (values.start.is_finite and values.end.is_finite):
         return False
-    if find_break(f, x, domain.with_set(x, sp.Interval(low, high))) is not None:
+    if find_break(f, x, domain.with_set(x, sp.Interval(values.start, values.end))) is not None:
         return False
-    if not all(_is_shown(f.subs(x, end), False, _without(domain, x)) for end in (low, high)):
+    ends = ((values.start, values.left_open), (values.end, values.right_open))
+    needs = [(f.subs(x, end), strict and not is_open) for end, is_open in ends]
+    if not all(_is_shown(*need, _without(domain, x)) for need in needs):
         return False
-    inside = domain.with_set(x, sp.Interval.open(low, high))
-    return _holds(-sp.diff(slope, x), x, False, inside, min(slopes - 1, 1))
+    inside = domain.with_set(x, values.interior)
+    return _grows(f, -bend, x, strict, inside, min(slopes, 2))
+
+
+def _is_convex(
+    f: sp.Expr,
+    slope: sp.Expr,
+    bend: sp.Expr,
+    x: sp.Symbol,
+    strict: bool,
+    domain: Domain,
+    slopes: int,
+) -> bool:
+    """Tell whether f is shown to be convex, and not negative where its slope is zero.
+
+    That place may depend on parameters.
+    """
+    inside = domain.with_set(x, domain.set_of(x).interior)
+    values, outer = domain.set_of(x), _without(domain, x)
+    for place in list_zeros(slope, x):
+        gaps = [place - values.start] if values.start.is_finite else []
+        gaps += [values.end - place] if values.end.is_finite else []
+        if (
+            has_values(place, outer)
+            and all(_is_shown(gap, True, outer) for gap in gaps)
+            and _is_shown(f.subs(x, place), strict, outer)
+            and _is_zero(sp.diff(f, x).subs(x, place), outer)
+            and is_analytic_inside(f, x, inside)
+            and find_break(f, x, domain) is None
+        ):
+            return _holds(bend, x, False, inside, min(slopes - 1, 1))
+    return False
+
+
+def _is_zero(value: sp.Expr, domain: Domain) -> bool:
+    return any(rung(value, sp.S.Zero, domain) for rung in (decide_equal, decide_by_logarithms))
 
 
 def _without(domain: Domain, x: sp.Symbol) -> Domain:

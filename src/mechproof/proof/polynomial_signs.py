@@ -81,8 +81,8 @@ def _sign_of_product(
 
 
 def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Let each power with an exponent that is no number, of a positive base, be positive."""
-    powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_number]
+    """Let each power with an exponent that is no fraction, of a positive base, be positive."""
+    powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_Rational]
     named = {
         power: sp.Dummy("power", positive=True)
         for power in sorted(powers, key=sp.default_sort_key)

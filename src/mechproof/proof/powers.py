@@ -23,7 +23,7 @@ _JUMPING = (
 def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if left = right once their logarithms and powers have one form."""
     left, right = domain.resolve(left), domain.resolve(right)
-    one, other = _write(left, domain), _write(right, domain)
+    one, other = (write_by_logarithms(side, domain) for side in (left, right))
     if (one, other) == (left, right):
         return None
     return RUNG if decide_equal(one, other, domain) else None
@@ -89,31 +89,32 @@ def _list_factors(base: sp.Expr) -> list[tuple[sp.Expr, int]]:
     return found
 
 
-def _write(node: sp.Expr, domain: Domain) -> sp.Expr:
+def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write powers of positive bases as exponentials, logarithms of products as sums."""
     if not node.args or not node.has(sp.log, sp.Pow, sp.exp):
         return node
-    node = node.func(*(_write(argument, domain) for argument in node.args))
+    node = node.func(*(write_by_logarithms(argument, domain) for argument in node.args))
     if isinstance(node, sp.log):
-        return _write_logarithm(node.args[0], domain)
+        logarithm = _take_logarithm(node.args[0], domain)
+        return node if logarithm is None else logarithm
     if isinstance(node, sp.exp):
         return _write_exponential(node.args[0])
     if not isinstance(node, sp.Pow) or node.exp.is_Rational:
         return node
-    is_known = isinstance(node.base, sp.exp) or is_positive(node.base, domain)
-    logarithm = _write_logarithm(node.base, domain) if is_known else None
+    logarithm = _take_logarithm(node.base, domain)
     return node if logarithm is None else _write_exponential(node.exp * logarithm)
 
 
-def _write_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write ln of a product by those of its factors, as far as they are positive."""
-    if isinstance(argument, sp.exp):
-        return argument.args[0]
+def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Return the logarithm of a product by those of its factors, None if not all are positive."""
     factors = [factor.as_base_exp() for factor in sp.Mul.make_args(sp.factor(argument))]
     if not all(is_positive(base, domain) for base, _ in factors):
-        return sp.log(argument)
+        return None
     return sp.Add(*(exponent * sp.log(base) for base, exponent in factors))
 
 
 def _write_exponential(exponent: sp.Expr) -> sp.Expr:
     """Write the exponential of a sum as a product, whole multiples of logarithms as powers."""
+    if any(power.exp.is_negative for power in exponent.atoms(sp.Pow)):
+        exponent = sp.cancel(exponent)
     return sp.Mul(*(sp.exp(term) for term in sp.Add.make_args(sp.expand(exponent))))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.proof import bisection, newton, taylor
+from mechproof.proof import bisection, inductive_inequalities, newton, taylor
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.cases import decide_by_pieces, write_pieces
 from mechproof.proof.domain import Domain
+from mechproof.proof.inductive_inequalities import holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.taylor import holds_near_zero
@@ -27,7 +28,11 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     if _holds_by_sign(relation, domain):
         return SIGN
     slack = find_slack(relation)
-    return _hold_by_cases(relation, domain) or (slack and show_sign(slack, domain))
+    if slack is None:
+        return None
+    if holds_by_steps(slack, domain, show_sign):
+        return inductive_inequalities.RUNG
+    return _hold_by_cases(relation, domain) or show_sign(slack, domain)
 
 
 def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:

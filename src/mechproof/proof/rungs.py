@@ -48,8 +48,12 @@ RUNGS = {
     "exponentials, on the intervals in which these lie",
     "every order of the numbers": "an inequality, by the coefficients for every order of the "
     "numbers, each written as the one below and a gap",
-    "monotonicity": "an inequality that holds at one place, from which the difference of its sides "
-    "grows, or at both ends of an interval on which it is concave",
+    "monotonicity": "an inequality that holds at one place, or in the limit at an end, from which "
+    "the difference of its sides grows; at both ends of an interval on which that is concave; or "
+    "where its slope is zero and it is convex",
+    "induction of an inequality": "an inequality that holds for the first whole number, and for "
+    "each next one if for the one before: the difference of its sides is at least a positive "
+    "multiple of what it was",
     "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
     "proved by induction, or that of a geometric series",
     "known series": "a sum without end whose first term and quotients of terms are those of the "

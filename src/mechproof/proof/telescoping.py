@@ -88,8 +88,8 @@ def _has_value(claim: _Claim, domain: Domain) -> bool:
     if not _is_zero(begun - value.subs(n, 1), domain):
         return False
     following = term.subs(n, n + 1)
-    change = _reduce(following / term)
-    growth = sp.S.Zero if value == 0 else _reduce(value.subs(n, n + 1) / value)
+    change = reduce_quotient(following / term)
+    growth = sp.S.Zero if value == 0 else reduce_quotient(value.subs(n, n + 1) / value)
     if change is None or growth is None or not is_nonzero_below(growth, {n: n}, domain):
         return False
     # The value is multiplied by its growth; what the sum is beyond that must vanish.
@@ -103,7 +103,7 @@ def _has_value(claim: _Claim, domain: Domain) -> bool:
     return _is_zero(ends + rest, domain)
 
 
-def _reduce(quotient: sp.Expr) -> sp.Expr | None:
+def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
     """Return a quotient of like terms as a fraction, None where something else is left."""
     written = sp.combsimp(sp.powsimp(quotient))
     written = sp.cancel(sp.together(split_powers(prepare(written))))
@@ -115,7 +115,7 @@ def _reduce(quotient: sp.Expr) -> sp.Expr | None:
 def _find_part(step: sp.Expr, term: sp.Expr, k: sp.Symbol, domain: Domain) -> sp.Expr | None:
     """Return R for which step*term is shown to be the difference of R*term, None for none."""
     proposed = gosper_term(step * term, k) if step != 0 else sp.S.Zero
-    growth = _reduce(term.subs(k, k + 1) / term)
+    growth = reduce_quotient(term.subs(k, k + 1) / term)
     if proposed is None or growth is None:
         return None
     part = sp.cancel(sp.together(proposed * step))

@@ -1,0 +1,125 @@
+"""Forms of a number that have its sign, in which the sign is easier to see.
+
+A quotient is multiplied by what is below it, and divided by what stands before its logarithms. Of
+two terms with opposite signs the logarithms are compared. With whole numbers it is
+one of real numbers, and two positive variables are one of them and their ratio: where the number is
+homogeneous, the ratio is left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import permutations
+
+import sympy as sp
+
+from mechproof.proof.counts import let_run
+from mechproof.proof.domain import Domain
+from mechproof.proof.half_angles import find_sign_there
+from mechproof.proof.powers import write_by_logarithms
+from mechproof.proof.signs import is_positive
+from mechproof.record.relations import find_slack
+
+Form = tuple[sp.Expr, Domain]
+
+
+def list_forms(value: sp.Expr, domain: Domain) -> Iterator[Form]:
+    """Yield a number and others of its sign, each with the domain on which it has that sign."""
+    for count in sorted(value.free_symbols, key=str):
+        if count.is_integer and (run := let_run(value, count, domain)) is not None:
+            value, domain = run
+    for number, part in ((value, domain), *_list_ratios(value, domain)):
+        yield free_logarithms(number, part), part
+
+
+def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
+    """Divide by the factors that are positive, and by the opposite of those that are negative."""
+    kept = sp.S.One
+    for factor in sp.Mul.make_args(sp.factor_terms(sp.together(sp.powsimp(value)))):
+        base, power = factor.as_base_exp()
+        sign = find_sign_there(base, domain)
+        is_signed = sign is not None and sign.strict
+        if sign is None or not is_signed or not (sign.direction > 0 or power.is_integer):
+            kept *= factor
+        elif sign.direction < 0 and not power.is_even:
+            kept *= -1 if power.is_odd else (-1) ** power
+    return kept
+
+
+def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
+    """Drop factors that have signs, and what stands before all logarithms alike."""
+    value = drop_signed_factors(value, domain)
+    nodes = sorted(value.atoms(sp.log), key=sp.default_sort_key)
+    if not nodes:
+        return value
+    expanded = sp.expand(value)
+    factors = {node: expanded.coeff(node) for node in nodes}
+    common = factors[nodes[0]].as_coeff_Mul()[1]
+    if not common.free_symbols or common.has(sp.log):
+        return value
+    ratios = {node: sp.cancel(factor / common) for node, factor in factors.items()}
+    sign = find_sign_there(common, domain)
+    if sign is None or not sign.strict or not all(ratio.is_number for ratio in ratios.values()):
+        return value
+    rest = sp.expand(expanded - sum(node * factor for node, factor in factors.items()))
+    total = sum(node * ratio for node, ratio in ratios.items()) + sp.cancel(rest / common)
+    return sign.direction * total
+
+
+def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Write a - b, both positive and one a power that is no root, as ln a - ln b."""
+    terms = value.args if isinstance(value, sp.Add) else ()
+    if len(terms) != 2 or not _list_powers(value):
+        return None
+    signs = [find_sign_there(term, domain) for term in terms]
+    known = [sign.direction for sign in signs if sign is not None and sign.strict]
+    if sorted(known) != [-1, 1]:
+        return None
+    logarithms = (
+        direction * write_by_logarithms(sp.log(direction * term), domain)
+        for direction, term in zip(known, terms, strict=True)
+    )
+    written = sp.factor(sp.expand(sp.Add(*logarithms)))
+    return None if _list_powers(written) else drop_signed_factors(written, domain)
+
+
+def _list_powers(value: sp.Expr) -> list[sp.Expr]:
+    """List the powers that are no roots."""
+    return [power for power in value.atoms(sp.Pow, sp.exp) if not power.exp.is_Rational]
+
+
+def _list_ratios(value: sp.Expr, domain: Domain) -> Iterator[Form]:
+    """Write one of two positive variables as the other and their ratio, if the latter is left."""
+    symbols = sorted(value.free_symbols, key=str)
+    for large, small in permutations(symbols, 2):
+        least = _find_least_ratio(large, small, domain)
+        if least is None:
+            continue
+        ratio, unit = sp.Dummy("ratio", positive=True), sp.Dummy("unit", positive=True)
+        sets = {ratio: least, unit: sp.Interval.open(0, sp.oo)}
+        part = replace(domain, within={**domain.within, **sets})
+        written = value.subs({large: ratio * unit, small: unit}, simultaneous=True)
+        written = sp.expand(write_by_logarithms(written, part)).replace(sp.exp, _write_power)
+        left = drop_signed_factors(sp.factor(written), part)
+        if not left.has(unit):
+            yield left, part
+            return
+
+
+def _write_power(exponent: sp.Expr) -> sp.Expr:
+    """Write exp(k*ln b) as b**k."""
+    factors = sp.Mul.make_args(exponent)
+    logarithm = next((factor for factor in factors if isinstance(factor, sp.log)), None)
+    return sp.exp(exponent) if logarithm is None else logarithm.args[0] ** (exponent / logarithm)
+
+
+def _find_least_ratio(large: sp.Symbol, small: sp.Symbol, domain: Domain) -> sp.Interval | None:
+    """Return where the ratio of two positive variables lies, None where they are not positive."""
+    if not is_positive(small, domain):
+        return None
+    said = {find_slack(relation) for relation in domain.where}
+    for strict in (True, False):
+        if (large - small, strict) in said:
+            return sp.Interval(1, sp.oo, left_open=strict)
+    return sp.Interval.open(0, sp.oo) if is_positive(large, domain) else None
