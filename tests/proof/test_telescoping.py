@@ -38,6 +38,26 @@ TABLES = {
             r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a-b)^n",
             "",
         ),
+        (
+            r"\sum_{k=1}^nk\binom nk=n\cdot2^{n-1}",
+            r"\sum_{k=1}^nk\binom nk=n\cdot2^n-n",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}",
+            r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}+n-1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n",
+            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n+n-1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{n+1}",
+            r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{2n}",
+            "",
+        ),
     ),
     endless_sums.RUNG: (
         (

@@ -23,7 +23,7 @@ from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
 
 # Work limit: so many factorials in a term.
-_MOST_FACTORIALS = 4
+_MOST_FACTORIALS = 6
 RUNG = "Wilf-Zeilberger pair"
 
 
@@ -55,14 +55,18 @@ def _read(difference: sp.Expr) -> _Claim | None:
     is_count = n.is_Symbol and n.is_positive and n.is_integer
     if others or first not in (0, 1) or not is_count or not total.function.has(n):
         return None
-    difference = sp.expand(difference)
-    scale = difference.coeff(total)
+    named = sp.Dummy("sum")
+    difference = sp.expand(difference.xreplace({total: named}))
+    scale = difference.coeff(named)
     if scale == 0 or scale.has(index, n) or not is_analytic(scale):
         return None
-    value = sp.expand(-(difference - scale * total) / scale)
-    k = sp.Dummy("k", integer=True, nonnegative=True)
-    claim = _Claim(total.function.xreplace({index: k}), k, int(first), n, value)
-    return None if value.has(total) else claim
+    value = sp.expand(-(difference - scale * named) / scale)
+    # A first term that is zero would be a pole where the terms are divided by it.
+    begin = 1 if total.function.subs(index, 0) == 0 else int(first)
+    sign = {"positive": True} if begin else {"nonnegative": True}
+    k = sp.Dummy("k", integer=True, **sign)
+    claim = _Claim(total.function.xreplace({index: k}), k, begin, n, value)
+    return None if value.has(named) else claim
 
 
 def _has_factorials(claim: _Claim) -> bool:
@@ -126,8 +130,8 @@ def is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain
     """Tell whether a fraction has no pole for any of the counts."""
     _, below = sp.fraction(sp.together(fraction))
     written = below.xreplace(counts)
-    naturals = {s: sp.S.Naturals0 for s in written.free_symbols if s.is_nonnegative}
-    naturals |= {n: sp.S.Naturals for n in counts if n.is_positive}
+    whole = {s for s in {*counts, *written.free_symbols} if s.is_integer and s.is_nonnegative}
+    naturals = {s: sp.S.Naturals if s.is_positive else sp.S.Naturals0 for s in whole}
     return is_nonzero(written, replace(domain, within={**domain.within, **naturals}))
 
 
