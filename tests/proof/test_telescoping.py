@@ -150,6 +150,11 @@ TABLES = {
     ),
     induction.RUNG: (
         (
+            r"\sum_{i=1}^n\sum_{j=1}^ij=\frac{n(n+1)(n+2)}6",
+            r"\sum_{i=1}^n\sum_{j=1}^ij=\frac{n(n+1)^2}4",
+            "",
+        ),
+        (
             r"\prod_{k=2}^n\left(1-\frac1{k^2}\right)=\frac{n+1}{2n}",
             r"\prod_{k=2}^n\left(1-\frac1{k^2}\right)=\frac{n+1}{2n^2}",
             "",

@@ -126,7 +126,12 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
     order = _find_order(node, domain, depth - 1)
     if order is not None:
         return _settle(order, domain)
-    return _find_product(node, domain, depth - 1) if isinstance(node, sp.Mul) else None
+    if not isinstance(node, sp.Mul):
+        return None
+    limit = _find_product(node, domain, depth - 1)
+    if limit is None and (expanded := sp.expand(node)) != node:
+        return _find(expanded, domain, depth - _REWRITTEN)
+    return limit
 
 
 def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:

@@ -24,11 +24,38 @@ _MOST_STEPS = 4
 
 def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if left = right is proved by induction over a count, else None."""
-    difference = domain.resolve(left - right)
+    difference = _sum_inside(domain.resolve(left - right), domain)
     for count in sorted(_list_counts(difference), key=str):
         if _begins(difference, count, domain) and _grows(difference, count, domain):
             return RUNG
     return None
+
+
+def sum_up(body: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
+    """Put the values that SymPy proposes in the places of sums to a variable, where proved.
+
+    The variable counts from 1.
+    """
+    count = sp.Dummy("n", integer=True, positive=True)
+    counted = domain.with_set(count, sp.S.Naturals)
+    for total in sorted(body.atoms(sp.Sum), key=sp.default_sort_key):
+        factor, term = total.function.as_independent(total.limits[0][0])
+        plain = sp.Sum(term, *total.limits).xreplace({variable: count})
+        value = plain.doit() if plain.has(count) else plain
+        if not value.has(sp.Sum) and decide_by_induction(plain, value, counted):
+            body = body.xreplace({total: factor * value.xreplace({count: variable})})
+    return body
+
+
+def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:
+    """Work out sums to the index of the sum around them."""
+    summed = {}
+    for total in difference.atoms(sp.Sum):
+        inner, *outer = total.limits
+        if len(outer) == 1 and outer[0][1].is_positive and inner[2].has(outer[0][0]):
+            term = sum_up(sp.Sum(total.function, inner), outer[0][0], domain)
+            summed[total] = total.func(term, *outer)
+    return difference.xreplace(summed)
 
 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:

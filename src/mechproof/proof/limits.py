@@ -14,6 +14,7 @@ import sympy as sp
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit, is_defined_near
+from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record.parts import find_parts
 
@@ -35,6 +36,7 @@ def settle_limits(expression: Any, domain: Domain) -> Any:
 
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body, variable, point, direction = limit.args
+    body = sum_up(body, variable, domain) if point == sp.oo else body
     value = _find_smooth(body, variable, point, domain)
     if value is not None:
         return value
