@@ -20,7 +20,34 @@ CLOSURE = (
     r"\vec j=\begin{pmatrix}\cos\beta\\-\sin\beta\end{pmatrix}",
     r"\vec e=\begin{pmatrix}1\\0\end{pmatrix}",
 )
+ARM = (
+    r"x=l\cos u+m\cos(u+v)",
+    r"y=l\sin u+m\sin(u+v)",
+    r"\mathbf p=(x,y)",
+    r"\mathbf q=(u,v)",
+)
+JACOBIAN = r"\frac{\partial\mathbf p}{\partial\mathbf q}"
 CASES = {
+    "derivatives of a vector by another, in either layout": (
+        [
+            *ARM,
+            rf"{JACOBIAN}=\begin{{pmatrix}}-y&-m\sin(u+v)\\x&m\cos(u+v)\end{{pmatrix}}",
+            rf"{JACOBIAN}=\begin{{pmatrix}}-y&m\sin(u+v)\\x&m\cos(u+v)\end{{pmatrix}}",
+            rf"{JACOBIAN}=\begin{{pmatrix}}-y&x\\-m\sin(u+v)&m\cos(u+v)\end{{pmatrix}}",
+            rf"{JACOBIAN}=\begin{{pmatrix}}-y&x\\m\sin(u+v)&m\cos(u+v)\end{{pmatrix}}",
+            r"\frac{\partial x}{\partial\mathbf q}=y",
+        ],
+        [*["DEFINITION"] * 4, "PROVED", "REFUTED", "not judged", "REFUTED", "not read"],
+    ),
+    "the entries of an inverse": (
+        [
+            r"\mathbf A=\begin{pmatrix}a&b\\0&c\end{pmatrix}",
+            r"\mathbf A^{-1}=\frac1{ac}\begin{pmatrix}c&-b\\0&a\end{pmatrix}",
+            r"\mathbf A^{-1}=\frac1{ac}\begin{pmatrix}c&b\\0&a\end{pmatrix}",
+            r"\mathbf A\mathbf A^T=\mathbf A^T\mathbf A",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "not judged"],
+    ),
     "columns in braces, and how they stand": (
         [
             r"\begin{Bmatrix}F\\G\end{Bmatrix}=\begin{bmatrix}k&-k\\-k&k\end{bmatrix}"

@@ -12,6 +12,7 @@ import sympy as sp
 from mechproof.document.applicable_constraints import list_applicable
 from mechproof.document.consequences import GIVEN, find_consequence, list_letters
 from mechproof.document.following import judge_following, list_entries
+from mechproof.document.layouts import TRANSPOSED, holds_transposed
 from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
@@ -117,6 +118,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         return judge_signs(task, found)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return judge_factor(task)
+    if found.verdict is Verdict.REFUTED and holds_transposed(task):
+        return TRANSPOSED
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
         return "the pieces differ where they meet: a jump, or a misprint?"
     if found.verdict is Verdict.REFUTED and task.is_solution:

@@ -15,6 +15,7 @@ from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
+from mechproof.document.layouts import gives_entries
 from mechproof.document.limits import state_limit
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
@@ -374,8 +375,12 @@ class TaskMaker:
         given = self.known.settle(says.value) if isinstance(says, PrintedNumber) else None
         if given is not None and sign.role is Role.CONSTRAINT and not given.free_symbols:
             return not (printed.announced.is_case or printed.announced.is_new)
-        if is_listed(printed, self.block.constraints) or sign.role in CONSTRAINING:
+        if is_listed(printed, self.block.constraints):
             return False
+        if sign.role in CONSTRAINING:
+            words = printed.announced
+            is_meant = gives_entries(sides, sign.worked_out) and have_same_letters(sides)
+            return is_meant and (words.is_general or not words.is_case)
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
         return have_same_letters(sides) and not ties_letters(sides, sign.worked_out)

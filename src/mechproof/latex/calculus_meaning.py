@@ -104,14 +104,26 @@ def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.
 
 
 def give_derivative(meaning: Meaning, node: Derivation) -> Any:
-    """Return a derivative, worked out, where what is differentiated has a value."""
-    variable = meaning.letter(node.by)
+    """Return a derivative, worked out, where what is differentiated has a value.
+
+    That of a column by another has a row for each entry of the first (numerator layout).
+    """
+    variable, printed = meaning.letter(node.by), meaning.side(node.of)
+    columns = variable, printed
+    are_columns = all(isinstance(x, sp.MatrixBase) and x.shape[1] == 1 for x in columns)
+    if node.is_partial and node.order == 1 and are_columns:
+        entries = [[_differentiate(meaning, node, y, x) for x in variable] for y in printed]
+        return sp.ImmutableMatrix(entries)
+    return _differentiate(meaning, node, printed, variable)
+
+
+def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: Any) -> Any:
     is_given = variable in meaning.values and not node.is_partial
     if not isinstance(variable, sp.Symbol) or is_given:
+        by = meaning.source.latex[node.by.start : node.by.end]
         raise meaning.source.refuse(
-            node.by.start, f"a derivative by {variable}, which is given by others or no letter"
+            node.by.start, f"a derivative by {by}, which is given by others or no letter"
         )
-    printed = meaning.side(node.of)
     if not isinstance(printed, sp.MatrixBase):
         printed = meaning.take_number(node.of, printed)
     moving = {} if node.is_partial else meaning.moving
@@ -134,12 +146,16 @@ def give_derivative(meaning: Meaning, node: Derivation) -> Any:
             "Say on which side of them it is meant, and print it without them.",
         )
     if isinstance(needed, sp.MatrixBase):
-        return needed.applyfunc(lambda entry: _differentiate(meaning, node, entry, depends_on))
-    return _differentiate(meaning, node, needed, depends_on)
+        return needed.applyfunc(lambda x: _give_rate(meaning, node, x, variable, depends_on))
+    return _give_rate(meaning, node, needed, variable, depends_on)
 
 
-def _differentiate(
-    meaning: Meaning, node: Derivation, needed: sp.Expr, depends_on: set[sp.Basic]
+def _give_rate(
+    meaning: Meaning,
+    node: Derivation,
+    needed: sp.Expr,
+    variable: sp.Symbol,
+    depends_on: set[sp.Basic],
 ) -> sp.Expr:
     """Return the derivative of a number, where that and its moduli have values."""
     value = needed.replace(ValueWhere, lambda inner, _: inner)
@@ -149,7 +165,7 @@ def _differentiate(
     try:
         for _ in range(node.order):
             value = value.replace(sp.sign, lambda number: number / sp.Abs(number))
-            value = differentiate(value, meaning.letter(node.by), moving)
+            value = differentiate(value, variable, moving)
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
     return DerivativeWhere(value, needed)
