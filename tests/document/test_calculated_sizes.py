@@ -253,3 +253,75 @@ def test_dimensions_have_units_of_si(unit: str, name: str) -> None:
     assert name_in_si(dimension) == name
     assert read_unit(name).dimension == dimension
     assert read_unit(name).scale == 1
+
+
+# Calculations beside one another, and how far rounding explains what they give.
+WORKED_OUT = r"""%% mechproof
+%% h ; a ; b ; r : lengths [mm]
+%% l : length [cm]
+%% \omega : angular speed [rad/s]
+%% A : acceleration [m/s^2]
+%% v : speed [m/s]
+%% n : speed of rotation [rpm]
+%% q ; u : numbers [1]
+%% \psi : angle [rad]
+%% sizes h=20 mm, a=20 mm, b=30 mm, r=40 mm, \omega=30 rad/s, n=3000 rpm, u=0.5
+%% end
+"""
+RESULTS = {
+    r"A=h\omega^2=0.020\cdot30^2=18.0\,\mathrm{m/s^2}": ["PROVED", "PROVED"],
+    r"A=h\omega^2=0.200\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, "REFUTED"],
+    # Rounded, or in other units.
+    r"A=h\omega^2=0.021\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, UNJUDGED],
+    r"A=h\omega^2=20\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, UNJUDGED],
+    r"l=a+b=20+30=5\,\mathrm{cm}": [UNJUDGED, UNJUDGED],
+    # Revolutions by the minute as they stand.
+    r"v=\frac{4rn}{60}=\frac{4\cdot0.04\cdot3000}{60}=8\,\mathrm{m/s}": ["PROVED", "PROVED"],
+    r"v=\frac{4rn}{60}=\frac{4\cdot0.04\cdot3000}{60}=9\,\mathrm{m/s}": ["PROVED", "REFUTED"],
+    r"v=\frac{4rn}{60}=\frac{2\cdot0.04\cdot3000}{60}=4\,\mathrm{m/s}": [UNJUDGED, UNJUDGED],
+    # Exact: what is declared, and what is the same as before.
+    r"q=\frac{u^2}{1.5}=\frac{0.5^2}{3\cdot0.5}=\frac{0.25}{1.5}=0.1667": ["PROVED"] * 3,
+    r"q=\frac{u^2}{1.5}=\frac{0.5^2}{3\cdot0.5}=\frac{0.25}{1.5}=0.1767": [
+        "PROVED",
+        "PROVED",
+        "REFUTED",
+    ],
+    r"q=\frac{u^2}{1.5}=\frac{0.5^2}{3\cdot0.5}=\frac{0.52}{1.5}=0.347": [
+        "PROVED",
+        "REFUTED",
+        "PROVED",
+    ],
+    r"q=\frac{0.4^2}{1.4}=\frac{0.16}{1.4}=0.12": ["PROVED", UNJUDGED],
+    r"q=\frac{1.4^2}{1.5}=\frac{1.97}{1.5}=1.3": [UNJUDGED, "PROVED"],
+    r"q=\frac{0.04}{0.24}=0.1767": [UNJUDGED],
+    r"q=\frac{84}{24}=\frac{84}{2.4}=35": ["REFUTED", "PROVED"],
+    r"q=\frac{84}{24}=\frac{84}{0.024}=3500": [UNJUDGED, "PROVED"],
+}
+
+
+@pytest.mark.parametrize("printed", RESULTS)
+def test_calculations_give_what_stands_behind_them(printed: str) -> None:
+    rows = check("p.tex", f"{WORKED_OUT}\\begin{{equation}}{printed}\\end{{equation}}").rows
+    assert [row.outcome for row in rows][1:] == RESULTS[printed]
+
+
+# An angle behind its cosine or sine.
+ANGLES = {
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=80.4^\circ": "PROVED",
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5}=0.1667,\quad\psi=84.0^\circ": "REFUTED",
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=-80.4^\circ": UNJUDGED,
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=\pm80.4^\circ": "PROVED",
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=\pm84.0^\circ": "REFUTED",
+    r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=81.0^\circ": UNJUDGED,
+    r"\sin\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=170.4^\circ": UNJUDGED,
+    r"\sin\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=\pm9.59^\circ": "DEFINITION",
+    # Rounded.
+    r"\cos\psi=0.17,\quad\psi=80.4^\circ": "DEFINITION",
+    r"\cos\psi=\frac{0.26}{1.5},\quad\psi=80.4^\circ": "DEFINITION",
+}
+
+
+@pytest.mark.parametrize("printed", ANGLES)
+def test_angles_are_those_of_their_cosines(printed: str) -> None:
+    rows = check("p.tex", f"{WORKED_OUT}\\begin{{equation}}{printed}\\end{{equation}}").rows
+    assert rows[-1].outcome == ANGLES[printed]

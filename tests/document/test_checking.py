@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 from small_papers import ROD, outcomes, paper, run
 
+from mechproof.document.checked_rows import show_left
 from mechproof.document.checking import check
 from mechproof.document.roles import Role
+from mechproof.proof.verdict import Left, Place, State
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -378,3 +380,25 @@ def test_words_and_arrows_part_equations(between: str) -> None:
 
 def test_a_word_may_lead_to_an_equation() -> None:
     assert outcomes("k=mn", r"\text{hence}\quad m=\frac kn") == ["DEFINITION", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    ("reason", "written"),
+    [
+        ("nothing is known of d_i[1], a member", "nothing is known of d_1, a member"),
+        ("d_{bi}[2] and R_{ij}[1, 2]", "d_{b2} and R_{12}"),
+        ("T_i[12] and T_i[i]", "T_{12} and T_i"),
+        ("R_{ij}[1, n + 1]**2", "R_{1,n + 1}^2"),
+        # Entries of matrices.
+        ("R_a[1, 2] and R_i[1, 2] and v[1]", "R_a[1, 2] and R_i[1, 2] and v[1]"),
+    ],
+)
+def test_members_of_families_are_named_as_they_are_printed(reason: str, written: str) -> None:
+    left = Left("(1)", Place("p.tex", 1, 1), "d_1=a", State.NOT_JUDGED, reason)
+    assert show_left(left).reason == written
+
+
+def test_a_step_of_other_letters_says_what_would_decide() -> None:
+    row = run(r"k=\frac{a-b}{c-b}=-\frac mn").rows[1]
+    assert row.outcome == "not judged"
+    assert row.reason.endswith("say so in the block of letters: identity (1)")

@@ -286,3 +286,34 @@ SAID = {
 def test_rows_beside_constraints_have_their_outcome(case: str) -> None:
     equations, expected = CASES[case]
     assert outcomes(*equations, block=SAID.get(case, "")) == expected
+
+
+# A rod whose crank turns at a speed that the block gives.
+TURNING = r"""%% mechproof
+%% r ; l : lengths [mm] {r>0}
+%% \varphi(t) ; \beta(t) : angles [rad] {-\pi/2<\beta<\pi/2}
+%% \omega : angular speed [rad/s]
+%% n : speed of rotation [rpm]
+%% let \dot\varphi=\omega
+%% where l>r
+%% end
+$$r\sin\varphi=l\sin\beta$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("rate", "behind", "expected"),
+    [
+        (r"\omega\cos\varphi", "", "PROVED"),
+        (r"\omega\sin\varphi", "", "REFUTED"),
+        (r"\omega\cos\varphi", r"$$\omega=\frac{2\pi n}{60}$$", "PROVED"),
+        (r"\omega\sin\varphi", r"$$\omega=\frac{2\pi n}{60}$$", "not judged"),
+    ],
+)
+def test_a_speed_that_the_block_gives_is_that_of_a_loop(
+    rate: str, behind: str, expected: str
+) -> None:
+    rows = check(
+        "paper.tex", rf"{TURNING}$$\dot\beta=\frac{{r{rate}}}{{l\cos\beta}}$$ {behind}"
+    ).rows
+    assert rows[1].outcome == expected

@@ -71,6 +71,18 @@ PAPERS = {
         [D, P, R],
     ),
     "indices that run": (r"$$L_i=\sqrt{a_i^2+b^2},\quad i=1,\dots,6$$", "", [D]),
+    "indices that are counted": (
+        r"$$L_i=a_i+b,\qquad i=1,2,$$ $$M_i=a_i\quad(i=1,\,2,3)$$ $$N_i=a_i\text{ for }i=1,2.$$",
+        "",
+        [D, D, D],
+    ),
+    "no index, but a decimal": (r"$$L=2i,\quad i=1,2$$", "L ; i : numbers", [D, UNREAD]),
+    "a law by pieces before another": (
+        r"$$y=\begin{cases}x&\text{if }x>0\\-x&\text{if }x\le0\end{cases}\qquad "
+        r"z=\begin{cases}x,&x>0\\0,&x\le0\end{cases}$$",
+        "",
+        [D, D],
+    ),
     "a name before an equation": (r"$$\text{Base}: u=2v$$ $$B: u=2v$$ $$u:=3v$$", "", [D, D, R]),
     "struck out, boxed": (r"$$u=v-\cancel{w}+\cancel{w}$$ $$\boxed{u\triangleq3v}$$", "", [D, R]),
     "a letter that counts": (

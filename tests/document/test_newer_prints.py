@@ -50,6 +50,26 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
         (*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1k_2}{k_1m+k_2m}}"),
         "PROVED",
     ),
+    "a wrong rate of a newer print behind a heading": (
+        (
+            r"y=b\varphi",
+            r"#\section{Another path} The position is",
+            r"y=a\sin\varphi",
+            "#and",
+            r"\dot y=b\dot\varphi\cos\varphi",
+        ),
+        "REFUTED",
+    ),
+    "a rate of the first print behind a newer one": (
+        (
+            r"y=b\varphi",
+            r"#\section{Another path} The position is",
+            r"y=a\sin\varphi",
+            r"#\section{Rates} The rate is",
+            r"\dot y=b\dot\varphi\cos\varphi",
+        ),
+        OPEN,
+    ),
     "no words between": ((*PARALLEL, *SERIES, IN_SERIES), "PROVED"),
     "no words between, with the first print": ((*PARALLEL, *SERIES, IN_PARALLEL), OPEN),
     "with neither": ((*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1-k_2}m}"), "REFUTED"),

@@ -35,6 +35,15 @@ PRINTS = {
         OPEN,
     ),
     "no factor, but in a sum": (r"d=\frac{\sqrt{13}}7a=\frac12a+0.5(a-a)", OPEN),
+    "an approximation": (r"d=\frac{\sqrt5}2a\approx1.12a", "PROVED"),
+    "a wrong approximation": (r"d=\frac{\sqrt5}2a\approx1.21a", "REFUTED"),
+    "an approximation that is off by its last digit": (r"d=\frac{\sqrt5}2a\approx1.11a", OPEN),
+    "an approximation of a letter": (r"c\approx1.41a", "PROVED"),
+    "a wrong approximation of a letter": (r"c\approx1.14a", "REFUTED"),
+    "an approximation of a new letter": (r"d\approx1.12a", OPEN),
+    "an approximation that drops something": (r"d=a+b\cos\varphi\approx1.9a", OPEN),
+    "an approximation of what was rounded": (r"d=1.27a\approx1.25a", OPEN),
+    "an approximation of zero": (r"d=\frac{\sqrt5}2a\approx1.12(a-a)", OPEN),
     "in brackets": (r"c=(1.41)a", OPEN),
 }
 

@@ -95,3 +95,36 @@ def test_no_rate_is_taken_at_a_place_without_what_is_tied() -> None:
     text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
     row = check("paper.tex", block + text).rows[-1]
     assert (row.outcome, "may move with" in row.reason) == (OPEN, True)
+
+
+CAM = r"""%% mechproof
+%% s(\theta) ; h ; r : lengths [mm]
+%% \theta(t) ; \beta ; \alpha ; \gamma : angles [rad]
+%% end
+"""
+RISE = r"s=h\left(1-\cos\frac{\pi\theta}\beta\right)"
+PRESSURE = r"\tan\alpha=\frac{s'}{r+s}"
+# An angle of its own moves beside a law; one that another equation has is asked for.
+LAWS = {
+    "a derivative": ((RISE, r"s'=\frac{\pi h}\beta\sin\frac{\pi\theta}\beta", PRESSURE), "PROVED"),
+    "a wrong derivative": (
+        (RISE, r"s'=\frac{\pi h}\beta\cos\frac{\pi\theta}\beta", PRESSURE),
+        "REFUTED",
+    ),
+    "an angle of two constraints": (
+        (
+            RISE,
+            r"s'=\frac{\pi h}\beta\sin\frac{\pi\theta}\beta",
+            PRESSURE,
+            r"h\sin\beta=s\cos\alpha",
+        ),
+        OPEN,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_an_angle_of_its_own_moves_beside_a_law(name: str) -> None:
+    equations, expected = LAWS[name]
+    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    assert check("paper.tex", CAM + lines).rows[1].outcome == expected

@@ -263,3 +263,35 @@ def test_what_is_announced_goes_on_until_other_words() -> None:
     assert (case.passage, case.scope, case.turns) == (2, 2, 1)
     assert case.go_on(r" where $r$ is counted clockwise.").turns == 1
     assert case.go_on(r" Here $r$ is counted clockwise.").turns == 2
+
+
+PLACE = (r"x=r\cos\varphi", r"y=r\sin\varphi+l\varphi")
+HEADING = r"#\section{Velocities} The velocities are"
+RATE = r"\dot x=-r\dot\varphi\sin\varphi"
+WRONG = r"\dot y=r\dot\varphi\cos\varphi-l\dot\varphi"
+# What stands behind two positions, and what becomes of the last derivative.
+RATES = {
+    "beside a true one": ((HEADING, RATE, WRONG), "REFUTED"),
+    "before a true one": ((HEADING, r"\dot x=r\dot\varphi\sin\varphi", RATE, WRONG), "REFUTED"),
+    "alone": ((HEADING, WRONG), "not judged"),
+    "beside a wrong one": ((HEADING, r"\dot x=r\dot\varphi\sin\varphi", WRONG), "not judged"),
+    "counted otherwise": (
+        (HEADING, RATE, r"\dot y=-r\dot\varphi\cos\varphi-l\dot\varphi"),
+        "not judged",
+    ),
+    "words between": ((HEADING, RATE, "#The height changes by", WRONG), "not judged"),
+    "words that turn a sense": (
+        (r"#\section{Velocities} With $\varphi$ now counted clockwise", RATE, WRONG),
+        "not judged",
+    ),
+    "printed anew": (
+        (r"#\section{The lower pin}", r"y=r\sin\varphi-l", HEADING, RATE, WRONG),
+        "not judged",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RATES)
+def test_a_derivative_behind_a_heading_is_compared_beside_a_true_one(name: str) -> None:
+    parts, expected = RATES[name]
+    assert judge(*PLACE, *parts)[-1] == expected

@@ -6,6 +6,7 @@ A member that has numbers with units and no letter is the size that it gives.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 import sympy as sp
@@ -70,8 +71,11 @@ def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> Non
         )
 
 
-def find_span(read: Print, member: Node) -> tuple[float, float] | None:
-    """Return between what a calculation lies whose decimals are rounded, None if it has none."""
+def find_span(read: Print, member: Node, exact: Collection[sp.Expr]) -> tuple[float, float] | None:
+    """Return between what a calculation lies whose decimals are rounded, None if it has none.
+
+    Some numbers are `exact`; beside one that is not, they may be others.
+    """
     member = member.of if isinstance(member, Calculated) else member
     if is_number(member) or any(isinstance(node, Letter) for node in walk(member)):
         return None
@@ -80,9 +84,12 @@ def find_span(read: Print, member: Node) -> tuple[float, float] | None:
     except (ReadingError, DimensionError):
         # Where one of its decimals stands, no name may.
         return None
-    found = balls.evaluate(value, {name: spread(size) for name, size in sizes.items()})
-    rounded = any(size.half for size in sizes.values())
-    return (float(found.lower()), float(found.upper())) if rounded and found.is_finite() else None
+    if all(size.value in exact for size in sizes.values() if size.half):
+        return None
+    with suppress(NotImplementedError):
+        found = balls.evaluate(value, {name: spread(size) for name, size in sizes.items()})
+        return (float(found.lower()), float(found.upper())) if found.is_finite() else None
+    return None
 
 
 def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, RoundedSize], str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -11,6 +12,9 @@ from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
 from mechproof.proof.witness_text import name_bound
 from mechproof.tools.processes import WorkerError
+
+# A member of a family, with what runs through it: d_{bi}[1].
+_MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
 
 
 @dataclass(frozen=True)
@@ -71,8 +75,18 @@ def show_left(left: Left) -> CheckedRow:
 
 
 def _write_plainly(reason: str) -> str:
-    """Write powers and bound variables as they stand in what a print is read as: x^2."""
-    return name_bound(reason.replace("**", "^"))
+    """Write powers and bound variables as in what a print is read as, x^2, members as printed."""
+    return _MEMBER.sub(_write_member, name_bound(reason.replace("**", "^")))
+
+
+def _write_member(found: re.Match[str]) -> str:
+    """Return the index of a member of a family, d_{b1} for d_{bi}[1]."""
+    letters, values = found[2] or found[3], found[4].split(", ")
+    if len(letters) < len(values):
+        return found[0]
+    numbers = ("" if all(len(value) == 1 for value in values) else ",").join(values)
+    index = f"{found[1] or ''}{letters[: -len(values)]}{numbers}"
+    return f"_{index}" if len(index) == 1 else f"_{{{index}}}"
 
 
 def list_standing(

@@ -35,9 +35,11 @@ from mechproof.document.judging import (
     judge_members,
     judge_row,
     leave_out,
+    name_equation,
     opened,
 )
 from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
+from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -150,6 +152,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         answers = run_tasks(judge_row, numbers, limit=limit)
         rows = {number: make_row(tasks[number], answer) for number, answer in answers}
         rows |= dict(_compare_members(key, tasks, rows, limit))
+        rows |= dict(compare_rates(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
         rows |= dict(solve_constraints(key, tasks, rows, limit))
@@ -196,7 +199,11 @@ def _leave_open(
             continue
         if task.sign.role in COMPARED:
             other = task.sign.first or "the member before"
-            reason = f"it differs from {other} and has other letters: a constraint, or a misprint?"
+            reason = (
+                f"it differs from {other} and has other letters: a constraint, or a misprint? If "
+                "it is meant for all their values, say so in the block of letters: identity "
+                f"{name_equation(task.row.number)}"
+            )
             yield number, make_row(task, reason)
         elif task.is_either:
             yield number, make_row(task, _EITHER)

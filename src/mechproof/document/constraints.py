@@ -28,6 +28,8 @@ from mechproof.record import Equality, list_divisors
 LARGEST = 1000
 # Products of constraints with monomials beyond which no sum is looked for.
 MOST_PRODUCTS = 300
+# Stands for pi in polynomials.
+_PI = sp.Dummy("pi", positive=True)
 
 
 def find_multiple(
@@ -115,8 +117,10 @@ def _combine(
 ) -> list[sp.Expr] | None:
     """Return polynomials of which the sum of the products with parts is the target, by circles.
 
-    Coefficients are fractions: None where others are met.
+    Coefficients are fractions: None where others are met. What holds for any letter holds for pi.
     """
+    target, *others = (one.xreplace({sp.pi: _PI}) for one in (target, *parts, *circles))
+    parts, circles = others[: len(parts)], others[len(parts) :]
     letters = sorted(set().union(*(p.free_symbols for p in (target, *parts, *circles))), key=str)
     if not letters:
         return None
@@ -142,10 +146,11 @@ def _combine(
     solved = _solve(columns, goal.rem(zeros))
     if solved is None:
         return None
-    return [
+    found = (
         sp.Add(*(x * f for x, (m, f) in zip(solved, products, strict=True) if m == n))
         for n in range(len(parts))
-    ]
+    )
+    return [one.xreplace({_PI: sp.pi}) for one in found]
 
 
 def _degree(polynomial: PolyElement) -> int:

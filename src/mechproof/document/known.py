@@ -28,7 +28,8 @@ class Known:
     `cases` are further prints that may be other solutions. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose sine, cosine or tangent is printed. `later` are matrices of
+    `arcs` are what angles are whose sine, cosine or tangent is printed, `angles` those of numbers
+    by their passages, with what is printed of them. `later` are matrices of
     which others are made before they are printed, with their values and what prints these.
     `circular` are matrices that were made of what is made of them. `constrained` are letters
     between which constraints are printed, `tied` what is printed of their derivatives. `said` is
@@ -47,6 +48,7 @@ class Known:
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
+    angles: dict[tuple[int, sp.Basic], list[tuple[Any, sp.Expr]]] = field(default_factory=dict)
     later: Later = field(default_factory=dict)
     circular: set[sp.Basic] = field(default_factory=set)
     constrained: set[sp.Basic] = field(default_factory=set)
@@ -56,6 +58,15 @@ class Known:
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
         return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
+
+    def has_either_sign(self, letter: sp.Basic | None) -> bool:
+        """Return whether an angle is given by its cosine, which numbers give in this passage."""
+        found = self.list_angles(letter, self.said)
+        return bool(found) and all(function == sp.cos for function, _ in found)
+
+    def list_angles(self, letter: sp.Basic | None, said: Announced) -> list[tuple[Any, sp.Expr]]:
+        """Return of what function an angle is the arc whose value numbers give in a passage."""
+        return [] if letter is None else self.angles.get((said.passage, letter), [])
 
     def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
         """Return the matrices whose entries are known."""
@@ -79,7 +90,8 @@ class Known:
         if letter == symbol or letter in self.values or letter not in self.constrained:
             return False
         tied = {s for one in self.constrained for s in self.symbols.find_steps(one)[1]}
-        return bool(self.settle(value).free_symbols <= tied)
+        given = (self.settle(s).free_symbols for s in tied & self.values.keys())
+        return bool(self.settle(value).free_symbols <= tied.union(*given))
 
     def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
         """Take what is printed of a letter as its definition, and what follows of its rates."""

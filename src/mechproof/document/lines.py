@@ -38,11 +38,19 @@ _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
 _RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
 # What an index runs through, and a name before an equation.
-_RANGE = re.compile(
+_BEFORE_RANGE = (
     r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
+)
+_RANGE = re.compile(
+    rf"{_BEFORE_RANGE}"
     r"(?<![A-Za-z])[a-z]\s*(?:=|\\in\s*\\\{)\s*\d+\s*,\s*(?:\d+\s*,\s*)*"
     r"(?:\\[lc]?dots|\.\.\.)\s*,?\s*(?:\d+|[A-Za-z])(?:\s*\\\})?\s*\Z"
 )
+# The numbers of an index one by one; of another letter they may be a decimal with a comma.
+_LIST = re.compile(
+    rf"{_BEFORE_RANGE}\(?\s*(?<![A-Za-z])([a-z])\s*=\s*\d+\s*(?:,(?:\s|\\,)*\d+\s*)+\)?\s*\Z"
+)
+_INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
 _TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
@@ -52,6 +60,8 @@ _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-
 _AND = re.compile(rf"(?:{_WORD}|\\(?:Rightarrow|Longrightarrow|implies|iff)(?![A-Za-z])\s*)\Z")
 _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
+# The conditions of its pieces are no condition of a law.
+_PIECES = re.compile(r"\\begin\s*\{(d?cases|array)\}.*?\\end\s*\{\1\}", re.DOTALL)
 _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
 
 
@@ -169,11 +179,19 @@ def _clean(latex: LocatedText) -> LocatedText:
     """Drop what leads to an equation, and the stop behind it."""
     latex = latex.replace(_TITLE_AT_START, lambda _: "").replace(_LINK_AT_START, lambda _: "")
     latex = _drop_leads(latex).strip(end=".,;~")
-    if (found := _RANGE.search(latex.string)) and found.start():
+    found = _RANGE.search(latex.string) or _find_list(latex.string)
+    if found and found.start():
         latex = latex[: found.start()]
     while latex.string.endswith((*_BLANK[:6], ",\\")):
         latex = latex[: latex.string.rindex("\\")].strip(end=".,;~")
     return latex
+
+
+def _find_list(string: str) -> re.Match[str] | None:
+    """Return the numbers behind an equation through which an index of it runs."""
+    found = _LIST.search(string)
+    is_index = found and re.search(_INDEX.format(found[1]), string[: found.start()])
+    return found if is_index else None
 
 
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
@@ -185,7 +203,7 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
     start = 0
     for place in sorted(places):
         before, behind = latex[start:place], latex[places[place] :]
-        if _CONDITION.search(before.string):
+        if _CONDITION.search(_PIECES.sub("", before.string)):
             continue
         if _is_equation(before.string) and _is_equation(_until_gap(behind.string)):
             yield _clean(_drop_and(before))

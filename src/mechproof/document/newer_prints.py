@@ -94,7 +94,7 @@ def _choose(
 def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
     """Return whether a derivative differs from what is printed just before it of the same case."""
     is_open = row.judgement is None and found.verdict is Verdict.REFUTED
-    is_beside = task.said.is_clause or not task.said.is_new
+    is_beside = task.said.is_clause or not task.said.is_new or task.said.passage == last.passage
     is_rate = task.sign.role is Role.DERIVATIVE
     return is_open and is_rate and is_beside and not last.is_apart(task.said)
 

@@ -17,7 +17,7 @@ from mechproof.document.sides import SLOW
 from mechproof.record import Equality, Row
 
 _NOTE = "Compared as numbers in the units of their letters."
-_OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
+OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
 _NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
 _AGAIN = (Role.REPEATED, Role.DERIVATIVE)
 _ROLES = (Role.STEP, Role.CONSTRAINT, *_AGAIN)
@@ -52,7 +52,7 @@ def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row 
     if near := next((one for one in ratios if _is_rounded(one, [*sides, *settled])), None):
         return _NEAR.format(near)
     exact = sp.cancel(settled[0] / settled[1])
-    return _OPEN.format(max(exact, 1 / exact)) if _is_of_units(exact) else row
+    return OPEN.format(max(exact, 1 / exact)) if is_of_units(exact) else row
 
 
 def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
@@ -149,10 +149,14 @@ def _is_decimal(number: sp.Rational) -> bool:
     return number.q > 1 and {*sp.primefactors(number.q)} <= {2, 5}
 
 
-def _is_of_units(ratio: sp.Expr) -> bool:
+def is_of_units(ratio: sp.Expr) -> bool:
     """Return whether a number may be a factor of units: no large prime, and no count of parts."""
     number = ratio.subs(sp.pi, 1)
-    if not number.is_Rational or not (abs(ratio) >= _LEAST or abs(ratio) * _LEAST <= 1):
+    if (
+        not number.is_Rational
+        or not number
+        or not (abs(ratio) >= _LEAST or abs(ratio) * _LEAST <= 1)
+    ):
         return False
     primes = {*sp.primefactors(number.p), *sp.primefactors(number.q)}
     return ratio.is_positive and primes <= {*_PRIMES}

@@ -12,6 +12,7 @@ from mechproof.arithmetic import balls
 from mechproof.document.cells import Numeral
 from mechproof.document.conversions import NEAR, UNFIT
 from mechproof.document.displays import Printed
+from mechproof.document.numerical_values import OPEN, is_of_units
 from mechproof.document.roles import Sign
 from mechproof.document.scales import RoundedSize, agrees, spread
 from mechproof.document.sizes import SINGLE, Sizes, show, tell_missing
@@ -21,8 +22,8 @@ from mechproof.record import Equality, PrintedNumber
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
 _ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
 _UNSHOWN = "the calculation gives {}, but that this is in {} is not shown"
-# By such a share what rounded numbers give may be off.
-_NEAR = 0.01
+# By such a share what rounded numbers give may be off, or whole ones of few digits.
+_NEAR, _FAR = 0.01, 0.1
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,8 @@ class PutIn:
 def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes) -> PutIn | str:
     """State that a calculation is a formula with its sizes put in; another accuses nobody."""
     calculated = [side for side in sign.sides if not side.free_symbols]
+    if len(calculated) > 1 and sign.is_calculated:
+        return _compare(*sign.sides, sign.span)
     if len(calculated) != 1 or any(isinstance(side, sp.MatrixBase) for side in sign.sides):
         return SINGLE
     given = calculated[0]
@@ -53,8 +56,20 @@ def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Size
         known = sizes.list_at(printed)[-1]
         return tell_missing(sizes.known.settle(formula).free_symbols - known.keys())
     nearest = min(values, key=lambda value: _measure_off(value, given))
-    is_near = _measure_off(nearest, given) <= _NEAR * abs(sp.N(given))
-    return (_ROUNDED if is_near else _OTHERS).format(show(given), show(nearest))
+    told = _ROUNDED if _is_near(nearest, given, _NEAR) else _OTHERS
+    return told.format(show(given), show(nearest))
+
+
+def _compare(one: sp.Expr, other: sp.Expr, span: tuple[float, float] | None) -> PutIn | str:
+    """State that two calculations give the same, unless numbers of them may be rounded."""
+    off = balls.evaluate(one - other, {})
+    is_rounded = span is not None and span[0] <= 0 <= span[1]
+    if not off.contains(0) and (is_rounded or _is_near(one, other, _FAR)):
+        return NEAR
+    ratio = sp.cancel(one / other) if other != 0 else sp.S.Zero
+    if is_of_units(ratio):
+        return OPEN.format(max(ratio, 1 / ratio))
+    return PutIn(Equality(one, other, "member"), "")
 
 
 def state_result(
@@ -73,13 +88,13 @@ def state_result(
         return _UNSHOWN.format(show(sign.value), sign.unit) if is_open else plain
     if not sizes.fits(sign.formula, own, unit):
         return _UNSHOWN.format(show(plain.value), sign.unit) if is_right else plain
+    settled = [*_list_settled(sign.formula, sign, own, printed, sizes)]
     values = [
-        one.xreplace(at)
-        for settled, at, _ in _list_settled(sign.formula, sign, own, printed, sizes)
-        for one in sizes.read([settled], own, unit)
+        one.xreplace(at) for formula, at, _ in settled for one in sizes.read([formula], own, unit)
     ]
-    if any(agrees(PrintedNumber(sign.number, value)) for value in values):
-        return plain if is_right else NEAR
+    if meant := [value for value in values if agrees(PrintedNumber(sign.number, value))]:
+        stand = [formula.xreplace(at) for formula, at, _ in settled]
+        return plain if is_right else _doubt_result(plain, sign, meant, stand)
     asked = replace(sign, number="", unit=sign.given[1], sides=(sign.formula, sign.value))
     if isinstance(state_put_in(asked, own, printed, sizes), PutIn):
         # Its numbers are those of the sizes, unrounded.
@@ -94,6 +109,20 @@ def state_result(
     if not is_right or sign.given[1] or (is_own and not values):
         return plain
     return _UNSHOWN.format(show(plain.value), sign.unit)
+
+
+def _doubt_result(
+    plain: PrintedNumber, sign: Sign, meant: list[sp.Expr], stand: list[sp.Expr]
+) -> PrintedNumber | str:
+    """State that a calculation gives no number that is `meant` at the sizes, or how it may.
+
+    Numbers that are put in may be rounded, or `stand` in the units of their letters.
+    """
+    if any(_is_near(value, plain.value, _FAR) for value in meant):
+        return NEAR
+    is_turned = any(value and is_of_units(sp.cancel(plain.value / value)) for value in meant)
+    is_turned |= any(_is_near(value, plain.value, _FAR) for value in stand)
+    return _UNSHOWN.format(show(plain.value), sign.unit) if is_turned else plain
 
 
 def may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
@@ -130,6 +159,10 @@ def _list_settled(
         for one in dict.fromkeys(settled):
             if one.free_symbols <= at.keys():
                 yield one, at, sizes.tell_used(one.free_symbols, numbers, printed)
+
+
+def _is_near(value: sp.Expr, given: sp.Expr, share: float) -> bool:
+    return bool(_measure_off(value, given) <= share * abs(sp.N(given)))
 
 
 def _measure_off(value: sp.Expr, given: sp.Expr) -> float:

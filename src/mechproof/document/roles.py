@@ -16,6 +16,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.calculated_sizes import find_span
+from mechproof.document.calculations import add_calculations
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import define_now
 from mechproof.document.laws import read_piece
@@ -28,7 +29,6 @@ from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
     Approach,
     At,
-    Calculated,
     Chain,
     Derivation,
     Extremum,
@@ -79,6 +79,7 @@ class Sign:
     alone, by which it is differentiated or integrated, or of which a value is put in, each with
     the letters of that part. `formula` is what stands before a calculation that a number is of,
     `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
+    Of two calculations `span` is that of their difference.
     Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
     """
 
@@ -136,27 +137,13 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
             )
         ]
         _note_others(name, found, known)
-        beside = zip(found, [None, *found[:-1]], pairwise(chain.members), strict=True)
-        signs += [_add_calculation(read, *one) for one in beside]
+        signs += add_calculations(read, chain, found, known.symbols.list_exact())
     for sign in signs:
         if sign.role is Role.CONSTRAINT:
             known.constrained.update(*(side.free_symbols for side in sign.sides))
     for chain in read.chains:
         known.met.update(_list_letters(chain))
     return signs
-
-
-def _add_calculation(read: Print, sign: Sign, before: Sign | None, nodes: tuple[Node, ...]) -> Sign:
-    """Return a sign between a calculation and a number, with the formula before, and the span."""
-    if not (sign.number and isinstance(sign.value, sp.Expr)) or sign.value.free_symbols:
-        return sign
-    node = nodes[sign.sides[0] is not sign.value]
-    if is_number(node) and not isinstance(node, Calculated):
-        return sign
-    first = before and (before.letter if before.sides[0] is None else before.sides[0])
-    has_letters = isinstance(first, sp.Expr) and first.free_symbols
-    formula, span = first if has_letters else None, find_span(read, node)
-    return replace(sign, formula=formula, span=span, is_calculated=True)
 
 
 def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
@@ -185,6 +172,8 @@ def _list_put_in(chain: Chain) -> Iterator[Varied]:
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
     nodes = chain.members[left : left + 2]
     is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
+    if chain.relations[left] == r"\approx" and find_factor(nodes) and find_factor(nodes[1:]):
+        return _find_role_of_factor(nodes, read, known)
     if chain.relations[left] not in EQUAL and not is_rounded:
         units = (name_unit_behind(nodes[0]), name_unit_behind(nodes[1]))
         limited = (_work_out(read, nodes[0], known), _work_out(read, nodes[1], known))
@@ -202,8 +191,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
             # What it is a value of may be printed behind it.
             return Sign(Role.VALUE)
         raise
-    for angle, arc in list_arcs(sides):
-        known.arcs.setdefault(angle, []).append(arc)
+    _note_arcs(read, nodes, sides, known)
     for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
         if not _is_bare(node):
             continue
@@ -254,6 +242,30 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if not (one.free_symbols and other.free_symbols):
         return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> Sign:
+    """Return that a rounded factor is compared; that of a new letter defines nothing."""
+    sides = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+    if not _is_bare(nodes[0]):
+        return Sign(Role.STEP, sides=sides)
+    symbol = sides[0]
+    role = _compare(symbol, known) if symbol in known.values else Role.RELATION
+    return Sign(role, symbol, known.printed.get(symbol, ""), sides)
+
+
+def _note_arcs(read: Print, nodes: tuple[Node, ...], sides: tuple[Any, Any], known: Known) -> None:
+    """Note what angles are whose sine, cosine or tangent is printed.
+
+    A number is rounded, and so is what has rounded decimals. What numbers give is of their passage.
+    """
+    exact = known.symbols.list_exact()
+    for function, arc in list_arcs(sides):
+        angle = function.args[0]
+        if arc.free_symbols:
+            known.arcs.setdefault(angle, []).append(arc)
+        elif arc.is_real and not any(is_number(x) or find_span(read, x, exact) for x in nodes):
+            known.angles.setdefault((known.said.passage, angle), []).append((function.func, arc))
 
 
 def _find_role_of_extremum(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:

@@ -41,12 +41,12 @@ def judge_factor(task: Task) -> Judgement | str:
         found = judge(replace(task.row, says=PrintedNumber(number, value)), task.paper)
         is_alone = len(_DECIMAL.findall(task.row.printed_latex)) == 1
         is_exact = is_alone and not sp.cancel(other / rest).free_symbols
-        is_told = found.verdict is Verdict.PROVED or (is_exact and _is_far(number, value))
+        is_told = found.verdict is Verdict.PROVED or (is_exact and is_far(number, value))
         return found if is_told else f"{_OPEN}: {found.reason}"
     return _OPEN
 
 
-def _is_far(number: str, value: sp.Expr) -> bool:
+def is_far(number: str, value: sp.Expr) -> bool:
     """Return whether a number is off by more than its last digit, which may be rounded up."""
     last = 2 * Numeral(number, sp.S.One).half_place
     return bool(abs(abs(value) - abs(sp.Rational(number))) > last)

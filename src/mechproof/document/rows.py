@@ -62,6 +62,8 @@ UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitu
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)
 # What a print with a double sign may do.
 _SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
+# What says which number a letter has.
+_COUNTED = ("letter", "number", "value", "unit")
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -236,6 +238,9 @@ class Document:
                 replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
             ]
         if solved := self._find_solutions(printed, reader):
+            if known.has_either_sign(signs[0].letter):
+                upper = {name: getattr(signs[0], name) for name in _COUNTED}
+                solved[0] = replace(solved[0], **upper)
             return solved
         if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
             raise read.source.refuse(

@@ -163,8 +163,8 @@ class Scales:
     ) -> list[sp.Expr]:
         """Return what a formula of known letters may be in a unit, else in that of its letter.
 
-        A formula with pi may turn revolutions into radians itself, or count them by the minute as
-        they stand; beside another frequency they are no radians either.
+        A formula with pi may turn revolutions into radians itself; beside another frequency they
+        are no radians either. With sixty as a factor they may count by the minute as they stand.
         """
         turns = unit.scale == REVOLUTIONS if unit else own in self.revolving
         has_pi = formula.has(sp.pi)
@@ -173,7 +173,7 @@ class Scales:
         angles = [sp.S.One] if has_pi or not counts else []
         if has_pi or counts:
             angles.append(_TURN)
-        if has_pi and has_sixty(formula):
+        if (has_pi or counts) and has_sixty(formula):
             angles.append(REVOLUTIONS)
         scale = unit.scale if unit else self._scale(own, sp.S.One)
         values = (self.to_si(formula, a) / scale * (a if turns else 1) for a in angles)

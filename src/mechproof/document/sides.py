@@ -93,7 +93,9 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
     if isinstance(side, sp.MatrixExpr) or side.has(*SLOW, *_STEPS):
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
-    places = [{**values, letter: sp.Rational(n, 13)} for n in (8, -17, 32)]
+    # Of one denominator they could be whole periods apart.
+    points = (sp.Rational(8, 13), sp.Rational(-17, 11), sp.Rational(32, 7))
+    places = [{**values, letter: point} for point in points]
     with suppress(NotImplementedError):
         # Most letters are not idle, which balls tell the sooner.
         one, other = (balls.evaluate(side, place, 64) for place in places[:2])

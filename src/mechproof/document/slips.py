@@ -177,7 +177,9 @@ def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
     text = says.printed
     number = text.partition("e")[0]
     places = [n for n, sign in enumerate(number) if sign.isdigit()]
-    count = len(number.strip("-0.").replace(".", ""))
+    # Zeros at the end of a decimal are digits.
+    leading = number.lstrip("-0.")
+    count = len(leading.replace(".", "") if "." in number else leading.rstrip("0"))
     if count < _FEWEST_DIGITS:
         return ""
     digits = [text[n] for n in places]

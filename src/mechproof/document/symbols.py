@@ -68,6 +68,11 @@ class Symbols:
         chosen = [[(s, value) for value in sets[s]] for s in sets if s in letters]
         return [dict(choice) for choice in product(*chosen)]
 
+    def list_exact(self) -> set[sp.Expr]:
+        """Return the declared sizes of letters, in their units and in those of SI."""
+        scaled = {size * self.scales.get(s, sp.S.One) for s, size in self.usual.items()}
+        return {*self.usual.values()} | scaled
+
     def find_dimension(self, symbol: sp.Basic) -> Dimension | None:
         """Return the dimension of a letter, None where no unit is declared."""
         declared = (v.dimension for v in self.variables if v.symbol == symbol)

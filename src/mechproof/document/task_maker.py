@@ -22,6 +22,7 @@ from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import CONSTRAINING, Role, Sign
+from mechproof.document.rounded_factors import is_far
 from mechproof.document.scales import agrees, is_near
 from mechproof.document.sides import (
     have_same_letters,
@@ -298,7 +299,7 @@ class TaskMaker:
             stated = state_result(sign, own, printed, self.sizes)
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = self.sizes.state(sign, own, printed)
-        elif sign.role is Role.SIZE:
+        elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
             if misfit := tell_misfit(sign, self.known.symbols):
                 return misfit
             sign, stated = self._compare_size(printed, sign, own)
@@ -318,11 +319,12 @@ class TaskMaker:
     ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
         """Compare a size with what other prints say of its letter, if they say a number."""
         said = replace(sign, role=Role.NUMBER)
-        formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter))
+        formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
         judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
-        told = [one for one in judged if isinstance(one[1], PrintedNumber)]
-        told += [one for one in judged if str(one[1]).startswith(OTHERS)]
-        return told[0] if told else (sign, None)
+        told = [(one, says) for one, says in judged if isinstance(says, PrintedNumber)]
+        for one in sorted(told, key=lambda one: not agrees(one[1])):
+            return one
+        return next((one for one in judged if str(one[1]).startswith(OTHERS)), (sign, None))
 
     def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
         """Return whether a letter that is printed again may be meant for another case."""
@@ -340,11 +342,12 @@ class TaskMaker:
         is_behind = first is None or first.announced.passage != said.passage
         return is_beside or (is_behind and (said.is_case or said.is_new))
 
-    def _list_formulas(self, letter: sp.Basic | None) -> list[sp.Expr]:
+    def _list_formulas(self, letter: sp.Basic | None, printed: Printed) -> list[sp.Expr]:
         """Return what other prints say of a letter whose size is printed."""
         known = self.known
         formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
-        return [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
+        found = [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
+        return found + [arc for _, arc in known.list_angles(letter, printed.announced)]
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
@@ -395,10 +398,11 @@ class TaskMaker:
 def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
     """Return whether rounding explains how far a number is off.
 
-    That of decimals in its calculation, or, of an approximation, of zeros at its end.
+    That of decimals in its calculation, or of an approximation: of a factor, of zeros at its end.
     """
     if r"\approx" in row.printed_latex and not agrees(claim):
-        return is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
+        is_factor = not sign.number and not is_far(claim.printed, claim.value)
+        return is_factor or is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
     return sign.formula is None and may_be_rounded(claim, sign)
 
 

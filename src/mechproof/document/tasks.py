@@ -58,7 +58,7 @@ class Task:
     @property
     def is_rounded(self) -> bool:
         """Return whether a decimal stands beside letters: it is a rounded number."""
-        is_number = isinstance(self.row.says, PrintedNumber)
+        is_number = isinstance(self.row.says, PrintedNumber) or self.sign.is_calculated
         return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
 
     @property

@@ -14,7 +14,7 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import GIVEN
-from mechproof.document.doubts import list_compared, reach
+from mechproof.document.doubts import list_compared, list_printed, reach
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.symbols import Symbols
@@ -151,12 +151,20 @@ def _join(
     groups: list[tuple[set[int], set[sp.Basic]]] = []
     for n, task in enumerate(tasks):
         letters = _list_moving(task, rows[n], symbols)
+        if letters and _has_own_angle(n, tasks, symbols):
+            continue
         near = [group for group in groups if letters and group[1] & letters]
         groups = [group for group in groups if group not in near]
         if letters:
             numbers = {n}.union(*(group[0] for group in near))
             groups.append((numbers, letters.union(*(group[1] for group in near))))
     return [tuple(sorted(numbers)) for numbers, _ in groups]
+
+
+def _has_own_angle(number: int, tasks: Sequence[Task], symbols: Symbols) -> bool:
+    """Return whether a constraint has an angle that nothing else has: that one moves, then."""
+    printed = (list_printed(one) | one.sign.printed for n, one in enumerate(tasks) if n != number)
+    return bool(_list_angles((number,), tasks, symbols) - set[sp.Basic]().union(*printed))
 
 
 def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]:

@@ -37,16 +37,13 @@ def _fill(side: Any, other: Any) -> Any:
     return sp.ImmutableMatrix.zeros(*other.shape) if is_open and side == 0 else side
 
 
-def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
-    """Yield the letter of which a side is the sine, cosine or tangent, with the arc of the other.
-
-    A number is rounded: it has none.
-    """
+def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Function, sp.Expr]]:
+    """Yield a side that is the sine, cosine or tangent of a letter, with the arc of the other."""
     for function, value in (sides, sides[::-1]):
         arc = _ARCS.get(getattr(function, "func", None))
-        is_formula = isinstance(value, sp.Expr) and not value.is_Matrix and value.free_symbols
+        is_formula = isinstance(value, sp.Expr) and not value.is_Matrix
         if arc and function.args[0].is_Symbol and is_formula:
-            yield function.args[0], arc(value)
+            yield function, arc(value)
 
 
 def name_entries(side: Any) -> Any:

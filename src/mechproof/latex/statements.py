@@ -9,6 +9,8 @@ import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
 from mechproof.latex.meaning import RELATIONS
+from mechproof.latex.measures import find_factor
+from mechproof.latex.products import is_matrix
 from mechproof.latex.reader import Reader
 from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
 from mechproof.latex.tree import Extremum, Letter, Node, walk
@@ -143,9 +145,20 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
-    """State that the left member rounds to the number that is printed right."""
+    """State that the left member rounds to the number that is printed right, or has it as factor.
+
+    Beside a factor the rest of the right member is put on the other side, which is a number then.
+    """
     value = _substitute(row, _derive(row, members.left, members.left_derived, reader))
     stated = round_to(members.nodes[1], value)
+    number = find_factor(members.nodes) and find_factor(members.nodes[1:])
+    right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
+    are_numbers = not any(is_matrix(side) for side in (value, right))
+    if stated is None and number and are_numbers:
+        above, below = (settle_all(side, reader.values) for side in (value, right))
+        ratio = sp.cancel(sp.Rational(number) * above / below) if below != 0 else sp.nan
+        is_number = ratio.is_finite and not ratio.free_symbols
+        stated = PrintedNumber(number, ratio) if is_number else None
     if stated is None:
         raise ValueError(
             f"row {row.number!r}: an approximation by no number: print the number at its right"

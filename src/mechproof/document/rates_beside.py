@@ -1,0 +1,67 @@
+"""Derivatives behind a heading: what they are compared with, if one beside them is proved.
+
+A heading may go on to another mechanism, whose letters nobody prints anew. Where a display has a
+true derivative of one letter, it is about the mechanism that printed this one, and so are the other
+derivatives of the display, of letters printed beside it. One with all signs turned may count
+otherwise: it is left open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.judging import Key, open_tasks
+from mechproof.document.roles import Role
+from mechproof.document.tasks import Task
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Judgement, State, Verdict
+from mechproof.record import Equality
+from mechproof.tools.processes import run_tasks
+
+
+def compare_rates(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again derivatives that are left open behind a heading only."""
+    asked = []
+    for n, task in enumerate(tasks):
+        if rows[n].state is not State.NOT_JUDGED or not task.is_solution:
+            continue
+        beside = [m for m, one in enumerate(tasks) if m != n and _are_beside(one, task, tasks)]
+        if any(rows[m].outcome == Verdict.PROVED.value for m in beside):
+            asked.append((key, n))
+    for place, answer in run_tasks(judge_rate, asked, limit=limit):
+        if isinstance(answer, Judgement):
+            number = asked[place][1]
+            yield number, make_row(tasks[number], answer)
+
+
+def _are_beside(one: Task, other: Task, tasks: Sequence[Task]) -> bool:
+    """Return whether derivatives are printed without words between, and what they are of, too."""
+    if any(task.sign.role is not Role.DERIVATIVE or task.said.is_case for task in (one, other)):
+        return False
+    names = one.sign.first, other.sign.first
+    first = [t for name in names for t in tasks if t.row.number == name]
+    if len(first) != len(names) or one.said.passage != other.said.passage:
+        return False
+    is_turned = first[1].said.turns != other.said.turns or other.said.is_of_other(first[1].said)
+    letters = {x.sign.letter for x in first}
+    is_anew = any(t.sign.letter in letters and t.sign.role is Role.REPEATED for t in tasks)
+    return first[0].said.passage == first[1].said.passage and not (is_turned or is_anew)
+
+
+def judge_rate(which: tuple[Key, int]) -> Judgement | None:
+    """Judge a derivative by what it is of; None if it is that, but for the sense of counting."""
+    key, number = which
+    task = open_tasks(key)[number]
+    found, says = judge(task.row, task.paper), task.row.says
+    if found.verdict is not Verdict.REFUTED or not isinstance(says, Equality):
+        return None
+    turned = replace(task.row, says=Equality(says.printed, -says.rebuilt, "member"))
+    if judge(turned, task.paper).verdict is not Verdict.REFUTED:
+        return None
+    return replace(
+        found, reason=f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
+    )
