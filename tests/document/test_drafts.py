@@ -65,6 +65,11 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
         ("- Width of the belt: $b$\n", "b : Width of the belt"),
         ("| $b$ | width of the belt | mm |\n", "b : width of the belt [mm]"),
         ("\\item $b$: width of the belt\n", "b : width of the belt"),
+        (
+            "Let $a$ and $b$ be the widths of belt, pulley and rim.",
+            "b : widths of belt, pulley and rim",
+        ),
+        ("With widths $a$, $b$ the length of the belt is\n", "b :"),
         ("\\(b\\) ist die Breite des Riemens.\\newline\n", "b : ist die Breite des Riemens"),
         ("$b$ & width of the belt & mm \\\\\n", "b : width of the belt [mm]"),
     ],
@@ -151,9 +156,18 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"at $b=0$ $$y=2b$$", [], ["sizes b=0"]),
         (
             r"For $b=30^\circ$ $$y=2b$$",
-            ["b : [rad]", r"sizes b=30\cdot\frac{1\pi}{180}"],
+            ["b : [rad]", r"sizes b=30^\circ"],
             [],
         ),
+        (r"For $b=20$\,mm and $c=3\,$kN, $$y=2bc$$", ["sizes b=20 mm", "sizes c=3 kN"], []),
+        (r"For $b=20$ in all $$y=2bc$$", ["sizes b=20"], ["b : [in]"]),
+        (r"\newcommand{\bs}{b_{s}} with $\bs=24$ $$y=2b_s$$", ["sizes b_{s}=24"], []),
+        (
+            r"It is largest in the middle of the rise, $b=c/2$: $$y=2b+c$$",
+            ["# let b=c/2"],
+            ["let b=c/2"],
+        ),
+        (r"$$y=b_0^{\text{stat}}+c$$", [r"b_{0}^{\text{stat}} :"], ["b_{0} :"]),
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
     ],
 )

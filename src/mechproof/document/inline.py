@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.cells import Numeral, name_unit, read_numeral
 from mechproof.document.letters import name_symbol
+from mechproof.document.macros import expand, find_macros
 from mechproof.document.sources import Source
 from mechproof.document.units import ONE, read_unit
 
@@ -24,8 +25,17 @@ RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words before what holds at a position, and not always.
-_CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at)\s+\Z", re.IGNORECASE)
-_BEFORE = 20
+_CASE = re.compile(
+    r"\b(?:when(?:ever)?|if|once|until|at)\s+\Z"
+    r"|\b(?:in|at)\s+the\s+(?:middle|cent(?:re|er)|beginning|start|end|top)\b[^.;:$]{0,40},?\s*\Z",
+    re.IGNORECASE,
+)
+_BEFORE = 70
+# A unit behind the signs of an equation: $h=20$\,mm.
+_UNIT = re.compile(
+    r"(?:\\[,;: ]|~|\s)*(?P<unit>[kcdm\u00b5]?(?:m|N|Pa|W|J|s|Hz)|[kMG](?:N|Pa|W|J|Hz)|k?g|k?N\s?m"
+    r"|rad(?:/s)?|rpm|min|deg)(?=[.,;:)\s]|\Z)"
+)
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
@@ -55,6 +65,8 @@ class Inline:
         factor = sp.nsimplify(own.scale / meant.scale)
         if factor == 1:
             return f"{self.number.digits} {unit}".strip()
+        if factor == sp.pi / 180:
+            return rf"{self.number.digits}^\circ"
         return f"{self.number.digits}{_write_factor(factor * self.number.factor)}"
 
 
@@ -68,16 +80,21 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     """Yield what sentences say that a letter of the equations is."""
     names = {name_symbol(letter): letter for letter in letters}
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    macros = {defined.name: defined.macro for defined in find_macros(source.text)[0]}
     for match in _INLINE.finditer(text):
-        found = EQUATION.match(match["dollar"] or match["bracket"])
+        inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
+        found = EQUATION.match(expand(inside, macros).string)
         letter = names.get(name_symbol(found["letter"])) if found else None
         if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]
         if found is None or letter is None:
             continue
         value = found["value"]
+        behind = _UNIT.match(text, match.end())
         plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], value)
         line = source.files.locate(source.text.offsets[match.start()]).line
+        if behind and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
+            plain = rf"{bare}\,\mathrm{{{behind['unit']}}}"
         number = read_numeral(plain, decimal_comma="{,}" in plain)
         unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
         is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))

@@ -41,6 +41,10 @@ _PATTERNS = (
         rf"{_UNIT}(?=[.,;:(\n\\$]|{_AND})"
     ),
     re.compile(
+        rf"(?:\b(?:[Ll]et|and|[Hh]ere|[Ww]here|[Ww]ith)|,)\s+{_NAMES}\s+(?:be\s+)?the\s+"
+        rf"(?P<meaning>[^.;:$\\\n(\[]{{3,80}}?){_UNIT}{_BEHIND}"
+    ),
+    re.compile(
         rf"{_BULLET}{_NAME}[ \t]*[:,]?[ \t]*(?P<meaning>[^\W\d_][^.,;:$\\\n(\[]{{2,60}}?)"
         rf"{_UNIT}[ \t]*(?=[.,;:(\n\\]|\Z)",
         re.MULTILINE,
@@ -74,6 +78,8 @@ _NO_NOUN = re.compile(
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
     r"|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
+    # A sentence of its own: "with $a$, $b$ the length of the path is".
+    r"|.*\b(?:is|are|becomes?|equals?|reads?|follows)\Z"
 )
 # What stands between letters, not in their indices.
 _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")

@@ -207,10 +207,12 @@ def _find_end(parser: Parser, place: int) -> int:
     end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
     while end < len(tokens) and tokens[end].text in ("_", *SUFFIXES):
         end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
-    # Nobody prints a power as x^{(i)}.
+    # Nobody prints a power as x^{(i)}, or by a word.
     texts = [token.text for token in tokens[end : end + 6]]
-    is_index = [*texts[:3], *texts[4:]] == ["^", "{", "(", ")", "}"]
-    return end + 6 if is_index else end
+    if [*texts[:3], *texts[4:]] == ["^", "{", "(", ")", "}"]:
+        return end + 6
+    is_word = [*texts[:2], *texts[3:4]] == ["^", "{", "}"] and texts[2].startswith(r"\text{")
+    return end + 4 if is_word else end
 
 
 def _find_base(tokens: Sequence[Token], place: int) -> int:
