@@ -40,6 +40,10 @@ ASKED = [
     ("y=y(x)", (), "the argument of a function"),
     ("s(t+T)=s(t)", (), "the argument of a function"),
     ("M(x)=F(l-x)+M", (), "the argument of a function"),
+    (r"y(x+\Delta x)=y+\Delta y", (), "the argument of a function"),
+    ("x(t+T)=x", (), "the argument of a function"),
+    ("P(x+1)-P=2x", (), "the argument of a function"),
+    ("y(1-x)=y", (), "the argument of a function"),
     (r"r(1-\cos\varphi)=2\sin^2\frac\varphi2", (), "the argument of a function"),
     (r"\cos\alpha x\sin\alpha x=1", (), "belong to the argument"),
     (r"\sin\alpha t=1", (), "belong to the argument"),
@@ -47,6 +51,8 @@ ASKED = [
     ("s'=h", (r"s=h\sin\varphi",), "by what"),
     (r"\dot x=x", ("x=2s",), "by what"),
     ("y'=1", ("y=|x|",), "by what"),
+    ("y'=2x", ("y=x^2", "x=t^3"), "by what"),
+    ("y'=0", ("y=a^2",), "by what"),
 ]
 
 

@@ -32,6 +32,11 @@ ROWS = [
 REFUSED = [
     (r"\vec F\cdot\vec s=Fs\cos\alpha", "its length"),
     (rf"{_A}\cdot{_B}=a_xb_x+a_yb_y+a_zb_z", "a component of it"),
+    (r"\mathbf r\cdot\mathbf r=x^2+y^2+z^2", "components of it"),
+    (r"(\mathbf{AB})^{-1}=\mathbf B^{-1}\mathbf A^{-1}", "a product"),
+    (r"\mathbf I\mathbf A=\mathbf A", "unit vector or matrix"),
+    (r"\vec e_x\cdot\vec e_y=0", "unit vector or matrix"),
+    (r"\hat{\mathbf n}\cdot\hat{\mathbf n}=1", "unit vector or matrix"),
     (rf"{_A}\cdot{_B}={_B}\times{_A}", "same size"),
     (r"\mathbf x=\begin{pmatrix}1\\2\end{pmatrix}", "same size"),
 ]
@@ -53,3 +58,7 @@ def test_a_named_letter_is_a_number() -> None:
     names = (r"\mathbf a", r"\mathbf b")
     (judgement,) = judge_pasted(Pasted(rf"{_A}{_B}={_B}{_A}", names=names)).judgements
     assert judgement.verdict is PROVED
+    (judgement,) = judge_pasted(
+        Pasted(r"\mathbf I+\mathbf I=2I", names=(r"\mathbf{I}",))
+    ).judgements
+    assert judgement.verdict is REFUTED

@@ -26,7 +26,10 @@ ROWS = [
     (r"\frac d{dt}\begin{pmatrix}a\\|t|\end{pmatrix}=\begin{pmatrix}0\\1\end{pmatrix}", (REFUTED,)),
 ]
 REFUSED = [
-    (r"\left[ax\right]_0^2=2a", "of which one"),
+    (r"\left[ax\right]_0^2=2a", "of which letter"),
+    # A function, or one of another letter.
+    (r"\int_0^1x\,dx=[G]_0^1", "of which letter"),
+    (r"[y]_0^1=1", "of which letter"),
     (r"\left[\frac{x-1}{x-1}\right]_1^2=0", "divides by zero"),
     (r"\left[\frac1x\right]_0^1=1", "divides by zero"),
     (r"\frac d{dt}\begin{pmatrix}a\\b\end{pmatrix}=0", "does it depend on it"),
@@ -42,3 +45,8 @@ def test_what_is_written_is_judged(latex: str, verdicts: tuple[Verdict, ...]) ->
 def test_what_has_no_value_or_letter_is_refused(latex: str, words: str) -> None:
     with pytest.raises(ReadingError, match=words):
         judge_pasted(Pasted(latex))
+
+
+def test_limits_are_not_those_of_a_letter_that_others_give() -> None:
+    with pytest.raises(ReadingError, match="given by others"):
+        judge_pasted(Pasted(r"[2y]_0^1=2", values=("y=x^2+x",)))

@@ -188,6 +188,9 @@ def test_what_jumps_at_an_end_is_not_what_it_is_inside() -> None:
         (sp.exp(y**2 * x) - 1, sp.Interval.open(0, sp.oo), True),
         (1 - sp.log(x) ** 2, sp.Interval.open(0, sp.oo), False),
         (sp.log(x) + 1 / x, sp.Interval.open(-1, sp.oo), False),
+        # Concave on both sides of a kink.
+        (sp.acos(sp.cos(x - sp.Rational(7, 10))) - sp.Rational(1, 10**6), sp.Interval(0, 2), False),
+        (sp.acosh(sp.cosh(x)) - sp.Rational(1, 10**6), sp.Interval(-1, 2), False),
     ],
     ids=str,
 )

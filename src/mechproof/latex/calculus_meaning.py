@@ -196,6 +196,12 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
 def give_value(meaning: Meaning, node: At) -> sp.Expr:
     """Return the value of a term where a letter has a value."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
+    if node.is_found and variable in meaning.values:
+        raise meaning.source.refuse(
+            node.start,
+            f"limits behind {variable}, which is given by others: of which letter?",
+            r"Print the letter: \right|_{x=0}^{x=1}.",
+        )
     before = {*meaning.lost}
     term = meaning.side(node.term)
     if not isinstance(node.term, Letter):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from mechproof.latex.characters import is_digit
 from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import Dotted, Node
 
@@ -33,6 +34,7 @@ def read_dotted_sum(parser: Parser, terms: Sequence[tuple[int, Node]], start: in
     """Read dots and the last term of the sum behind them."""
     parser.place += 2
     last = parser.read_term()
+    _refuse_number_behind(parser)
     return Dotted("sum", tuple(terms), last, start=start, end=parser.end)
 
 
@@ -48,8 +50,18 @@ def read_dotted_product(parser: Parser, factors: Sequence[Node], start: int) -> 
     while parser.text in (*DOTS, _DOTTED):
         parser.take()
     last = parser.read_factor()
+    _refuse_number_behind(parser)
     terms = tuple((1, factor) for factor in factors)
     return Dotted("product", terms, (1, last), start=start, end=parser.end)
+
+
+def _refuse_number_behind(parser: Parser) -> None:
+    """Refuse a number behind the last term, which may be a part of it: n-1."""
+    if parser.text in parser.signs and is_digit(parser.peek()):
+        raise parser.refuse(
+            f"{parser.text}{parser.peek()} behind the last term: is it a part of that?",
+            "Print brackets around the last term, (n-1), or the number before the dots.",
+        )
 
 
 def give_dotted(meaning: Meaning, node: Dotted) -> sp.Expr:

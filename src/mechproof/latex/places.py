@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import begins_member
 from mechproof.latex.names import find_brace
-from mechproof.latex.tree import Add, Approach, At, Bracket, Constant, Letter, Node, walk
+from mechproof.latex.tree import Add, Approach, At, Bracket, Constant, Letter, Node, strip, walk
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -75,14 +75,15 @@ def read_between(parser: Parser, term: Node) -> Node:
         parser.take(sign)
         ends.append(parser.read_inside("{", lambda: _read_end(parser), "}"))
         by = ends[-1][0] or by
+    is_found = by is None
     by = by or _find_moving(parser, term)
     if by is None:
         raise parser.refuse(
-            "limits behind a term of several letters: of which one?",
+            "limits behind a term: of which letter are they?",
             r"Print the letter: \right|_{x=0}^{x=1}.",
             start,
         )
-    low, high = (_put(term, by, point) for _, point in ends)
+    low, high = (_put(term, by, point, is_found=is_found) for _, point in ends)
     difference = Add(((1, high), (-1, low)), start=term.start, end=parser.end)
     return Bracket(difference, start=term.start, end=parser.end)
 
@@ -96,20 +97,23 @@ def _read_end(parser: Parser) -> tuple[Letter | None, Node]:
 
 
 def _find_moving(parser: Parser, term: Node) -> Letter | None:
-    r"""Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx."""
+    r"""Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx.
+
+    A letter alone may be a function of another one.
+    """
     letters = {node.text: node for node in walk(term) if isinstance(node, Letter)}
-    if len(letters) > 1:
+    if len(letters) > 1 or isinstance(strip(term), Letter):
         texts = [token.text for token in parser.tokens]
         letters = {x: node for x, node in letters.items() if ("d", x) in pairwise(texts)}
     return next(iter(letters.values())) if len(letters) == 1 else None
 
 
-def _put(term: Node, by: Letter, point: Node) -> Node:
+def _put(term: Node, by: Letter, point: Node, *, is_found: bool) -> Node:
     start, end = term.start, point.end
     is_endless = any(isinstance(node, Constant) and node.value is sp.oo for node in walk(point))
     if is_endless:
         return Approach(term, by, point, "-", start=start, end=end)
-    return At(term, by, point, start=start, end=end)
+    return At(term, by, point, is_found, start=start, end=end)
 
 
 def _read_values(parser: Parser, term: Node) -> Node:

@@ -187,11 +187,12 @@ class Extremum(Node):
 
 @dataclass(frozen=True)
 class At(Node):
-    """The value of an expression where a letter has a value."""
+    """The value of an expression where a letter has a value; the letter is printed or found."""
 
     term: Node
     by: Letter
     point: Node
+    is_found: bool = False
 
 
 @dataclass(frozen=True)

@@ -18,27 +18,25 @@ _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
 # What may be a rate or a number beside an angle, a time or a length, and what it is beside.
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
 _SPEEDS = (r"\omega", r"\Omega")
-_RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta")
-_SUMS = ("+", "-", r"\cdot", r"\pm")
+RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
 
 
 def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     r"""Return the letters that a bracket behind them multiplies: r(1-\cos\varphi)=r-r\cos\varphi.
 
-    Such a letter also stands without a bracket, as functions do not, and each of its brackets is
-    no plain argument.
+    Such a letter also stands without a bracket, and none of its brackets may be an argument.
     """
     bare: set[str] = set()
-    sums: dict[str, list[bool]] = defaultdict(list)
+    brackets: dict[str, list[bool]] = defaultdict(list)
     for texts in map(_split, prints):
         for letter, end in _list_letters(texts):
             behind = _skip_power(texts, end)
             if texts[behind : behind + 1] != ["("]:
                 bare.add(letter)
             else:
-                sums[letter].append(_is_sum(texts[behind:]))
-    return tuple(x for x in sums if x in bare and all(sums[x]) and x not in _FUNCTIONS)
+                brackets[letter].append(_is_factor(texts[behind:]))
+    return tuple(x for x in brackets if x in bare and all(brackets[x]) and x not in _FUNCTIONS)
 
 
 def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
@@ -52,7 +50,7 @@ def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
         (one, other)
         for one, other in dict.fromkeys(met)
         if (one in _SPEEDS and other in ("t", r"\tau"))
-        or ((one in (*_RATES, *_SPEEDS) and other in _RUNNING) and met.count((one, other)) > 1)
+        or ((one in (*_RATES, *_SPEEDS) and other in RUNNING) and met.count((one, other)) > 1)
     )
 
 
@@ -90,13 +88,18 @@ def _skip_power(texts: Sequence[str], place: int) -> int:
     return place
 
 
-def _is_sum(texts: Sequence[str]) -> bool:
-    """Tell whether the bracket that texts begin with holds a sum, or a product with a dot."""
-    depth = 0
-    for place, text in enumerate(texts):
+def _is_factor(texts: Sequence[str]) -> bool:
+    """Tell whether the bracket that texts begin with is no argument: x+h is, as is 1-x.
+
+    It holds a function, a product with a dot, or powers behind a number.
+    """
+    depth, inside = 0, []
+    for text in texts:
         depth += (text in ("(", "{", "[")) - (text in (")", "}", "]"))
         if not depth:
-            return False
-        if depth == 1 and place > 1 and text in _SUMS:
-            return True
-    return False
+            break
+        inside.append(text if depth == 1 else "")
+    has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
+    is_ratio = inside[1:2] == ["1"] and "^" in inside
+    is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))
+    return r"\cdot" in inside or (is_sum and (has_function or is_ratio))

@@ -12,17 +12,27 @@ import sympy as sp
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.record import Definition, Equality, Row, Variable
 
+# An arrow may stand above two points, bold letters side by side are a product.
 _BOLD = re.compile(
     rf"(?:{'|'.join(map(re.escape, VECTORS))})"
     r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
     r"(?P<index>_(?:\w|\{[^{}]*\}))?"
 )
+_PRODUCT = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*\{\s*[A-Za-z]{2,}\s*\}")
+# Unit vectors and matrices, by the letters that they mostly have.
+_UNITY = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|vect)\s*\{?\s*(?:[eijknIE])\s*\}?(?:_.*)?")
 _CAPITAL = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*\{?\s*(?:[A-Z]|\\[A-Z])")
 
 
-def find_bold(prints: Iterable[str]) -> tuple[str, ...]:
-    """Return the letters of prints that are bold or have an arrow, each with its index."""
-    return tuple(dict.fromkeys(found[0] for text in prints for found in _BOLD.finditer(text)))
+def find_bold(prints: Iterable[str], named: Iterable[str]) -> tuple[str, ...]:
+    """Return the letters of prints that are bold or have an arrow, but for those named as numbers.
+
+    Each has its index.
+    """
+    found = [one[0] for text in prints for one in _BOLD.finditer(text)]
+    numbers = {*map(_bare, named)}
+    letters = {_bare(latex): latex for latex in reversed(found)}
+    return tuple(latex for bare, latex in letters.items() if bare not in numbers)
 
 
 def is_capital(latex: str) -> bool:
@@ -48,9 +58,21 @@ def _list_places(symbol: sp.MatrixSymbol) -> list[str]:
     return [f"{row}, {column}" for row in rows for column in columns]
 
 
-def refuse_parts(letters: Iterable[str], bold: Iterable[str]) -> None:
-    r"""Raise `ValueError` for F or F_x beside \vec{F}: its length or a part of it, or not."""
+def refuse_unclear(letters: Iterable[str], bold: Iterable[str]) -> None:
+    r"""Raise `ValueError` for \mathbf{AB}, unit vectors, and F, F_x, or x and y beside \vec{F}."""
+    letters, bold = tuple(letters), tuple(bold)
+    for latex in (*letters, *bold):
+        if _PRODUCT.match(latex):
+            raise ValueError(f"{latex}: one letter, or a product? Print \\mathbf for each letter")
+        if _UNITY.fullmatch(latex) or (r"\hat" in latex and _BOLD.search(latex)):
+            raise ValueError(
+                f"{latex}: a unit vector or matrix, or any? Print its components, or another letter"
+            )
     plain = {letter for letter in letters if not _BOLD.fullmatch(letter)}
+    if bold and {"x", "y"} <= plain:
+        raise ValueError(
+            f"x and y beside {bold[0]}: components of it? Print all of them, or others"
+        )
     for latex in bold:
         found = _BOLD.fullmatch(latex)
         name = "".join(filter(None, found.groups())) if found else ""
@@ -63,6 +85,7 @@ def refuse_parts(letters: Iterable[str], bold: Iterable[str]) -> None:
 
 
 def _bare(name: str) -> str:
+    """Return a name without what is printed for its group."""
     return name.replace("{", "").replace("}", "").replace(" ", "")
 
 

@@ -15,8 +15,8 @@ from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, settle_all
-from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
-from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_parts, show_entries
+from mechproof.pipeline.adjacent_letters import RUNNING, find_factors, find_increments, find_phases
+from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_unclear, show_entries
 from mechproof.pipeline.counting_letters import find_counts
 from mechproof.pipeline.special_letters import (
     EULER,
@@ -132,19 +132,21 @@ def _find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
         rate = _RATE.fullmatch(variable.latex[0])
         base = given.get(name_symbol(rate["primed"] or rate["dotted"])) if rate else None
         if rate and base is not None and variable.given is None:
-            value = settle_all(base, values)
-            rates[variable.symbol] = _differentiate(variable.latex[0], value, rate)
+            value = settle_all(base, values) if rate["dotted"] else values[base]
+            derivative = _differentiate(variable.latex[0], value, rate, {*values})
+            rates[variable.symbol] = derivative
     return rates
 
 
-def _differentiate(latex: str, value: sp.Expr, rate: re.Match[str]) -> sp.Expr:
-    """Return a derivative by the time for dots, for primes by x or the only letter there is."""
-    running = {s for s in value.free_symbols if not s.is_integer}
-    name = "t" if rate["dotted"] else "x"
-    by = next((s for s in running if s.name == name), None)
-    if by is None and rate["primed"] and len(running) == 1:
-        (by,) = running
-    if by is None or value.has(*UNSMOOTH, *OF_SIGNS):
+def _differentiate(
+    latex: str, value: sp.Expr, rate: re.Match[str], given: set[sp.Basic]
+) -> sp.Expr:
+    """Return a derivative by the time for dots, for primes by x or the only letter that runs."""
+    letters = {s.name: s for s in value.free_symbols}
+    by = letters.get("t" if rate["dotted"] else "x")
+    if by is None and rate["primed"] and len(letters) == 1 and {*letters} <= {*RUNNING}:
+        (by,) = letters.values()
+    if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):
         raise ValueError(
             f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
             r"as a fraction, \frac{d}{dx}(…)"
@@ -170,13 +172,14 @@ def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
 
 def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     """Make a variable of each name that is said and of each letter that is met."""
-    said = dict.fromkeys((*pasted.names, *pasted.natural, *find_bold(pasted.prints)))
+    bold = find_bold(pasted.prints, pasted.names)
+    said = dict.fromkeys((*pasted.names, *pasted.natural, *bold))
     named = [_make(latex, pasted, counts) for latex in said]
     reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
-    refuse_parts(letters, find_bold(prints))
+    refuse_unclear(letters, bold)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))

@@ -140,7 +140,7 @@ def _is_concave(
 ) -> bool:
     """Tell whether f is shown to be concave between two ends at which it is not negative.
 
-    If it is zero between them it is zero throughout.
+    If it is zero between them it is zero throughout. At a kink no second derivative tells.
     """
     values = domain.set_of(x)
     if not (values.start.is_finite and values.end.is_finite):
@@ -152,6 +152,8 @@ def _is_concave(
     if not all(_is_shown(*need, _without(domain, x)) for need in needs):
         return False
     inside = domain.with_set(x, values.interior)
+    if not is_analytic_inside(f, x, inside):
+        return False
     return _grows(f, -bend, x, strict, inside, min(slopes, 2))
 
 

@@ -17,6 +17,8 @@ from mechproof.record import Slack
 from mechproof.record.parts import has_parts
 
 _KINKED = (sp.Abs, sp.Max, sp.Min, sp.sign, sp.floor, sp.ceiling, sp.Piecewise, sp.Heaviside)
+# Work limit: parts of a fraction in the exponent of a place.
+_LARGEST_EXPONENT = 50
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
 
 
@@ -55,7 +57,13 @@ def list_zeros(slope: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
             if rate != 0 and not rate.has(letters[x]) and not rest.has(letters[x]):
                 place = sp.expand(sp.cancel(-rest / rate), log=False)
                 place = place if unit == letters[x] else _exponentiate(place)
-                yield place.xreplace({letter: s for s, letter in letters.items()})
+                if all(_is_small(power.exp) for power in place.atoms(sp.Pow)):
+                    yield place.xreplace({letter: s for s, letter in letters.items()})
+
+
+def _is_small(exponent: sp.Expr) -> bool:
+    """Tell whether a power is written out in reasonable time, which SymPy does of fractions."""
+    return not exponent.is_Rational or max(abs(exponent.p), exponent.q) <= _LARGEST_EXPONENT
 
 
 def _exponentiate(logarithm: sp.Expr) -> sp.Expr:
