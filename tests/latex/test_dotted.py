@@ -3,11 +3,14 @@ r"""Sums and products with dots: which terms they stand for, and what is refused
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
-from mechproof.latex import ReadingError
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.text import write
 from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
+from mechproof.record import Variable
 
 # A print, and one that is wrong by little; of natural numbers n.
 ROWS = [
@@ -54,3 +57,9 @@ def test_dots_stand_for_the_terms_that_the_last_one_gives(latex: str, wrong: str
 def test_dots_that_may_stand_for_anything_are_refused(latex: str) -> None:
     with pytest.raises(ReadingError, match=r"dots|last term"):
         judge_pasted(Pasted(latex))
+
+
+def test_the_last_term_is_told_as_it_stands() -> None:
+    n = Variable(sp.Symbol("n", integer=True, positive=True), "n", latex=("n",))
+    (chain,) = Reader((n,), None).parse(r"1+3+\dots+(2n-1)").chains
+    assert write(chain.members[0]) == "1 + 3 + ... + (2*n - 1)"

@@ -28,8 +28,9 @@ Texts = list[str] | None
 DEFAULTS = (
     "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
     "a natural number from 1 on, d in an integral is its differential, e with letters in its "
-    "exponent is Euler's number; a letter that also stands alone multiplies the sum in brackets "
-    r"behind it, \omega t and what stands behind two functions alike is one argument, \Delta x is "
+    "exponent is Euler's number; a letter that also stands alone multiplies a bracket behind it "
+    r"that is no argument, r(1-\cos x); \omega t, and what stands behind two functions alike, is "
+    r"one argument; \Delta x is "
     "one quantity. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)

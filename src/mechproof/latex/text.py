@@ -121,7 +121,8 @@ def _dotted(node: Dotted) -> str:
         return "*".join((*(_factor(x) for _, x in node.first), "...", _factor(node.last[1])))
     before = _add(Add(node.first, start=node.start, end=node.end))
     sign, term = node.last
-    return f"{before} + ... {'+' if sign > 0 else '-'} {write(term)}"
+    last = f"({write(term)})" if isinstance(strip(term), Add) else write(term)
+    return f"{before} + ... {'+' if sign > 0 else '-'} {last}"
 
 
 def _integration(node: Integration) -> str:
