@@ -49,11 +49,6 @@ TABLES = {
             "",
         ),
         (
-            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n",
-            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n+n-1",
-            "",
-        ),
-        (
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{n+1}",
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{2n}",
             "",

@@ -23,7 +23,7 @@ from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
 
 # Work limit: so many factorials in a term.
-_MOST_FACTORIALS = 6
+_MOST_FACTORIALS = 4
 RUNG = "Wilf-Zeilberger pair"
 
 
