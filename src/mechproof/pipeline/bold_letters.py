@@ -12,16 +12,18 @@ import sympy as sp
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.record import Definition, Equality, Row, Variable
 
-# An arrow may stand above two points, bold letters side by side are a product.
 _BOLD = re.compile(
     rf"(?:{'|'.join(map(re.escape, VECTORS))})"
     r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
     r"(?P<index>_(?:\w|\{[^{}]*\}))?"
 )
-_PRODUCT = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*\{\s*[A-Za-z]{2,}\s*\}")
+# Types in which a capital may be a matrix, and letters side by side are a product; an arrow may
+# stand above two points.
+_TYPE = r"\\(?:mathbf|boldsymbol|bm|pmb)\s*"
+_PRODUCT = re.compile(rf"{_TYPE}\{{\s*[A-Za-z]{{2,}}\s*\}}")
+_CAPITAL = re.compile(rf"{_TYPE}\{{?\s*(?:[A-Z]|\\[A-Z])")
 # Unit vectors and matrices, by the letters that they mostly have.
-_UNITY = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|vect)\s*\{?\s*(?:[eijknIE])\s*\}?(?:_.*)?")
-_CAPITAL = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*\{?\s*(?:[A-Z]|\\[A-Z])")
+_UNITY = re.compile(rf"(?:{_TYPE}|\\vect?\s*)\{{?\s*[eijknIE]\s*\}}?(?:_.*)?")
 
 
 def find_bold(prints: Iterable[str], named: Iterable[str]) -> tuple[str, ...]:

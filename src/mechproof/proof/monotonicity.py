@@ -29,10 +29,10 @@ from mechproof.proof.set_values import place as choose_place
 from mechproof.proof.sign_forms import compare_logarithms, free_logarithms, list_forms
 from mechproof.proof.turning_points import is_analytic_inside, list_values, list_zeros
 from mechproof.record import Slack
+from mechproof.record.needs import KINKED
 from mechproof.record.parts import has_parts
 
 RUNG = "monotonicity"
-_KINKED = (sp.Abs, sp.Max, sp.Min, sp.sign, sp.floor, sp.ceiling, sp.Piecewise, sp.Heaviside)
 _TRANSCENDENTAL = (
     *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.erf),
     *(sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh),
@@ -46,7 +46,7 @@ _MOST_VARIABLES = 2
 def holds_by_slope(slack: Slack, domain: Domain) -> bool:
     """Tell whether a number is shown to be positive, or not negative, by its slope."""
     value = domain.resolve(slack.value)
-    if has_parts(value, *_KINKED, sp.Sum, sp.Product, sp.Integral):
+    if has_parts(value, *KINKED, sp.Sum, sp.Product, sp.Integral):
         return False
     return any(
         _holds(number, x, slack.strict, part, _MOST_SLOPES)
@@ -68,7 +68,7 @@ def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
 def _holds(f: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int) -> bool:
     if _is_shown(f, strict, domain):
         return True
-    if not slopes or not f.has(x) or f.count_ops() > _LARGEST or has_parts(f, *_KINKED):
+    if not slopes or not f.has(x) or f.count_ops() > _LARGEST or has_parts(f, *KINKED):
         return False
     if is_negative_somewhere(f, domain):
         return False

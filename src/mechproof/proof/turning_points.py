@@ -14,9 +14,9 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.record import Slack
+from mechproof.record.needs import KINKED
 from mechproof.record.parts import has_parts
 
-_KINKED = (sp.Abs, sp.Max, sp.Min, sp.sign, sp.floor, sp.ceiling, sp.Piecewise, sp.Heaviside)
 # Work limit: parts of a fraction in the exponent of a place.
 _LARGEST_EXPONENT = 50
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
@@ -76,7 +76,7 @@ def _exponentiate(logarithm: sp.Expr) -> sp.Expr:
 
 def is_analytic_inside(f: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
     """Tell whether a function is shown to be analytic in a variable on an open interval."""
-    if has_parts(f, *_KINKED) or find_break(f, x, domain) is not None:
+    if has_parts(f, *KINKED) or find_break(f, x, domain) is not None:
         return False
     numbers = (number for node in sp.preorder_traversal(f) for number in _list_inner(node, x))
     return all(is_shown_there(Slack(number, True), domain) for number in numbers)

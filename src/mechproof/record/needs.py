@@ -25,8 +25,8 @@ _TURNING: Mapping[tuple[type[sp.Expr], ...], type[sp.Expr]] = {
     (sp.tan, sp.sec): sp.cos,
     (sp.cot, sp.csc): sp.sin,
 }
-# Denominators of these may be zero on whole intervals.
-_KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
+# They have kinks or steps; denominators of these may be zero on whole intervals.
+KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
 
 
 def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
@@ -83,4 +83,4 @@ def _is_told(number: sp.Expr, strict: bool) -> bool:
 
 
 def _is_kinked(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and bool(node.exp.is_negative) and node.base.has(*_KINKED)
+    return isinstance(node, sp.Pow) and bool(node.exp.is_negative) and node.base.has(*KINKED)
