@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.json_file import clear_json, write_json
 from mechproof.fpcore.expressions import FPCoreError
 from mechproof.pipeline.bounding import (
     FPCORE,
@@ -28,7 +28,6 @@ from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.roundoff.boxed import Convention
 from mechproof.tools.files import write_whole
 
-Texts = list[str] | None
 DIGITS = 4
 
 
@@ -41,17 +40,11 @@ def bound(
         ),
     ],
     where: Annotated[
-        Texts, typer.Option("--where", help="Between which numbers a letter lies: 1<=x<=2.")
+        options.Texts, typer.Option("--where", help="Between which numbers a letter lies: 1<=x<=2.")
     ] = None,
-    values: Annotated[
-        Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")
-    ] = None,
-    names: Annotated[
-        Texts, typer.Option("--name", help="A print that is one quantity: AC.")
-    ] = None,
-    factors: Annotated[
-        Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
-    ] = None,
+    values: options.Values = None,
+    names: options.Names = None,
+    factors: options.Factors = None,
     relative: Annotated[
         bool, typer.Option("--relative", help="Bound the error over the exact value.")
     ] = False,
@@ -99,7 +92,7 @@ def bound(
     Exit status 0: all are bounded; 1: one is not; 2: bad usage, or what cannot be read or is not
     straight-line.
     """
-    clear_json(json_file)
+    options.clear_json(json_file)
     try:
         convention = Convention(rounded_inputs, relative, ulps)
         pasted = Pasted(
@@ -126,7 +119,7 @@ def bound(
     for found in bounds:
         for line in _tell(found):
             say(line)
-    write_json(json_file, bounds_to_json(bounds))
+    options.write_json(json_file, bounds_to_json(bounds))
     if any(found.open for found in bounds):
         raise typer.Exit(1)
 

@@ -7,21 +7,16 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
-from mechproof.cli.paths import (
-    DerivationsOption,
-    PapersArgument,
-    find_locations,
-    find_places,
-    read_out,
-)
+from mechproof.cli.judging import judge_papers, refuse_failures
+from mechproof.cli.paths import find_locations, find_places, read_out
 from mechproof.pipeline.verification import LIMIT
 from mechproof.tools.made import ForeignFileError
 
 
 def certify(
-    papers: PapersArgument = None,
+    papers: options.Papers = None,
     out: Annotated[
         Path,
         typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),
@@ -41,9 +36,9 @@ def certify(
         int,
         typer.Option("--one-in", metavar="N", min=1, help="Have every N-th script checked alone."),
     ] = 1,
-    derivations: DerivationsOption = None,
-    no_cache: NoCacheOption = False,
-    limit: LimitOption = LIMIT,
+    derivations: options.Derivations = None,
+    no_cache: options.NoCache = False,
+    limit: options.Limit = LIMIT,
 ) -> None:
     """Write a Coq script for every row that is PROVED or REFUTED; `make` in FOLDER checks them.
 

@@ -7,21 +7,15 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import refuse, say
-from mechproof.cli.paths import read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.measured import Record, find_files, goes_by, read_record
 
 
 def chart(
-    quantities: Annotated[
-        list[str] | None,
-        typer.Argument(help="Quantities, systems or system.quantity; all if none."),
-    ] = None,
-    out: Annotated[
-        Path,
-        typer.Option(metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out),
-    ] = Path("charts"),
+    quantities: options.Quantities = None,
+    out: options.Pictures = Path("charts"),
     measured: Annotated[
         Path | None,
         typer.Option(help="A folder of records; left out: those that come with the package."),

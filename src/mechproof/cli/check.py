@@ -8,11 +8,10 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.document import print_checked
-from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.ledger import print_details
-from mechproof.cli.outcomes import OUTCOMES, FailOnOption, read_outcomes
 from mechproof.document.checked_rows import rows_to_json
 from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.draft import draft_block
@@ -24,7 +23,6 @@ from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import State, Verdict
 from mechproof.tools.processes import WorkerError
 
-Texts = list[str] | None
 DEFAULTS = (
     "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
     "a natural number from 1 on, d in an integral is its differential, e with letters in its "
@@ -34,7 +32,7 @@ DEFAULTS = (
     "one quantity. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
-DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
+DEFAULT = frozenset(options.OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
 REMARKS = {
     Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
     "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
@@ -53,20 +51,14 @@ def check(
             "its condition behind it: |x|=x, x>0. One that begins with a minus stands behind --.",
         ),
     ],
-    names: Annotated[
-        Texts, typer.Option("--name", help="A print that is one quantity: AC.")
-    ] = None,
-    factors: Annotated[
-        Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
-    ] = None,
+    names: options.Names = None,
+    factors: options.Factors = None,
     where: Annotated[
-        Texts, typer.Option("--where", help="In which it is meant: 0<x<1, A+B+C=\\pi.")
+        options.Texts, typer.Option("--where", help="In which it is meant: 0<x<1, A+B+C=\\pi.")
     ] = None,
-    values: Annotated[
-        Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")
-    ] = None,
+    values: options.Values = None,
     natural: Annotated[
-        Texts, typer.Option("--natural", help="A letter that counts from 1: n.")
+        options.Texts, typer.Option("--natural", help="A letter that counts from 1: n.")
     ] = None,
     start: Annotated[
         str, typer.Option("--from", help="Where integrals without limits start: 0.")
@@ -78,10 +70,8 @@ def check(
     show_all: Annotated[
         bool, typer.Option("--all", help="Show the details of every row of a paper.")
     ] = False,
-    fail_on: FailOnOption = None,
-    json_file: Annotated[
-        Path | None, typer.Option("--json", help="Also write the rows to this file.")
-    ] = None,
+    fail_on: options.FailOn = None,
+    json_file: options.Rows = None,
     limit: Annotated[
         float, typer.Option("--limit", metavar="SECONDS", min=0, help="What takes longer fails.")
     ] = LIMIT,
@@ -97,11 +87,11 @@ def check(
     takes too long or crashes; 2: bad usage, an empty domain, or a pasted equation cannot be read
     without a guess.
     """
-    outcomes = read_outcomes(fail_on, DEFAULT)
-    options = (names, factors, where, values, natural, start)
-    clear_json(json_file)
+    outcomes = options.read_outcomes(fail_on, DEFAULT)
+    said = (names, factors, where, values, natural, start)
+    options.clear_json(json_file)
     if files := _find_files(equations):
-        if any(options):
+        if any(said):
             refuse("what is said of the letters of a paper stands in its block of letters")
         met = _check_files(files, draft=draft, show_all=show_all, json_file=json_file, limit=limit)
     elif draft:
@@ -159,14 +149,14 @@ def _check_files(
         print_checked(checked[-1], show_all=show_all)
     rows = [row for paper in checked for row in paper.rows]
     if checked:
-        write_json(json_file, rows_to_json(rows))
+        options.write_json(json_file, rows_to_json(rows))
     return {row.outcome for row in rows}
 
 
 def _check_equation(pasted: Pasted, json_file: Path | None, limit: float) -> set[str]:
     """Check an equation and return its verdicts."""
     answer = _judge(pasted, limit)
-    write_json(json_file, to_json([Ledger("pasted", "", answer.judgements)]))
+    options.write_json(json_file, to_json([Ledger("pasted", "", answer.judgements)]))
     for row in answer.judgements:
         print_details(row, ("one side", "other side"))
     for verdict, remark in REMARKS.items():

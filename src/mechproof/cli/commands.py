@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.bound import bound
 from mechproof.cli.certify import certify
 from mechproof.cli.chart import chart
@@ -17,24 +18,10 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
 from mechproof.cli.improve import SEARCH_LIMIT, improve, offer_forms
-from mechproof.cli.json_file import clear_json, write_json
-from mechproof.cli.judging import (
-    LimitOption,
-    NoCacheOption,
-    read_ledgers,
-    refuse_failures,
-)
+from mechproof.cli.judging import read_ledgers, refuse_failures
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.new import new
-from mechproof.cli.outcomes import FailOnOption, read_outcomes
-from mechproof.cli.paths import (
-    RULE,
-    DerivationsOption,
-    PapersArgument,
-    RootOption,
-    find_locations,
-    find_places,
-)
+from mechproof.cli.paths import RULE, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
@@ -85,10 +72,8 @@ def _main(
 
 @app.command(epilog=RULE)
 def verify(
-    papers: PapersArgument = None,
-    json_file: Annotated[
-        Path | None, typer.Option("--json", help="Also write the rows to this file.")
-    ] = None,
+    papers: options.Papers = None,
+    json_file: options.Rows = None,
     show_all: Annotated[
         bool, typer.Option("--all", help="Show every row, with the evidence where there is any.")
     ] = False,
@@ -96,11 +81,11 @@ def verify(
         bool,
         typer.Option("--findings", help="Show of each finding what is right, why, and its cost."),
     ] = False,
-    derivations: DerivationsOption = None,
-    root: RootOption = None,
-    fail_on: FailOnOption = None,
-    no_cache: NoCacheOption = False,
-    limit: LimitOption = LIMIT,
+    derivations: options.Derivations = None,
+    root: options.Root = None,
+    fail_on: options.FailOn = None,
+    no_cache: options.NoCache = False,
+    limit: options.Limit = LIMIT,
 ) -> None:
     """Judge every row of the papers; print a line for each finding, the gravest first, and totals.
 
@@ -110,12 +95,12 @@ def verify(
     or not judged, or what --fail-on names instead, a kernel is not PROVED (rivals may be wrong:
     they are named as such), a row hangs or crashes, or a derivation fails; 2: bad usage.
     """
-    outcomes = read_outcomes(fail_on, UNDECIDED)
+    outcomes = options.read_outcomes(fail_on, UNDECIDED)
     locations = find_locations(papers or (), find_places(derivations, root), SUFFIXES)
-    clear_json(json_file)
+    options.clear_json(json_file)
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
     if not any(ledger.failures for ledger in ledgers):
-        write_json(json_file, to_json(ledgers))
+        options.write_json(json_file, to_json(ledgers))
     print_ledgers(ledgers, show_findings=show_findings, show_all=show_all)
     refuse_failures(ledgers)
     if any(ledger.outcomes & outcomes for ledger in ledgers):
@@ -131,10 +116,10 @@ def regenerate(
         bool,
         typer.Option("--improve", help="First search for better forms, as improve --write does."),
     ] = False,
-    derivations: DerivationsOption = None,
-    root: RootOption = None,
-    no_cache: NoCacheOption = False,
-    limit: LimitOption = LIMIT,
+    derivations: options.Derivations = None,
+    root: options.Root = None,
+    no_cache: options.NoCache = False,
+    limit: options.Limit = LIMIT,
 ) -> None:
     """Write kernels, certificates and the ledger of DIR into DIR/../generated.
 
@@ -180,10 +165,7 @@ def regenerate(
 
 @app.command(epilog=RULE)
 def measure(
-    quantities: Annotated[
-        list[str] | None,
-        typer.Argument(help="Quantities, systems or system.quantity; all if none."),
-    ] = None,
+    quantities: options.Quantities = None,
     quick: Annotated[
         bool, typer.Option("--quick", help="Few points, short times: under a minute.")
     ] = False,
@@ -191,8 +173,8 @@ def measure(
         int,
         typer.Option("--processes", metavar="N", min=1, help="Measure accuracy in N processes."),
     ] = 1,
-    derivations: DerivationsOption = None,
-    root: RootOption = None,
+    derivations: options.Derivations = None,
+    root: options.Root = None,
 ) -> None:
     """Measure accuracy and time of all ways to compute; write DIR/../generated/measured.
 

@@ -8,9 +8,10 @@ from typing import Annotated, Any
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.judging import judge_papers, refuse_failures
-from mechproof.cli.paths import DerivationsOption, Places, find_locations, find_places, read_out
+from mechproof.cli.paths import Places, find_locations, find_places, read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.pipeline.verification import LIMIT
 from mechproof.record import Paper
@@ -23,10 +24,7 @@ app = typer.Typer(help="Write kernels for other languages.", no_args_is_help=Tru
 
 @app.command(name="c")
 def emit_c(
-    systems: Annotated[
-        list[str] | None,
-        typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
-    ] = None,
+    systems: options.Systems = None,
     out: Annotated[
         Path,
         typer.Option(metavar="FOLDER", help="The folder that the files go to.", parser=read_out),
@@ -53,7 +51,7 @@ def emit_c(
             "called; SYSTEM_tailored if left out.",
         ),
     ] = None,
-    derivations: DerivationsOption = None,
+    derivations: options.Derivations = None,
 ) -> None:
     """Write a header and a source in C99 for each system; they need <math.h> and <stddef.h>.
 
@@ -127,17 +125,14 @@ SCRIPTS = {
 
 def _add_script(language: str, text: str) -> None:
     def emit(
-        systems: Annotated[
-            list[str] | None,
-            typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
-        ] = None,
+        systems: options.Systems = None,
         out: Annotated[
             Path | None,
             typer.Option(
                 metavar="FOLDER", help="The folder that the files go to.", parser=read_out
             ),
         ] = None,
-        derivations: DerivationsOption = None,
+        derivations: options.Derivations = None,
     ) -> None:
         from mechproof.codegen.backends.scripts import render_scripts
 

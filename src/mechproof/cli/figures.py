@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, say
-from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import find_locations, find_places
 from mechproof.derivation import DerivationError
 
 
@@ -17,11 +18,8 @@ def figures(
         list[str] | None,
         typer.Argument(help="Systems, or folders of derivations; all if none."),
     ] = None,
-    out: Annotated[
-        Path,
-        typer.Option(metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out),
-    ] = Path("figures"),
-    derivations: DerivationsOption = None,
+    out: options.Pictures = Path("figures"),
+    derivations: options.Derivations = None,
 ) -> None:
     """Draw the papers' figures from the kernels, with what was found marked in them.
 

@@ -10,8 +10,9 @@ from typing import Annotated
 import typer
 
 from mechproof.chosen import add_chosen
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.paths import DerivationsOption, Places, RootOption, find_places
+from mechproof.cli.paths import Places, find_places
 from mechproof.derivation import DerivationError
 from mechproof.tools.processes import WorkerError
 
@@ -28,8 +29,8 @@ def improve(
         bool,
         typer.Option("--write", help="Keep what is found beside the derivation, to be shipped."),
     ] = False,
-    derivations: DerivationsOption = None,
-    root: RootOption = None,
+    derivations: options.Derivations = None,
+    root: options.Root = None,
     limit: Annotated[
         float,
         typer.Option(

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
-
-import typer
 
 from mechproof.cli.console import fail, show_progress
 from mechproof.derivation import DerivationError
@@ -20,19 +17,6 @@ from mechproof.pipeline.verification import (
     restore_papers,
 )
 from mechproof.proof.ledger import JudgedPaper, Ledger
-
-NoCacheOption = Annotated[
-    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
-]
-LimitOption = Annotated[
-    float,
-    typer.Option(
-        "--limit",
-        metavar="SECONDS",
-        min=0,
-        help="A row that takes longer is an error, no verdict; so is a derivation that loads.",
-    ),
-]
 
 
 def judge_papers(

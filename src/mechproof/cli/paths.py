@@ -7,31 +7,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import Annotated
-
-import typer
 
 from mechproof.cli.console import fail, refuse
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 
-DerivationsOption = Annotated[
-    Path | None,
-    typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
-]
-PapersArgument = Annotated[
-    list[str] | None,
-    typer.Argument(
-        metavar="[PAPER] ...",
-        help="Systems, files FILE.py, folders of derivations, or papers FILE.tex; all systems if "
-        "none.",
-    ),
-]
-RootOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
-    ),
-]
 RULE = (
     "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
     "those of the folder ./derivations if there is one, else those that come with the package. "

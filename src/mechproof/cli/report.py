@@ -8,21 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import (
-    LimitOption,
-    NoCacheOption,
-    load_papers,
-    read_ledgers,
-    refuse_failures,
-)
-from mechproof.cli.paths import (
-    DerivationsOption,
-    PapersArgument,
-    find_locations,
-    find_places,
-    read_out,
-)
+from mechproof.cli.judging import load_papers, read_ledgers, refuse_failures
+from mechproof.cli.paths import find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 from mechproof.document.sources import SUFFIXES
 from mechproof.pipeline.ledger_cache import LedgerCache
@@ -36,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def report(
-    papers: PapersArgument = None,
+    papers: options.Papers = None,
     out: Annotated[
         str | None,
         typer.Option(
@@ -48,9 +37,9 @@ def report(
     single: Annotated[
         bool, typer.Option("--single", help="Write one HTML file that holds all pages.")
     ] = False,
-    derivations: DerivationsOption = None,
-    no_cache: NoCacheOption = False,
-    limit: LimitOption = LIMIT,
+    derivations: options.Derivations = None,
+    no_cache: options.NoCache = False,
+    limit: options.Limit = LIMIT,
 ) -> None:
     """Write pages for a browser: every row with its verdict, every quantity, the papers' figures.
 

@@ -1,0 +1,118 @@
+"""What several commands ask for: options and arguments, and how they are read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, refuse
+from mechproof.cli.paths import read_out
+from mechproof.proof.verdict import State, Verdict
+from mechproof.tools.files import write_whole
+
+Texts = list[str] | None
+Names = Annotated[Texts, typer.Option("--name", help="A print that is one quantity: AC.")]
+Factors = Annotated[
+    Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
+]
+Values = Annotated[Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")]
+Papers = Annotated[
+    Texts,
+    typer.Argument(
+        metavar="[PAPER] ...",
+        help="Systems, files FILE.py, folders of derivations, or papers FILE.tex; all systems if "
+        "none.",
+    ),
+]
+Systems = Annotated[
+    Texts,
+    typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
+]
+Quantities = Annotated[
+    Texts, typer.Argument(help="Quantities, systems or system.quantity; all if none.")
+]
+Derivations = Annotated[
+    Path | None,
+    typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
+]
+Root = Annotated[
+    Path | None,
+    typer.Option(
+        "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
+    ),
+]
+NoCache = Annotated[
+    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
+]
+Limit = Annotated[
+    float,
+    typer.Option(
+        "--limit",
+        metavar="SECONDS",
+        min=0,
+        help="A row that takes longer is an error, no verdict; so is a derivation that loads.",
+    ),
+]
+Pictures = Annotated[
+    Path,
+    typer.Option(
+        "--out", metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out
+    ),
+]
+Rows = Annotated[Path | None, typer.Option("--json", help="Also write the rows to this file.")]
+FailOn = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--fail-on",
+        metavar="OUTCOME",
+        help="Exit with 1 for such rows: a verdict, not-read, not-judged, or none.",
+    ),
+]
+NONE = "none"
+# Outcomes by the words of the option: REFUTED as refuted, `not read` as not-read.
+OUTCOMES = {
+    str(outcome.value).lower().replace("_", "-").replace(" ", "-"): str(outcome.value)
+    for outcome in (*Verdict, State.NOT_READ, State.NOT_JUDGED, State.SKIPPED)
+}
+# What would be lost if an option had its value forgotten.
+PAPERS = (".tex", ".md", ".py")
+
+
+def read_outcomes(words: list[str] | None, default: Iterable[str]) -> frozenset[str]:
+    """Return the outcomes that make a command fail; refuse a word that is none."""
+    if not words:
+        return frozenset(default)
+    said = [word.strip().lower().replace("_", "-") for x in words for word in x.split(",")]
+    if unknown := [word for word in said if word not in (*OUTCOMES, NONE)]:
+        refuse(f"--fail-on {unknown[0]}: is none of {', '.join((*OUTCOMES, NONE))}")
+    return frozenset(OUTCOMES[word] for word in said if word != NONE)
+
+
+def clear_json(file: Path | None) -> None:
+    """Refuse what cannot be the file of --json; remove that of an earlier run, which may fail."""
+    if file is None:
+        return
+    folder = file.absolute().parent
+    if file.suffix in PAPERS:
+        refuse(f"--json {file}: is a paper by its name, another file is needed")
+    if file.is_dir():
+        refuse(f"--json {file}: is a folder, a file is needed")
+    if not folder.is_dir():
+        refuse(f"--json {file}: the folder {folder} does not exist")
+    try:
+        if file.is_file():
+            file.unlink()
+    except OSError as error:
+        refuse(f"--json {file}: {error.strerror}")
+
+
+def write_json(file: Path | None, text: str) -> None:
+    """Write the file of --json, if one is named."""
+    try:
+        if file:
+            write_whole(file, text)
+    except OSError as error:
+        fail(f"--json {file}: {error.strerror}")
