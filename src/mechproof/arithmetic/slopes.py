@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 import operator
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache, reduce
 from typing import Any
 
@@ -19,7 +20,6 @@ from flint import arb
 
 from mechproof.arithmetic.ball_evaluation import compile_expression, plan as plan_balls
 from mechproof.arithmetic.balls import NOT_FINITE, working_precision
-from mechproof.arithmetic.duals import Dual, split
 from mechproof.arithmetic.layout import WHOLE, Given, Layout, Plan, Values
 
 # More than a double has: slopes are wide because boxes are, and never by rounding.
@@ -33,6 +33,30 @@ SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
 }
 # A kink under a bound symbol has no one side, and what has branches need not be continuous.
 ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.Min, sp.Abs)
+
+
+@dataclass(frozen=True, eq=False)
+class Dual:
+    """A ball and that of its derivative (Clifford 1873); a plain ball beside it is constant."""
+
+    value: Any
+    rate: Any
+
+    def __add__(self, other: Any) -> Dual:
+        value, rate = split(other)
+        return Dual(self.value + value, self.rate + rate)
+
+    def __mul__(self, other: Any) -> Dual:
+        value, rate = split(other)
+        return Dual(self.value * value, self.rate * value + self.value * rate)
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+def split(ball: Any) -> tuple[Any, Any]:
+    """Return the value and its rate."""
+    return (ball.value, ball.rate) if isinstance(ball, Dual) else (ball, 0)
 
 
 class GradientTape:

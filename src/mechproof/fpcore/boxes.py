@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from mechproof.fpcore.expressions import Atom, FPCoreError, Node
-from mechproof.fpcore.numbers import read_number
+from mechproof.fpcore.expressions import Atom, FPCoreError, Node, read_number
 
 Range = tuple[Fraction, Fraction]
 # What is the smaller side; ends that are left out are no matter to a bound.

@@ -8,8 +8,14 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from mechproof.fpcore.boxes import Range, read_box
-from mechproof.fpcore.expressions import Atom, FPCoreError, Group, Node, read_expressions
-from mechproof.fpcore.numbers import read_number
+from mechproof.fpcore.expressions import (
+    Atom,
+    FPCoreError,
+    Group,
+    Node,
+    read_expressions,
+    read_number,
+)
 from mechproof.programs.program import Operand, Operation
 from mechproof.roundoff.steps import CONSTANT, StraightLineProgram, make_step, name_constant
 

@@ -5,21 +5,28 @@ Records report the points of the seed REPORT; the search climbs from those of th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+import platform
+import sys
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import numpy as np
 
 from mechproof.executors import check_executor
 from mechproof.lab.accuracy import Report, measure_accuracy
-from mechproof.lab.computer import describe_machine, find_load
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import Subject
 from mechproof.lab.tailored_kernels import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
 from mechproof.lab.ways import Way
-from mechproof.measured import MeasuredWay, Point, Record
+from mechproof.measured import Machine, MeasuredWay, Point, Record
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Accuracy
@@ -112,3 +119,38 @@ def _describe(subject: Subject, way: Way) -> MeasuredWay:
     return replace(
         about, verdict=worst.verdict.value, rung=worst.rung, proved_on="; ".join(sorted(parts))
     )
+
+
+VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint", "numba")
+
+
+def describe_machine() -> Machine:
+    """Describe the processor, what NumPy uses of it, and the versions that decide results."""
+    simd = np.show_config(mode="dicts")["SIMD Extensions"]
+    return Machine(
+        processor=_processor(),
+        cores=os.cpu_count(),
+        simd=tuple(simd["found"]),
+        system=platform.system(),
+        python=".".join(map(str, sys.version_info[:3])),
+        versions=dict(_list_versions()),
+    )
+
+
+def _list_versions() -> Iterator[tuple[str, str]]:
+    """Yield what is installed of the packages that decide results."""
+    for name in VERSIONS:
+        with suppress(PackageNotFoundError):
+            yield name, version(name)
+
+
+def find_load() -> float | None:
+    """Return how many processes ran on average over the last minute, where that is known."""
+    return round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None
+
+
+def _processor() -> str:
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()

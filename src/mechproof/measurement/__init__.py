@@ -22,8 +22,7 @@ from mechproof.measurement.position import (
     position_errors,
     wrap_angle,
 )
-from mechproof.measurement.propagation import Propagation, propagate
-from mechproof.measurement.uncertain_floats import to_ufloat
+from mechproof.measurement.propagation import Propagation, propagate, to_ufloat
 from mechproof.measurement.uncertainty import TypeA, TypeB, combine, evaluate_type_a
 
 __all__ = [

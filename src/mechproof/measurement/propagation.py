@@ -1,10 +1,11 @@
-"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2)."""
+"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2), of `ufloat`s, too."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 from types import MappingProxyType
 from typing import Any
 
@@ -22,7 +23,7 @@ from mechproof.arguments.scalars import (
 )
 from mechproof.derivatives import differentiate
 from mechproof.measurement.estimate import Estimate
-from mechproof.measurement.uncertain_floats import is_uncertain, read_correlations, read_uncertain
+from mechproof.tools.extras import tell_missing
 
 Correlations = Mapping[tuple[str, str], float]
 NONE: Correlations = MappingProxyType({})
@@ -185,3 +186,38 @@ def _check_correlations(
     allowed = "no quantities have these coefficients together (a negative eigenvalue)"
     require(least > -1e-12 * len(uncertain), "correlations", correlations, allowed)
     return found
+
+
+def is_uncertain(value: Any) -> bool:
+    """Return whether a value is a ufloat, or a function of some; without importing the package."""
+    return hasattr(value, "nominal_value") and hasattr(value, "std_dev")
+
+
+def read_uncertain(value: Any) -> Estimate:
+    """Return the estimate that a ufloat is; its degrees of freedom count as infinite."""
+    return Estimate(float(value.nominal_value), float(value.std_dev))
+
+
+def read_correlations(inputs: Mapping[str, Any]) -> dict[tuple[str, str], float]:
+    """Return the correlation coefficients of the ufloats among inputs, those that are not zero."""
+    names = [name for name, value in inputs.items() if is_uncertain(value) and value.std_dev]
+    if len(names) < 2:
+        return {}
+    matrix = _load().correlation_matrix([inputs[name] for name in names])
+    pairs = combinations(range(len(names)), 2)
+    return {(names[i], names[j]): float(matrix[i, j]) for i, j in pairs if matrix[i, j]}
+
+
+def to_ufloat(estimate: Estimate) -> Any:
+    """Return the ufloat of an estimate, a new variable; ImportError without the package."""
+    is_estimate = isinstance(estimate, Estimate)
+    require(is_estimate, "estimate", estimate, "must be an Estimate", TypeError)
+    return _load().ufloat(estimate.value, estimate.uncertainty)
+
+
+def _load() -> Any:
+    try:
+        import uncertainties
+    except ImportError as error:
+        raise ImportError(tell_missing("a ufloat", "uncertain", error.name)) from error
+    return uncertainties

@@ -51,10 +51,9 @@ from mechproof.roundoff.grids import (
     find_own_grid,
 )
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
-from mechproof.roundoff.rounded_steps import RoundedStep, take_least
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
-from mechproof.roundoff.spreading import spread
+from mechproof.roundoff.spreading import RoundedStep, spread, take_least
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
 
 # Of the errors of numbers.

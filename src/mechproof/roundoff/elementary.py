@@ -22,8 +22,8 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import build
 from mechproof.programs.program import Program
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
-from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.error_tables import ErrorTable, find_highest
+from mechproof.roundoff.grouping import Rows, split_cases
 from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.reduction import NEAR, bound_reduction
