@@ -12,13 +12,7 @@ from cases import BAR, HARD, INF, NAMES, Find, four, random_case, random_sets
 from enclosures import relative_errors
 from flint import arb, ctx
 
-from mechproof.conformity import (
-    Normal,
-    TruncatedNormal,
-    Uniform,
-    conformance_probability,
-    shares,
-)
+from mechproof.conformity import Normal, TruncatedNormal, Uniform, conformance_probability, shares
 from mechproof.conformity.quadrature import law_masses
 
 

@@ -17,12 +17,7 @@ from weights import first_of
 
 from mechproof.compiled_support import loops
 from mechproof.kernels import elliptic_planetary as plain
-from mechproof.kernels.compiled import (
-    elementary,
-    elliptic_planetary,
-    oval_planetary,
-    track_wheel,
-)
+from mechproof.kernels.compiled import elementary, elliptic_planetary, oval_planetary, track_wheel
 from mechproof.lab.subject import Subject
 from mechproof.lab.worst_search import find_worst
 

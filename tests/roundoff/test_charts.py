@@ -15,9 +15,7 @@ from certified import GROUP, claims, name_claim, subjects
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.record import Chart
-from mechproof.roundoff.certificate import (
-    RoundingClaim,
-)
+from mechproof.roundoff.certificate import RoundingClaim
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.running import IN_DOUBLES
 

@@ -12,16 +12,7 @@ from certified import GROUP
 
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import list_functions
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    Chart,
-    Form,
-    Paper,
-    Quantity,
-    Scale,
-    Variable,
-)
+from mechproof.record import Accuracy, Argument, Chart, Form, Paper, Quantity, Scale, Variable
 from mechproof.roundoff.certificate import cover_all
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.spreading import spread

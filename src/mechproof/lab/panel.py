@@ -6,13 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mechproof.lab.chart_points import (
-    LOST_LANE,
-    TURNS_LANE,
-    ChartPoint,
-    Family,
-    find_front,
-)
+from mechproof.lab.chart_points import LOST_LANE, TURNS_LANE, ChartPoint, Family, find_front
 
 # Digits of a double, and how high a lane is.
 DIGITS, LANE = 15.65, 2.4

@@ -6,15 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby
 
 from mechproof.lab.certificate_claims import find_way, list_claims
-from mechproof.measured import (
-    COPY,
-    MEASURED,
-    MeasuredWay,
-    Record,
-    Searched,
-    SetErrors,
-    Timing,
-)
+from mechproof.measured import COPY, MEASURED, MeasuredWay, Record, Searched, SetErrors, Timing
 from mechproof.roundoff.certificate import RoundingClaim
 
 PAGE = "TABLES.md"

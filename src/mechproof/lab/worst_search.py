@@ -21,15 +21,7 @@ from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
-from mechproof.roundoff.climb import (
-    BY_BALLS,
-    JUDGED,
-    Schedule,
-    climb,
-    gather,
-    judge_best,
-    select,
-)
+from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, gather, judge_best, select
 
 BY_LONG_DOUBLES = Schedule(3000, 6)
 # So many rounds by long doubles for one by balls; after so many a population has met, and begins

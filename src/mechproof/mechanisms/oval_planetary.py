@@ -42,13 +42,7 @@ from mechproof.mechanisms.facts import choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
 from mechproof.mechanisms.oval_pairs import CylindricalPair, OvalPair, check_size
-from mechproof.mechanisms.oval_planetary_kinds import (
-    ANGLES,
-    Classified,
-    OnePair,
-    classify,
-    compose,
-)
+from mechproof.mechanisms.oval_planetary_kinds import ANGLES, Classified, OnePair, classify, compose
 from mechproof.mechanisms.pointwise import pointwise_in_angles
 from mechproof.mechanisms.units import Units
 

@@ -8,13 +8,7 @@ import sympy as sp
 
 from mechproof.programs.code import KernelCode, Stage, map_affinely
 from mechproof.programs.operations import SYMBOLIC
-from mechproof.programs.program import (
-    CONSTANTS,
-    VIEWS,
-    Operand,
-    Program,
-    spell_out_forms,
-)
+from mechproof.programs.program import CONSTANTS, VIEWS, Operand, Program, spell_out_forms
 from mechproof.record import Quantity
 
 # A whole turn off the argument is nothing to these.

@@ -13,12 +13,7 @@ from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
-from mechproof.programs.program import (
-    Operand,
-    Program,
-    is_unnamed,
-    rename_all,
-)
+from mechproof.programs.program import Operand, Program, is_unnamed, rename_all
 from mechproof.record import Paper
 
 

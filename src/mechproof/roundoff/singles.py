@@ -17,12 +17,7 @@ from mechproof.programs.elementary.formats import SINGLE
 from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
-from mechproof.programs.scalar import (
-    list_arguments,
-    list_stages,
-    rename,
-    rename_components,
-)
+from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
 from mechproof.programs.sums import ADDED, TermLoop, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd

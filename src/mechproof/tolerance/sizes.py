@@ -9,12 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.arguments.scalars import (
-    check_mapping,
-    check_progress,
-    check_real,
-    require,
-)
+from mechproof.arguments.scalars import check_mapping, check_progress, check_real, require
 from mechproof.laws import Normal, TruncatedNormal, Uniform
 
 Floats = NDArray[np.float64]

@@ -2,15 +2,7 @@
 
 from sympy import Interval, Rational, Symbol, cos, diff, sin
 
-from mechproof.record import (
-    Argument,
-    Equation,
-    Form,
-    Paper,
-    Quantity,
-    Root,
-    Variable,
-)
+from mechproof.record import Argument, Equation, Form, Paper, Quantity, Root, Variable
 
 E, M, e = Symbol("E", real=True), Symbol("M", real=True), Symbol("e", nonnegative=True)
 rate = Symbol("E_prime", real=True)

@@ -13,11 +13,7 @@ from mechproof.codegen.backends.compiled_reading import (
     mean_elementary,
     read_compiled,
 )
-from mechproof.codegen.backends.loops import (
-    describe_calls,
-    name_elements,
-    take_out_loops,
-)
+from mechproof.codegen.backends.loops import describe_calls, name_elements, take_out_loops
 from mechproof.codegen.backends.numpy import REGENERATED, render_python, tell_origin
 from mechproof.codegen.backends.scalar_texts import (
     LoopCall,

@@ -22,12 +22,7 @@ from mechproof.codegen.docstrings import (
     describe_module,
 )
 from mechproof.codegen.escapes import ESCAPES
-from mechproof.codegen.facts import (
-    ConditionText,
-    SizesText,
-    list_conditions,
-    list_sizes,
-)
+from mechproof.codegen.facts import ConditionText, SizesText, list_conditions, list_sizes
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.shared_functions import list_suffixes, name_functions
 from mechproof.codegen.syntax import ProgramText, write_program

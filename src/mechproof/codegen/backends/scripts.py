@@ -14,14 +14,7 @@ from functools import partial
 from mechproof.codegen.backends.numpy import format_source, render_template
 from mechproof.codegen.backends.scalar_texts import BOOLEAN, ScalarKernel, write_scalar
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
-from mechproof.codegen.languages import (
-    ARRAY,
-    FORM,
-    RESULT,
-    SCRIPTS,
-    STRUCTURED_TEXT_WORDS,
-    Script,
-)
+from mechproof.codegen.languages import ARRAY, FORM, RESULT, SCRIPTS, STRUCTURED_TEXT_WORDS, Script
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.branches import block_branches
 from mechproof.programs.code import Stage

@@ -17,11 +17,7 @@ from mechproof.programs.rewrites.clenshaw import clenshaw, in_single
 from mechproof.programs.rewrites.coefficients import name_coefficients
 from mechproof.programs.rewrites.differences import difference_of_functions, difference_of_roots
 from mechproof.programs.rewrites.exponentials import expm1_log1p
-from mechproof.programs.rewrites.half_angle import (
-    cosine_minus_one,
-    half_angle_tangent,
-    small_arc,
-)
+from mechproof.programs.rewrites.half_angle import cosine_minus_one, half_angle_tangent, small_arc
 from mechproof.programs.rewrites.low_product import low_product
 from mechproof.programs.rewrites.low_word import low_word
 from mechproof.programs.rewrites.square_roots import (
