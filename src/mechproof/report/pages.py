@@ -12,7 +12,9 @@ from itertools import cycle
 import jinja2
 from markupsafe import Markup, escape
 
+from mechproof.codegen.docstrings import tell_unit
 from mechproof.proof.anchors import slugify
+from mechproof.report.formulas import write_print
 from mechproof.report.phrases import set_prose
 from mechproof.report.rows import MARKED
 
@@ -52,8 +54,10 @@ def _environment() -> jinja2.Environment:
     )
     environment.filters |= {
         "cite": _cite,
+        "print": write_print,
         "prose": set_prose,
         "slug": slugify,
+        "unit": tell_unit,
         "words": _say,
         "capfirst": _begin,
     }

@@ -10,17 +10,16 @@ import sympy as sp
 from markupsafe import Markup
 
 from mechproof.proof.anchors import find_only_equation, name_anchors, name_equation
-from mechproof.proof.cards import make_card
+from mechproof.proof.cards import Card, make_card
 from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Left
-from mechproof.record import Equality, Paper, Row, Variable, Weight
+from mechproof.record import Equality, Paper, Row, Variable
 from mechproof.record.findings import WEIGHTS
-from mechproof.report.formulas import write_print
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
-from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
+from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of
 from mechproof.report.rows import (
     RowView,
     describe_failure,
@@ -35,30 +34,14 @@ CONSEQUENCE = "consequence"
 
 @dataclass(frozen=True)
 class FindingView:
-    """The card of a finding, with where the rows stand that show it and that follow."""
+    """A finding and its card, with where the rows stand that show it and that follow."""
 
-    system: str
-    number: str
-    anchor: str
+    found: LedgerFinding
+    card: Card
     look: VerdictStyle
-    marks: tuple[str, ...]
-    printed: Markup
-    weight: Weight
-    mend: Markup
-    mend_by: Markup
-    label: str
-    general: Markup
-    general_by: Markup
-    wrong: Markup
-    costs: tuple[Markup, ...]
-    check: Markup
-    figure: str
+    matter: str
+    anchor: str
     follows: tuple[tuple[str, str], ...]
-
-    @property
-    def matter(self) -> str:
-        """Return what it changes for a reader."""
-        return WEIGHTS[self.weight]
 
 
 @dataclass(frozen=True)
@@ -180,25 +163,13 @@ def _name_all(ledger: JudgedPaper) -> dict[str, str]:
 
 def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> FindingView:
     """Describe a finding by the anchors of its paper's rows."""
-    card = make_card(found)
     return FindingView(
-        system=found.system,
-        number=found.number,
-        anchor=anchors[found.number],
-        look=look_of(found.verdict),
-        marks=found.marks,
-        printed=write_print(card.printed),
-        weight=found.weight,
-        mend=write_print(card.mend),
-        mend_by=set_prose(card.mend_by),
-        label=card.label,
-        general=write_print(card.general),
-        general_by=set_prose(card.general_by),
-        wrong=set_prose(found.wrong),
-        costs=tuple(set_prose(str(cost)) for cost in found.costs),
-        check=set_prose(found.check),
-        figure=found.figure,
-        follows=tuple((number, anchors[number]) for number in found.follows),
+        found,
+        make_card(found),
+        look_of(found.verdict),
+        WEIGHTS[found.weight],
+        anchors[found.number],
+        tuple((number, anchors[number]) for number in found.follows),
     )
 
 

@@ -36,17 +36,8 @@ from mechproof.report.turns import goes_on, tell_turned
 MANY = 4
 # Of a form that is shipped with one before it.
 TOGETHER = Markup("elsewhere; measured with the form above, as one kernel")
-
-
-@dataclass(frozen=True)
-class ArgumentView:
-    """One argument of a quantity."""
-
-    name: str
-    symbols: Markup
-    meaning: str
-    unit: str
-    shape: str
+# With its symbols and its shape as they are written.
+ArgumentView = tuple[Argument, Markup, str]
 
 
 @dataclass(frozen=True)
@@ -185,13 +176,7 @@ def _describe_arguments(
             for symbol in argument.symbols
         )
         default = "" if argument.default is None else f", default {argument.default:g}"
-        yield ArgumentView(
-            argument.name,
-            symbols,
-            argument.meaning,
-            tell_unit(argument.unit),
-            f"{shape_of(argument, quantity)}{default}",
-        )
+        yield argument, symbols, f"{shape_of(argument, quantity)}{default}"
 
 
 def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:

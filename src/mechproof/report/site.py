@@ -152,7 +152,10 @@ def _describe(
     return Share(
         files,
         render("card", paper=paper),
-        [(int(finding.weight), render("finding", finding=finding)) for finding in paper.findings],
+        [
+            (int(finding.found.weight), render("finding", finding=finding))
+            for finding in paper.findings
+        ],
         _list_met(paper, quantities),
         [record.quantity for record in source.records],
         [f"{name}: {pictures[name].failure}" for name in own if pictures[name].failure],
