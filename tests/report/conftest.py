@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
@@ -13,9 +13,8 @@ from own_papers import TESTS, write_hostile, write_slider_crank
 from mechproof.derivation import packaged_directory
 from mechproof.measured import Record
 from mechproof.pipeline.verification import judge_derivations
-from mechproof.record import Paper
 from mechproof.report import build_site, judged_derivations, write_folder
-from mechproof.report.judged_derivations import _read_records
+from mechproof.report.judged_derivations import read_records
 
 # Of what was measured this is shown with every test, all with the thorough ones: a chart takes
 # longer than the rest of its page.
@@ -26,9 +25,9 @@ def build(locations: Sequence[Path]) -> dict[str, str]:
     return dict(build_site(locations, judge_derivations(locations)).files)
 
 
-def read_shown(folder: Traversable, paper: Paper) -> Sequence[Record]:
+def read_shown(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:
     """Read what was measured of the quantities that are shown."""
-    return [r for r in _read_records(folder, paper) if r.quantity.partition(".")[2] in SHOWN]
+    return read_records(folder, [name for name in names if name.partition(".")[2] in SHOWN])
 
 
 @pytest.fixture(scope="session")
@@ -44,7 +43,7 @@ def files(papers: list[Path], request: pytest.FixtureRequest) -> dict[str, str]:
     """The files of the report by their names."""
     with pytest.MonkeyPatch.context() as patch:
         if request.config.getoption("markexpr") != "thorough":
-            patch.setattr(judged_derivations, "_read_records", read_shown)
+            patch.setattr(judged_derivations, "read_records", read_shown)
         return build([packaged_directory() / "elliptic_planetary", *papers])
 
 

@@ -153,10 +153,6 @@ def _larger(a: Series, b: Series) -> Series:
     return arb_series([one.max(other), *[NAN] * (ctx.cap - 1)])
 
 
-def _size(a: Series) -> Series:
-    return _larger(a, -a)
-
-
 def _direction(y: Series, x: Series) -> Series:
     """Return atan2(y, x) as the integral of (x dy - y dx)/(x**2 + y**2)."""
     start = arb.atan2(list_terms(y)[0], list_terms(x)[0])
@@ -180,7 +176,7 @@ _RULES: Mapping[type[sp.Basic], Callable[..., Series]] = MappingProxyType(
         },
         sp.atan2: _direction,
         sp.Max: lambda *terms: reduce(_larger, terms),
-        sp.Abs: _size,
+        sp.Abs: lambda a: _larger(a, -a),
     }
 )
 

@@ -154,7 +154,8 @@ def regenerate(
     except stages.PipelineError as error:
         fail(str(error))
     for change in done.changes:
-        say(change.describe() if check else _describe_step(change))
+        step = f"{'removed' if change.is_removal else 'wrote'} {change.name}"
+        say(change.describe() if check else step)
     say(f"{places.generated}: {len(done.files)} files, {_count(done.changes, check)}")
     if check and done.changes:
         say(f"run `mechproof regenerate{places.options}`")
@@ -207,10 +208,6 @@ def measure(
             say(f"{file}: {headline}" if headline else str(file))
     except stages.PipelineError as error:
         fail(str(error))
-
-
-def _describe_step(change: Change) -> str:
-    return f"{'removed' if change.is_removal else 'wrote'} {change.name}"
 
 
 def _count(changes: Sequence[Change], check: bool) -> str:

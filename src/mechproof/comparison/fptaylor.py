@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
 from pathlib import Path
@@ -80,16 +80,11 @@ def write_task(program: BoxedProgram) -> str:
         "Variables",
         *(f"  {kind} {names[n]} in [{_write(low)}, {_write(high)}];" for n, (low, high) in inputs),
         "Definitions",
-        *(f"  {line};" for line in _list_steps(program, names)),
+        *(f"  {names[s.result]} = {_round(s, _fill(s, names))};" for s in program.straight.steps),
         "Expressions",
         f"  result = {names[str(program.straight.outputs[0])]};",
     ]
     return "\n".join(lines) + "\n"
-
-
-def _list_steps(program: BoxedProgram, names: Mapping[str, str]) -> Iterator[str]:
-    for step in program.straight.steps:
-        yield f"{names[step.result]} = {_round(step, _fill(step, names))}"
 
 
 def _fill(step: Step, names: Mapping[str, str]) -> str:

@@ -236,7 +236,7 @@ def _list_hypotheses(
     """List the sets of the symbols, what the paper says of them, and what the sides need."""
     met = find_free(relation).union(*map(find_free, between))
     tied = [r for r in domain.where if find_free(r) <= met]
-    met_letters = _order(s for s in met if isinstance(s, sp.Symbol))
+    met_letters = tuple(sorted({s for s in met if isinstance(s, sp.Symbol)}, key=str))
     sets = chain.from_iterable(_bound(s, domain.set_of(s)) for s in met_letters)
     needs = chain.from_iterable(list_needs(side) for side in relation.args)
     listed = dict.fromkeys([*sets, *tied, *between, *needs])
@@ -259,10 +259,6 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
         yield (sp.Ge if values.contains(low) == True else sp.Gt)(symbol, low, evaluate=False)  # noqa: E712
     if high.is_finite:
         yield (sp.Le if values.contains(high) == True else sp.Lt)(symbol, high, evaluate=False)  # noqa: E712
-
-
-def _order(symbols: Iterable[sp.Basic]) -> tuple[sp.Basic, ...]:
-    return tuple(sorted(set(symbols), key=str))
 
 
 def _negate(relation: sp.Basic) -> sp.Basic:

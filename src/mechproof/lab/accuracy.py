@@ -135,7 +135,7 @@ def _measure_way(
         mean_bits=round_off(found.mean_bits),
         worst_absolute=round_up(found.worst_absolute),
         worst_scaled=round_up(float(np.max(inside))) if inside.size else None,
-        worst_at=_point(subject, arguments, worst) if keeps_point else None,
+        worst_at=_as_point(_take(subject, arguments, worst)) if keeps_point else None,
     )
 
 
@@ -262,10 +262,6 @@ def _take(subject: Subject, arguments: Arguments, chosen: Any) -> Arguments:
     """Take some of the points, or one; what all points share stays as it is."""
     count = count_points(subject, arguments)
     return tuple(a[chosen] if np.shape(a)[:1] == (count,) else a for a in arguments)
-
-
-def _point(subject: Subject, arguments: Arguments, index: int) -> Point:
-    return _as_point(_take(subject, arguments, index))
 
 
 def _as_point(arguments: Arguments) -> Point:

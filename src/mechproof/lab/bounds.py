@@ -23,15 +23,11 @@ def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None
     if way.bound is None:
         return None
     bound = subject.domain.resolve(way.bound)
-    sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in _needed(bound)}
+    sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in sorted(bound.free_symbols, key=str)}
     if not sizes.keys() <= _corner(subject, cell).keys() or not _rises(bound, subject, sizes):
         return None
     ball = evaluate(bound, {s: _corner(subject, cell)[s] for s in sizes}, 128)
     return float(np.nextafter(float(ball.upper()), np.inf)) if ball.is_finite() else None
-
-
-def _needed(bound: sp.Expr) -> list[sp.Symbol]:
-    return sorted(bound.free_symbols, key=str)
 
 
 def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:

@@ -52,7 +52,8 @@ def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[P
     for workload, count in list_workloads(record):
         with mpl.rc_context(STYLE):
             figure = draw_chart(record, workload, count)
-        name = f"{record.quantity}.{_as_file_name(workload)}"
+        words = "".join(c if c.isalnum() else "_" for c in workload)
+        name = f"{record.quantity}.{words}"
         says = write_title(record, workload, count)
         files += save(figure, folder / name, says, [record])
     if subject is not None and (jumps := draw_jumps(subject)):
@@ -94,10 +95,6 @@ def tell_sources(records: Sequence[Record]) -> str:
 def date_records(records: Sequence[Record]) -> str:
     """Say when the records that are drawn were taken."""
     return "measured " + ", ".join(sorted({record.taken for record in records}))
-
-
-def _as_file_name(text: str) -> str:
-    return "".join(c if c.isalnum() else "_" for c in text)
 
 
 def write_title(record: Record, workload: str, count: int) -> str:

@@ -51,7 +51,7 @@ def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
         location,
         ledger,
         tell_proofs(paper, find_certificate(folder, paper.system)),
-        tuple(_read_records(folder, paper)),
+        tuple(read_records(folder, [f"{paper.system}.{q.name}" for q in paper.quantities])),
         home if kernels.is_file() else "",
         read_checks(folder),
     )
@@ -66,11 +66,6 @@ def find_generated(location: Path) -> Traversable:
     if _is_packaged(location):
         return files(KERNELS)
     return location.resolve().parent.parent / "generated"
-
-
-def _read_records(folder: Traversable, paper: Paper) -> Sequence[Record]:
-    """Read what was measured of the quantities that the paper has."""
-    return read_records(folder, [f"{paper.system}.{q.name}" for q in paper.quantities])
 
 
 def read_records(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:

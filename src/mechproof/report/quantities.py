@@ -120,7 +120,8 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
     header = write_header(paper)
     told = {quantity.name: quantity for quantity in source.told.quantities}
     for quantity in paper.quantities:
-        record = next((r for r in source.records if r.quantity == _full(paper, quantity)), None)
+        name = f"{paper.system}.{quantity.name}"
+        record = next((r for r in source.records if r.quantity == name), None)
         kernel = kernels.get(quantity.name)
         forms = told[quantity.name].forms
         yield QuantityView(
@@ -145,10 +146,6 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             rests_on=tuple(_list_rows(quantity, source, of_paper=True)),
             rows=tuple(_list_rows(quantity, source, of_paper=False)),
         )
-
-
-def _full(paper: Paper, quantity: Quantity) -> str:
-    return f"{paper.system}.{quantity.name}"
 
 
 def _name_charts(record: Record) -> Iterator[str]:
@@ -246,11 +243,8 @@ def _tell_point(argument: Argument, value: object) -> str:
         rows = " in a matrix" if isinstance(parts[0], tuple | list) else ""
         return f"{len(parts)} {argument.name}{rows}"
     numbers = [f"{part:.6g}" if isinstance(part, float) else str(part) for part in parts]
-    return f"{argument.name} = {numbers[0] if len(numbers) == 1 else _enclose(numbers)}"
-
-
-def _enclose(numbers: Sequence[str]) -> str:
-    return f"({', '.join(numbers)})"
+    told = numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
+    return f"{argument.name} = {told}"
 
 
 def _list_forms(

@@ -19,13 +19,9 @@ class Assumed:
     text: str
 
 
-def _of_numpy(name: str) -> Assumed:
-    return Assumed(1.0, f"np.{name} within 1 ulp")
-
-
 FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
     {
-        name: _of_numpy(name)
+        name: Assumed(1.0, f"np.{name} within 1 ulp")
         for name, row in KINDS.items()
         if row.rounding is Rounding.LIBRARY and hasattr(np, name)
     }

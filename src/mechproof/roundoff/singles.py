@@ -37,14 +37,6 @@ def _fma(a: Any, b: Any, c: Any) -> Any:
     return FORMAT(np.where(np.isfinite(total), add_to_odd(product, rest), total))
 
 
-def _maximum(a: Any, b: Any) -> Any:
-    return np.where((a >= b) | np.isnan(a), a, b)
-
-
-def _power_of_two(n: Any) -> Any:
-    return FORMAT(np.exp2(np.asarray(n, float)))
-
-
 def _in_doubles(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda y: FORMAT(function(np.asarray(y, float)))
 
@@ -54,8 +46,8 @@ _MACHINE = IN_DOUBLES.but(
     number=FORMAT,
     constant=lambda operand: FORMAT(float(find_number(operand))),
     fma=_fma,
-    maximum=_maximum,
-    power_of_two=_power_of_two,
+    maximum=lambda a, b: np.where((a >= b) | np.isnan(a), a, b),
+    power_of_two=lambda n: FORMAT(np.exp2(np.asarray(n, float))),
     **{kind: _in_doubles(getattr(np, kind)) for kind in ("sin", "cos", "tan")},
 )
 

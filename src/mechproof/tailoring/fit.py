@@ -46,15 +46,11 @@ def _interpolate(exact: Exact, centre: float, reach: Ball, powers: range) -> Pie
     chapter 15), and nothing has to be exchanged; the enclosure bounds what it really is.
     """
     count = len(powers)
-    nodes = [_node(2 * i + 1, 2 * count * powers.step) for i in range(count)]
+    nodes = [(arb.pi() * (2 * i + 1) / (2 * count * powers.step)).cos() for i in range(count)]
     rows = [[x**power for power in powers] for x in nodes]
     found = _solve(rows, [exact(centre + reach * x) for x in nodes])
     scaled = (c / reach**power for power, c in zip(powers, found, strict=True))
     return Piece(centre, tuple(map(_round, scaled)))
-
-
-def _node(above: int, below: int) -> Ball:
-    return (arb.pi() * above / below).cos()
 
 
 def _solve(rows: list[list[Ball]], values: list[Ball]) -> list[Ball]:

@@ -25,7 +25,7 @@ from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.program import NOTHING, Program, unfuse
+from mechproof.programs.program import NOTHING, unfuse
 from mechproof.record import Form
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model
@@ -159,11 +159,8 @@ def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
         shape=(),
         quiet=True,
     )
-    return Kernel(quantity.name, alone, (form,), _hash(program), code, ((),))
-
-
-def _hash(program: Program) -> str:
-    return sha256(repr(program).encode()).hexdigest()
+    digest = sha256(repr(program).encode()).hexdigest()
+    return Kernel(quantity.name, alone, (form,), digest, code, ((),))
 
 
 def _name_derivation(request: Request) -> str:

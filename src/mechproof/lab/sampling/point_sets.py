@@ -11,7 +11,6 @@ import numpy as np
 
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.singular_points import list_point_sets
-from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides, draw_cell, make_workload
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
@@ -56,11 +55,9 @@ def list_workloads(subject: Subject) -> list[Workload]:
         return list(subject.by_hand.workloads.items())
     first = subject.quantity.arguments[0].name
     named = subject.quantity.workloads or ((f"N values of {first}", (first,)),)
-    return [(name, partial(_vary, subject.facts, varying)) for name, varying in named]
-
-
-def _vary(facts: Facts, varying: tuple[str, ...], count: int) -> Arguments:
-    return make_workload(facts, count, varying)
+    return [
+        (name, partial(make_workload, subject.facts, varying=varying)) for name, varying in named
+    ]
 
 
 def list_sweeps(subject: Subject) -> tuple[PointSet, ...]:
