@@ -29,9 +29,6 @@ ECCENTRICITIES = (0.0, 0.28, 0.475, 0.9, 0.99, 0.999999, 1 - 1e-12)
         ((math.inf, 16.0, 0.1), ValueError, "R1 = inf: must be finite"),
         ((10**400, 16.0, 0.1), ValueError, r"R1 = 10+ \.\.\. 0+: must be finite"),
         (("66", 16.0, 0.1), TypeError, "R1 = '66': must be a real number, not str"),
-        ((66.0, 16.0, 0.1j), TypeError, "e = 0.1j"),
-        ((66.0, 16.0, True), TypeError, "e = True"),
-        ((66.0, [16.0], 0.1), TypeError, r"R2 = \[16.0\]"),
     ],
 )
 def test_bad_parameters_are_named(

@@ -26,7 +26,6 @@ PHI = np.linspace(-7, 7, 141)
         ({"H": math.nan}, ValueError, "H = nan: must be finite"),
         ({"z": 0}, ValueError, "z = 0: must be at least 1"),
         ({"z": 6.0}, TypeError, r"z = 6.0: must be an integer, not float"),
-        ({"z": True}, TypeError, "z = True"),
         ({"angles": (0.1, 0.2)}, TypeError, r"angles = \(0.1, 0.2\): must be three real"),
         ({"angles": 0.1}, TypeError, "angles = 0.1: must be three real"),
         ({"shift": (0.1, 0.2, "3")}, TypeError, r"shift\[2\] = '3': must be a real number"),
