@@ -23,11 +23,12 @@ NO_NUMBERS = [
     *UNITS,
 ]
 NO_NUMBER = [*NO_NUMBERS, True, False, [], [1.0, 2.0], (1.0,), np.ones(2), np.ones((1, 1))]
+MASKED = np.ma.masked_array([1.0, 2.0], [True, False])
 NO_OBJECTS = [None, "x", 3, 1.5, [], {"a": 1.0}, object(), object]
 # What each kind of parameter does not take.
 REFUSED: dict[str, list[Any]] = {
     "array": NO_NUMBERS,
-    "strict array": [*NO_NUMBERS, True, [True]],
+    "strict array": [*NO_NUMBERS, True, [True], np.longdouble(1), np.ma.masked, MASKED],
     # A type is called like any function.
     "samples": [bad for bad in NO_NUMBERS if bad is not float],
     "number": NO_NUMBER,

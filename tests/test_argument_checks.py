@@ -35,6 +35,8 @@ REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = 
     (scalars.check_triple, (1, 2), TypeError, r"\(1, 2\): must be three real numbers"),
     (arrays.check_array, None, TypeError, "None: must be a real number or an array, not object"),
     (arrays.check_array, [True], TypeError, r"\[True\]: must be a real number or an array"),
+    (arrays.check_array, np.longdouble(1), TypeError, ".*: must be a real number or an array"),
+    (arrays.check_array, np.ma.masked, TypeError, "masked: is a masked array; give NaN"),
     *(
         (check, value, TypeError, ".*: carries a unit; give plain numbers")
         for check in (arrays.check_array, scalars.check_number)
@@ -68,6 +70,8 @@ def test_components_and_limits_are_named() -> None:
         scalars.check_triple("shift", (1, 2, "3"))
     with pytest.raises(ValueError, match=r"^limits \(lower, upper\) = \(1, 1\): the lower limit"):
         arrays.check_pair("limits", (1, 1))
+    with pytest.raises(TypeError, match=r"^limits\[1\] = '2': must be a real number"):
+        arrays.check_pair("limits", (1, "2"))
 
 
 def test_a_message_has_one_line() -> None:
