@@ -285,12 +285,6 @@ def test_the_lazy_entry() -> None:
     assert mechproof.choose is choose
 
 
-@pytest.mark.parametrize("error", ["1e-6", None, True, 1e-6j])
-def test_an_error_that_is_no_number_is_named(error: Any) -> None:
-    with pytest.raises(TypeError, match=r"^error = .*: must be a real number, not"):
-        choose("elliptic_planetary.position", error=error)
-
-
 NO_RANGES = [
     ((0.1, 0.2, 0.3), r"R2 = \(0.1, 0.2, 0.3\): must be a size, or two in order"),
     ("16", r"R2\[0\] = '1': must be a real number"),

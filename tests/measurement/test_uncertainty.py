@@ -281,11 +281,6 @@ def test_import_is_cheap() -> None:
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
-def test_masked_readings_are_refused() -> None:
-    with pytest.raises(TypeError, match="compressed"):
-        evaluate_type_a(np.ma.array([1.0, 2.0, 100.0], mask=[0, 0, 1]))
-
-
 def test_an_angle_that_is_not_finite_is_nan_without_a_warning() -> None:
     with np.errstate(all="raise"):
         assert np.isnan(wrap_angle([np.nan, np.inf, -np.inf])).all()
