@@ -45,10 +45,9 @@ def test_a_bound_is_proved_by_its_series(relation: sp.Basic, reach: sp.Expr) -> 
 @pytest.mark.parametrize(
     ("relation", "reach"),
     [
-        # A bound below the first term, a wrong coefficient, a power too many, a pole in reach.
+        # A bound below the first term, a wrong coefficient, a pole in reach.
         (bound(CUBIC, Rational(1, 121), 5), HALF),
         (bound(sin(x) - x + x**3 / Rational(601, 100), Rational(1, 119), 5), HALF),
-        (bound(CUBIC, Integer(1), 6), HALF),
         (bound(tan(x) - x, Integer(10**6), 3), Integer(2)),
         (bound(log(1 + x) - x, Integer(10**6), 2), Integer(1)),
     ],
@@ -56,6 +55,12 @@ def test_a_bound_is_proved_by_its_series(relation: sp.Basic, reach: sp.Expr) -> 
 def test_a_slightly_wrong_bound_is_not(relation: sp.Basic, reach: sp.Expr) -> None:
     assert not holds_near_zero(relation, near(reach))
     assert decide(Holds(relation), near(reach)).verdict is not Verdict.PROVED
+
+
+def test_a_bound_that_fails_next_to_zero_is_refuted() -> None:
+    relation = bound(CUBIC, Integer(1), 6)
+    assert not holds_near_zero(relation, near(HALF))
+    assert decide(Holds(relation), near(HALF)).verdict is Verdict.REFUTED
 
 
 def test_no_bound_is_proved_without_ends() -> None:

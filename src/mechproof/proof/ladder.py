@@ -254,10 +254,11 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return decide_exact(relation, resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
         return _decide_sides(relation.lhs, relation.rhs, domain)
-    # What few points refute need not be tried by every rung.
-    is_false = find_violation(relation, domain, CROSS_EXAMINATION) is not None
-    rung = None if is_false else prove_relation(take_values(relation), domain)
-    if rung:
+    # What points refute need not be tried by every rung.
+    if violation := find_violation(relation, domain):
+        reason = newton.explain(relation, domain) or "a point violates it"
+        return Answer(Verdict.REFUTED, "separating balls", reason, (violation,))
+    if rung := prove_relation(take_values(relation), domain):
         if any(inside):
             return Answer(Verdict.UNDECIDED, rung, _tell_inside(inside))
         needed = _tell_needs([list_unshown(side, domain) for side in relation.args])
@@ -267,10 +268,6 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"
         return Answer(Verdict.PROVED, rung, f"true {where}")
-    violation = find_violation(relation, domain)
-    if violation:
-        reason = newton.explain(relation, domain) or "a point violates it"
-        return Answer(Verdict.REFUTED, "separating balls", reason, (violation,))
     reason = f"{_explain_relation(relation, domain)}; no violation at any point tried"
     return Answer(Verdict.UNDECIDED, "enclosure", reason)
 

@@ -38,6 +38,7 @@ _MORE_CHOICES = 14
 # Statements that hold near zero may fail beyond the numbers that they name, or far away.
 _FIRST_LANDMARK = 5
 _FAR = (sp.Integer(10) ** 6, sp.Integer(10) ** 15)
+_NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
 # Characters of a relation that a reader still takes in.
 _LONGEST_RELATION = 120
 # Balls wider than this say nothing of how close two sides are.
@@ -188,14 +189,14 @@ def _list_letters(
 
 
 def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
-    """List numbers about and beyond the large ones that expressions name, and far away.
+    """List numbers about and beyond the large ones that expressions name, far away, next to zero.
 
     None where counts say how many terms or elements there are.
     """
     if any(has_parts(e, sp.Sum, sp.Product, sp.Indexed) for e in expressions):
         return []
     named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
-    sizes = [f * c for c in (*sorted(named), *_FAR) for f in (1, 2)]
+    sizes = [*_NEAR, *(f * c for c in (*sorted(named), *_FAR) for f in (1, 2))]
     return [sign * size for size in sizes for sign in (1, -1)]
 
 
