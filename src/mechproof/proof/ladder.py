@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -15,14 +15,12 @@ from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
 from mechproof.proof.count_zeros import find_count_without_value
 from mechproof.proof.definedness import (
-    InnerNeed,
     list_needed,
     list_unshown,
     list_unshown_inside,
     narrow_to,
     need_the_same,
     put_in,
-    tell,
 )
 from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
@@ -33,9 +31,18 @@ from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.preparation import take_values
 from mechproof.proof.printed_number import decide_number
+from mechproof.proof.reasons import (
+    WORST_FIRST,
+    count_parts,
+    explain_relation,
+    join_answers,
+    join_rungs,
+    report_unproved,
+    tell_inside,
+    tell_needs,
+)
 from mechproof.proof.refutation import (
     POINTS,
-    Comparison,
     compare,
     find_undefined,
     find_unlike,
@@ -43,7 +50,7 @@ from mechproof.proof.refutation import (
 )
 from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.witness_text import LONGEST, clip
+from mechproof.proof.witness_text import clip
 from mechproof.record import (
     Completion,
     Completions,
@@ -60,14 +67,11 @@ from mechproof.record import (
     Unwritten,
 )
 from mechproof.record.parts import find_free, find_parts, has_parts
-from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
 
 UNCOMPARED = "nothing to compare with"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
-# Of the entries of a matrix those are told that are judged worst.
-_WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
 _SETTLED = {
     ANTIDERIVATIVE: settle_improper,
     PARTIAL_SUMS: settle_endless,
@@ -121,26 +125,14 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     places = list(product(range(printed.rows), range(printed.cols)))
     entries = {place: _decide_scalars(printed[place], rebuilt[place], domain) for place in places}
     found = {answer.verdict for answer in entries.values()}
-    verdict = next((one for one in _WORST_FIRST if one in found), Verdict.PROVED)
+    # Those are told that are judged worst.
+    verdict = min(found, key=WORST_FIRST.index, default=Verdict.PROVED)
     told = {place: answer for place, answer in entries.items() if answer.verdict is verdict}
-    rung = f"entrywise, {_join([answer.rung for answer in told.values()])}"
+    rung = f"entrywise, {join_rungs([answer.rung for answer in told.values()])}"
     if verdict is Verdict.PROVED:
-        return Answer(verdict, rung, f"{_count(len(told))} entries agree")
+        return Answer(verdict, rung, f"{count_parts(len(told))} entries agree")
     named = {f"entry ({row + 1}, {column + 1})": a for (row, column), a in told.items()}
-    return _tell_all(named, rung)
-
-
-def _tell_all(failed: Mapping[str, Answer], rung: str = "") -> Answer:
-    """Return the worst verdict of parts that fail, with what is said of each of them."""
-    order = [*_WORST_FIRST, *Verdict]
-    named = sorted(failed.items(), key=lambda item: order.index(item[1].verdict))
-    reason = "; ".join(f"{name}: {answer.reason}" for name, answer in named)
-    worst = named[0][1]
-    if len(named) == 1:
-        return replace(worst, rung=rung or worst.rung, reason=reason)
-    evidence = [replace(e, what=f"{name}: {e.what}") for name, a in named for e in a.evidence]
-    rung = rung or _join([a.rung for _, a in named if a.verdict is worst.verdict])
-    return replace(worst, rung=rung, reason=reason, evidence=tuple(evidence))
+    return join_answers(named, rung)
 
 
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
@@ -152,7 +144,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     if rung := prove_where_defined(printed, rebuilt, domain):
         if not any(has_parts(side, sp.Integral, sp.Sum, sp.Product) for side in sides):
             return _report_equal(sides, domain, rung)
-        needed = _tell_needs([list_unshown(side, domain) for side in sides])
+        needed = tell_needs([list_unshown(side, domain) for side in sides])
         reason = f"both sides agree where {needed}, which is not said"
         return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
@@ -160,16 +152,16 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
         return Answer(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
-    return _report_unproved(comparison, why)
+    return report_unproved(comparison, why)
 
 
 def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> Answer:
     """Answer for sides that are equal where both have values: PROVED if they have them alike."""
     inside = [list_unshown_inside(side, domain) for side in sides]
     if {*inside[0]} != {*inside[1]}:
-        return Answer(Verdict.UNDECIDED, rung, _tell_inside(inside))
+        return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
     needs = [list_unshown(side, domain) for side in sides]
-    needed = _tell_needs(needs)
+    needed = tell_needs(needs)
     if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
     undefined = _find_break(sides, needs, domain)
@@ -179,17 +171,6 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"
     return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
-
-
-def _tell_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
-    told = dict.fromkeys(need.tell() for listed in needs for need in listed)
-    return clip(f"it is true where {' and '.join(told)}, which is not shown")
-
-
-def _tell_needs(needs: Sequence[list[Slack]]) -> str:
-    """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
-    told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
-    return told if len(told) <= LONGEST else "every root and logarithm has a real value"
 
 
 def _find_break(
@@ -215,19 +196,6 @@ def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
     return comparison.undefined
 
 
-def _report_unproved(comparison: Comparison, why: str) -> Answer:
-    agreeing, undecided = comparison.agreeing, comparison.undecided
-    told = [clip(why)]
-    if agreeing:
-        points = "1 exact point" if agreeing == 1 else f"{agreeing} exact points"
-        within = f" within {comparison.widest}" if comparison.widest else ""
-        told.append(f"both sides agree{within} at {points}")
-    if undecided:
-        told.append(f"{undecided} point{'s' if undecided > 1 else ''} could not be decided")
-    verdict = Verdict.ENCLOSED if agreeing and not undecided else Verdict.UNDECIDED
-    return Answer(verdict, "enclosure", "; ".join(told))
-
-
 def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
@@ -249,7 +217,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     inside = [list_unshown_inside(side, domain) for side in statement.relation.args]
     if relation in (sp.true, sp.false) or not find_free(relation):
         if any(inside):
-            return Answer(Verdict.UNDECIDED, "none", _tell_inside(inside))
+            return Answer(Verdict.UNDECIDED, "none", tell_inside(inside))
         sign = getattr(statement.relation, "rel_op", "")
         return decide_exact(relation, resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
@@ -260,15 +228,15 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return Answer(Verdict.REFUTED, "separating balls", reason, (violation,))
     if rung := prove_relation(take_values(relation), domain):
         if any(inside):
-            return Answer(Verdict.UNDECIDED, rung, _tell_inside(inside))
-        needed = _tell_needs([list_unshown(side, domain) for side in relation.args])
+            return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
+        needed = tell_needs([list_unshown(side, domain) for side in relation.args])
         count = POINTS if needed else CROSS_EXAMINATION
         if undefined := find_undefined(relation.args, domain, count):
             reason = f"true wherever it is defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"
         return Answer(Verdict.PROVED, rung, f"true {where}")
-    reason = f"{_explain_relation(relation, domain)}; no violation at any point tried"
+    reason = f"{explain_relation(relation, domain)}; no violation at any point tried"
     return Answer(Verdict.UNDECIDED, "enclosure", reason)
 
 
@@ -279,18 +247,6 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
     return relation if sides == [*relation.args] else relation.func(*sides)
 
 
-def _explain_relation(relation: sp.Basic, domain: Domain) -> str:
-    """Name the sign that is not shown, or what of a root is not."""
-    if told := newton.explain(relation, domain):
-        return told
-    slack = find_slack(relation)
-    return clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
-
-
-def _count(number: int) -> str:
-    return "both" if number == 2 else f"all {number}"
-
-
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     answers = [decide(part, domain) for part in statement.parts]
     failed = {
@@ -299,14 +255,14 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
         if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)
     }
     if failed:
-        return next(iter(failed.values())) if len(answers) == 1 else _tell_all(failed)
+        return next(iter(failed.values())) if len(answers) == 1 else join_answers(failed)
     evidence = tuple(item for answer in answers for item in answer.evidence)
-    rung = _join([d.rung for d in answers])
+    rung = join_rungs([d.rung for d in answers])
     if all(d.verdict is Verdict.DEFINITION for d in answers):
         introduced = f"introduces {len(answers)} symbols; dimensions and bound symbols agree"
         reason = introduced if len(answers) > 1 else answers[0].reason
         return Answer(Verdict.DEFINITION, rung, reason, evidence)
-    reason = f"{_count(len(answers))} parts hold" if len(answers) > 1 else "holds"
+    reason = f"{count_parts(len(answers))} parts hold" if len(answers) > 1 else "holds"
     return Answer(Verdict.PROVED, rung, reason, evidence)
 
 
@@ -343,10 +299,6 @@ def _define(statement: Definition, domain: Domain) -> Answer:
 
 def _refuse(statement: Unwritten, domain: Domain) -> Answer:
     return Answer(Verdict.UNDECIDED, "none", statement.reason)
-
-
-def _join(rungs: list[str]) -> str:
-    return ", ".join(dict.fromkeys(rungs))
 
 
 _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
