@@ -30,7 +30,7 @@ def narrow(
     """
     sets = {v.symbol: v.within for v in variables if v.given is None}
     where = []
-    for relation in relations:
+    for relation in [part for one in relations for part in _split(one)]:
         if isinstance(relation, sp.Equality):
             raise ValueError(_advise(relation))
         symbol = next(iter(relation.free_symbols), None)
@@ -57,19 +57,21 @@ def _advise(equation: sp.Equality) -> str:
     )
 
 
+def _split(relation: sp.Basic) -> list[sp.Basic]:
+    """Return a relation, and before it what it says of a number whose absolute value is less."""
+    smaller = getattr(relation, "lts", None)
+    if not isinstance(smaller, sp.Abs) or relation.gts.has(sp.Abs):
+        return [relation]
+    is_left = relation.lhs == smaller
+    numbers = (smaller.args[0], -smaller.args[0])
+    parts = [relation.func(*((x, relation.gts) if is_left else (relation.gts, x))) for x in numbers]
+    return [*parts, *([relation] if len(relation.free_symbols) > 1 else [])]
+
+
 def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
     """Return the set that a relation between fractions of polynomials says, None for any other.
 
-    An absolute value may be the smaller side. What SymPy makes of other functions is not believed.
+    What SymPy makes of other functions is not believed.
     """
-    if isinstance(getattr(relation, "lts", None), sp.Abs) and not relation.gts.has(sp.Abs):
-        parts = (relation.func(*_order(relation, sign * relation.lts.args[0])) for sign in (1, -1))
-        sets = [_solve(part, symbol) for part in parts]
-        return None if None in sets else sp.Intersection(*sets)
     is_rational = all(side.is_rational_function(symbol) for side in relation.args)
     return solve(relation, symbol) if is_rational else None
-
-
-def _order(relation: sp.Basic, smaller: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the sides of a relation in their order, with another smaller side."""
-    return (smaller, relation.gts) if relation.lhs == relation.lts else (relation.gts, smaller)

@@ -252,7 +252,9 @@ class Meaning:
         if make in QUOTIENTS and has_counts(settle_all(arguments[0], self.values)):
             make = QUOTIENTS[make]
         value = make(*arguments)
-        if isinstance(value, sp.Expr):
+        if isinstance(value, sp.factorial) and not value.args[0].is_nonnegative:
+            self._divide_by(1 / value, value)
+        elif isinstance(value, sp.Expr):
             for divisor in list_divisors(value):
                 self._divide_by(divisor, value)
         return value ** self.of(node.exponent) if node.exponent else value

@@ -1,7 +1,7 @@
 """What a print divides by and SymPy has cancelled: u/u is 1 to it, though u is zero everywhere.
 
-Where a divisor is zero at single points of a line nothing is said: a quotient is meant where it has
-values.
+A factorial has no value where its reciprocal is zero. Where a divisor is zero at single points of a
+line nothing is said: a quotient is meant where it has values.
 """
 
 from __future__ import annotations
@@ -29,11 +29,17 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
         resolved = domain.resolve(divisor)
         points = list(islice(points_for((resolved,), domain, _TRIED), _TRIED))
         zeros = [point for point in points if _is_zero(resolved, point)]
-        zeros += islice(list_zeros(resolved, domain), 1)
+        factorial = 1 / resolved if isinstance(1 / resolved, sp.factorial) else None
+        zeros += islice(list_zeros(factorial.args[0] + 1 if factorial else resolved, domain), 1)
         needed = 1 if has_steps(resolved, domain) else min(_MANY, len(points))
         if len(zeros) >= needed:
             at = name_point(zeros[0], domain)
-            return f"it divides by {divisor}, which is zero" + (f" at {at}" if at else "")
+            told = (
+                f"{factorial} in it has no value"
+                if factorial
+                else (f"it divides by {divisor}, which is zero")
+            )
+            return told + (f" at {at}" if at else "")
     return ""
 
 

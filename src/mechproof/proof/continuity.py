@@ -46,9 +46,9 @@ def has_pole(node: sp.Basic, variable: sp.Symbol, domain: Domain) -> bool:
 def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
     if node.is_Symbol or isinstance(node, (sp.Add, sp.Mul, *_EVERYWHERE)):
         return True
-    if isinstance(node, sp.Pow) and node.exp.is_Integer:
-        sign = None if node.exp > 0 else find_sign_there(node.base, domain)
-        return bool(node.exp > 0) or (sign is not None and sign.strict)
+    if isinstance(node, sp.Pow) and node.exp.is_integer:
+        sign = None if node.exp.is_nonnegative else find_sign_there(node.base, domain)
+        return bool(node.exp.is_nonnegative) or (sign is not None and sign.strict)
     if isinstance(node, sp.tan):
         return is_within_quarter_turn(node.args[0], domain)
     if isinstance(node, sp.atan2):

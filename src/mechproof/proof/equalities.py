@@ -19,6 +19,7 @@ from mechproof.proof.cases import (
 from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
 from mechproof.proof.domain import Domain
 from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.integral_recurrences import decide_by_parts
 from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, split_powers
@@ -69,6 +70,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     if not found and _differ(sides, domain):
         return None
     found = found or decide_by_antiderivative(*sides, domain, prove_equal)
+    found = found or decide_by_parts(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)
     return found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)

@@ -135,10 +135,17 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
 
 
 def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
-    """Return the product of limits that are no infinities."""
+    """Return the product of limits that are no infinities, and 0 where its logarithm says so."""
     limits = [_find(factor, domain, depth) for factor in node.args]
-    are_known = all(limit is not None and not limit.is_infinite for limit in limits)
-    return sp.Mul(*limits) if are_known else None
+    if all(limit is not None and not limit.is_infinite for limit in limits):
+        return sp.Mul(*limits)
+    _, rest = node.as_independent(_Y)
+    bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]
+    if {*bases} != {_Y, sp.E}:
+        return None
+    # Such as exp(-y**2)*y**p.
+    logarithm = _find(sp.expand_log(sp.log(rest)), domain, depth)
+    return sp.S.Zero if logarithm == -sp.oo else None
 
 
 def _settle(order: _Order, domain: Domain) -> sp.Expr | None:
@@ -259,7 +266,7 @@ def _constant(factor: sp.Expr | None) -> _Order:
 def _raise(base: _Order, exponent: sp.Expr, domain: Domain) -> _Order | None:
     if base.factor is None and exponent.is_negative:
         return None
-    if not exponent.is_Integer and (base.factor is None or _direction(base.factor, domain) != 1):
+    if not exponent.is_integer and (base.factor is None or _direction(base.factor, domain) != 1):
         return None
     factor = None if base.factor is None else base.factor**exponent
     rate, power, logs = (grade * exponent for grade in base.size)
@@ -301,13 +308,13 @@ def _compare(one: _Order, other: _Order, domain: Domain) -> int | None:
 
 def _find_order_of_exponential(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:
     argument = sp.expand(argument)
-    rate = argument.coeff(_Y, 1)
-    if rate.has(_Y):
+    rate, power = argument.coeff(_Y, 1), argument.coeff(sp.log(_Y), 1)
+    if rate.has(_Y) or power.has(_Y):
         return None
-    rest = _find(sp.expand(argument - rate * _Y), domain, depth)
+    rest = _find(sp.expand(argument - rate * _Y - power * sp.log(_Y)), domain, depth)
     if rest is None or rest.is_infinite:
         return None
-    return _Order(rate, sp.S.Zero, sp.S.Zero, sp.exp(rest))
+    return _Order(rate, power, sp.S.Zero, sp.exp(rest))
 
 
 def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:

@@ -63,7 +63,7 @@ def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
 def settle_improper(expression: Any, domain: Domain) -> Any:
     """Put the values of improper and iterated integrals in their places, as far as shown."""
     free = _list_free(expression)
-    kinds = (_is_improper, _has_power_of_zero, _is_iterated)
+    kinds = (is_improper, _has_power_of_zero, _is_iterated)
     met = (node for node in free if any(is_one(node) for is_one in kinds))
     values = ((node, _find_value(node, domain)) for node in met)
     return expression.xreplace({node: value for node, value in values if value is not None})
@@ -76,12 +76,13 @@ def _list_free(*sides: Any) -> list[sp.Integral]:
     return sorted((node for node in found if not node.free_symbols & bound), key=str)
 
 
-def _is_improper(integral: sp.Integral) -> bool:
+def is_improper(integral: sp.Integral) -> bool:
     """Tell whether a limit is infinite or the integrand seen to have no value there."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return False
-    there = (integral.function.subs(variable, limit) for limit in limits)
+    factors = sp.Mul.make_args(integral.function)
+    there = (factor.subs(variable, limit) for limit in limits for factor in factors)
     return any(limit.is_infinite for limit in limits) or any(
         value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there
     )

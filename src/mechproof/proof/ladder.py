@@ -26,6 +26,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
+from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import settle_limits
@@ -110,6 +111,9 @@ def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answe
         if [printed, rebuilt] != sides:
             answer = _decide_sides(printed, rebuilt, domain)
             return replace(answer, rung=f"{rung}, {answer.rung}")
+    if found := settle_by_parts(printed, rebuilt, domain, prove_equal):
+        answer = _decide_sides(found.printed, found.rebuilt, domain)
+        return replace(answer, rung=f"{found.rung}, {answer.rung}")
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):

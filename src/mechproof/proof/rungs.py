@@ -20,6 +20,9 @@ RUNGS = {
     "continuity": "both sides are continuous over the whole domain, so no branch is lost",
     "antiderivative": "the integral has the value of an antiderivative, which is proved to be one "
     "and to be continuous up to both limits",
+    "integration by parts to the next number": "an integral has its value for the first whole "
+    "number, and from each to the next both change by the same factor, but for what is a "
+    "derivative and adds nothing between the limits",
     "logarithms and powers": "both sides are the same once powers of positive bases are written as "
     "exponentials and logarithms of products as sums",
     "induction": "both sides are equal for one term, and each further term adds the same to both, "

@@ -68,7 +68,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Let square roots of what is positive be positive numbers of which no more is known."""
     roots = {p.base for p in expression.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
-    known = {b for b in roots if b.free_symbols and b.is_Mul | b.is_Add and is_positive(b, domain)}
+    known = {base for base in roots if base.free_symbols and is_positive(base, domain)}
     if not known:
         return None
     numbers = {base: sp.Dummy("root", positive=True) for base in known}
@@ -86,6 +86,8 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
         return None
     if not is_workable(expression):
         return None
+    if (sign := _find_sign_at_ends(expression, domain)) is not None:
+        return sign
     try:
         written, cosines = write_by_cosines(expression)
     except (NotImplementedError, sp.PolynomialError):
@@ -103,6 +105,17 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
         else:
             within[cosine] = sp.Interval(least, 1, left_open=least == 0)
     return find_sign(above / below, replace(domain, within=within))
+
+
+def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Find the sign of what is linear in its one sine or cosine, at the ends of that."""
+    wave, *others = expression.atoms(sp.sin, sp.cos)
+    named = expression.xreplace({wave: (size := sp.Dummy("c", real=True))})
+    others += [s for s in wave.free_symbols if s in named.free_symbols]
+    if others or not (named.is_polynomial(size) and sp.degree(named, size) == 1):
+        return None
+    least = 0 if isinstance(wave, sp.cos) and _is_acute(wave.args[0], domain) else -1
+    return _weaker(*(find_sign(named.subs(size, end), domain) for end in (least, 1)))
 
 
 def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:

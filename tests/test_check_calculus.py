@@ -1,0 +1,109 @@
+"""Pasted integrals, limits and sums of a textbook, each with a neighbour that is not true."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+# The print with a place for the value, the true value, a wrong one, and what is said.
+PAIRS = [
+    (
+        r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=%s",
+        (r"\frac{2\pi}{\sqrt{a^2-b^2}}", r"\frac{2\pi}{\sqrt{a^2+b^2}}"),
+        ("a>|b|",),
+    ),
+    (
+        r"\int_0^{2\pi}\frac{d\varphi}{a+b\sin\varphi}=%s",
+        (r"\frac{2\pi}{\sqrt{a^2-b^2}}", r"\frac{\pi}{\sqrt{a^2-b^2}}"),
+        ("|b|<a",),
+    ),
+    (
+        r"\int_0^{2\pi}\frac{d\varphi}{(a+b\cos\varphi)^2}=%s",
+        (r"\frac{2\pi a}{(a^2-b^2)^{3/2}}", r"\frac{2\pi b}{(a^2-b^2)^{3/2}}"),
+        ("a>|b|",),
+    ),
+    (r"\int_{-\infty}^\infty e^{-ax^2}dx=%s", (r"\sqrt{\pi/a}", r"\sqrt{\pi a}"), ("a>0",)),
+    (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
+    # From one whole number to the next by parts.
+    (r"\int_0^\infty x^ne^{-x}dx=%s", ("n!", "(n+1)!"), ()),
+    (r"\int_0^\infty x^ne^{-ax}dx=%s", (r"\frac{n!}{a^{n+1}}", r"\frac{n!}{a^n}"), ("a>0",)),
+    (r"\int_0^1(\ln x)^ndx=%s", ("(-1)^nn!", "n!"), ()),
+    (
+        r"\int_0^1x^m(1-x)^ndx=%s",
+        (r"\frac{m!n!}{(m+n+1)!}", r"\frac{m!n!}{(m+n)!}"),
+        (r"m,n\in\mathbb N",),
+    ),
+    (
+        r"\int_0^{2\pi}\cos^{2n}x\,dx=%s",
+        (r"2\pi\frac{(2n)!}{4^n(n!)^2}", r"\pi\frac{(2n)!}{4^n(n!)^2}"),
+        (),
+    ),
+    (
+        r"\int_0^\infty x^{2n}e^{-x^2}dx=%s",
+        (r"\frac{(2n)!}{4^nn!}\frac{\sqrt\pi}2", r"\frac{(2n)!}{2^nn!}\frac{\sqrt\pi}2"),
+        (),
+    ),
+    (
+        r"\int_0^\infty\frac{dx}{(1+x^2)^n}=%s",
+        (r"\frac\pi2\frac{(2n-2)!}{4^{n-1}((n-1)!)^2}", r"\frac\pi2\frac{(2n)!}{4^n(n!)^2}"),
+        (),
+    ),
+]
+NOT_PROVED = [
+    # A divisor that may be zero, or negative.
+    (r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=\frac{2\pi}{\sqrt{a^2-b^2}}", (r"a\ge|b|",)),
+    (r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=\frac{2\pi}{\sqrt{a^2-b^2}}", ("|a|>|b|",)),
+    (r"a+b\sin\varphi>0", (r"a\ge|b|",)),
+    (r"b+a\sin\varphi>0", ("a>|b|",)),
+    (r"\int_{-\infty}^\infty e^{-ax^2}dx=\sqrt{\pi/a}", (r"a\ge0",)),
+    (r"\int_0^1x^n\ln x\,dx=-\frac1{(n+1)^2}", ()),
+    # By parts from one number to the next: no limit at an end, no value for the first number, a
+    # pole between the limits.
+    (r"\int_{-\infty}^\infty x^ne^{-x}dx=n!", ()),
+    (r"\int_0^\infty x^ne^{-ax}dx=\frac{n!}{a^{n+1}}", (r"a\ne0",)),
+    (r"\int_0^\infty x^{-n}e^{-x}dx=n!", ()),
+    (r"\int_0^1x^{n-2}(1-x)^mdx=\frac{m!(n-2)!}{(m+n-1)!}", ()),
+    (r"\int_0^\infty\sin^nx\,dx=\pi\frac{(2n)!}{4^n(n!)^2}", ()),
+    (r"\int_{-2}^0\frac{dx}{(1+x)^{2n}}=\frac{2}{1-2n}", (r"n\in\mathbb N",)),
+    # A factorial without a value, though it cancels.
+    ("(n-2)!-(n-2)!=0", ()),
+    ("(n-20)!-(n-20)!=0", ()),
+    (r"\frac{(20-n)!}{(20-n)!}=1", ()),
+    (r"0\cdot(n-2)!=0", ()),
+    ("((n-2)!)^0=1", ()),
+    ("(n-1)!-(n-1)!=0", (r"n\ge0",)),
+    (r"\frac{(n-k)!}{(n-k)!}=1", ()),
+    (r"\sum_{k=1}^n((k-2)!-(k-2)!)=0", ()),
+]
+PROVED = [
+    (r"\int_0^\infty x^{n-2}e^{-x}dx=(n-2)!", (r"n\ge2",)),
+    ("(n-2)!-(n-2)!=0", (r"n\ge2",)),
+    (r"\frac{(n-k)!}{(n-k)!}=1", ("k<n",)),
+    (r"\frac{(n+2)!}{(n+2)!}=1", ()),
+]
+
+
+def judge(latex: str, where: tuple[str, ...] = ()) -> set[Verdict]:
+    return {found.verdict for found in judge_pasted(Pasted(latex, where=where)).judgements}
+
+
+@pytest.mark.parametrize(("latex", "values", "where"), PAIRS, ids=[p[0] for p in PAIRS])
+def test_a_value_is_proved_and_no_other(
+    latex: str, values: tuple[str, str], where: tuple[str, ...]
+) -> None:
+    true, wrong = values
+    assert judge(latex % true, where) == {Verdict.PROVED}
+    assert Verdict.PROVED not in judge(latex % wrong, where)
+
+
+@pytest.mark.parametrize(("latex", "where"), PROVED)
+def test_what_has_a_value_where_it_is_meant_is_proved(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) == {Verdict.PROVED}
+
+
+@pytest.mark.parametrize(("latex", "where"), NOT_PROVED)
+def test_what_is_not_true_everywhere_is_not_proved(latex: str, where: tuple[str, ...]) -> None:
+    assert Verdict.PROVED not in judge(latex, where)
