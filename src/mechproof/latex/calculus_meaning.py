@@ -46,7 +46,9 @@ def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
     for factor in [factor for factor in meaning.lost if factor not in before]:
         is_zero_nowhere = factor.is_positive or isinstance(factor, sp.factorial)
         if factor.has(index) and not is_zero_nowhere:
-            term = ValueWhere(term, sp.log(factor**2))
+            is_factorial = isinstance(1 / factor, sp.factorial)
+            positive = (1 / factor).args[0] + 1 if is_factorial else factor**2
+            term = ValueWhere(term, sp.log(positive))
     for other in node.apart:
         term = term * (1 - sp.KroneckerDelta(meaning.of(other), index))
     kind = sp.Sum if node.name == "sum" else sp.Product
