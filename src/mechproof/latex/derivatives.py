@@ -83,6 +83,19 @@ def read_derivative(parser: Parser) -> Node:
     return Derivation(operand, by, order, is_partial, start=start, end=parser.end)
 
 
+def read_suffix(parser: Parser, atom: Node) -> Node | None:
+    """Read n!, or (…)' where it is known by which letter primes are; None for neither."""
+    if parser.text == "!":
+        return _read_factorial(parser, atom)
+    by, order = parser.notation.primed, 0
+    if parser.text != "'" or by is None or not isinstance(atom, Bracket):
+        return None
+    letter = Letter(by, str(by), start=parser.start, end=parser.start)
+    while parser.skip("'"):
+        order += 1
+    return Derivation(atom, letter, order, start=atom.start, end=parser.end)
+
+
 def _read_above(parser: Parser) -> tuple[int, Node | None]:
     parser.take()
     order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
@@ -152,7 +165,7 @@ def _take_side(parser: Parser) -> str:
 # Factorials -------------------------------------------------------------------------------------
 
 
-def read_factorial(parser: Parser, atom: Node) -> Node:
+def _read_factorial(parser: Parser, atom: Node) -> Node:
     """Read the factorial of a letter, a number or a bracket."""
     sign = parser.take("!")
     if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):

@@ -311,8 +311,8 @@ class Parser:
             atom = atoms.read_excerpt(self, atom, start)
         if places.is_bar(self):
             return places.read_bar(self, atom, place)
-        if self.text == "!":
-            return derivatives.read_factorial(self, atom)
+        if suffixed := derivatives.read_suffix(self, atom):
+            return suffixed
         if self.text != "^":
             return atom
         if isinstance(atom, Quotient):

@@ -176,4 +176,6 @@ def read_value(parser: Parser, letter: Letter) -> Node:
     point = parser.read_inside("(", parser.read_sum, ")")
     running = _find_running(parser, letter)
     assert running is not None
+    if isinstance(point, Letter) and point.symbol == running.symbol:
+        return letter
     return At(letter, running, point, start=letter.start, end=parser.end)

@@ -14,10 +14,16 @@ from mechproof.document.relations import read_relations
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
-from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, settle_all
-from mechproof.pipeline.adjacent_letters import RUNNING, find_factors, find_increments, find_phases
+from mechproof.latex.values import depends
+from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
 from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_unclear, show_entries
 from mechproof.pipeline.counting_letters import find_counts
+from mechproof.pipeline.moving_letters import (
+    find_functions,
+    find_moving,
+    find_rates,
+    list_rates,
+)
 from mechproof.pipeline.special_letters import (
     EULER,
     has_differential,
@@ -39,9 +45,6 @@ COMMAND = Remedies(
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
-_RATE = re.compile(
-    r"(?P<primed>[^']+)(?P<primes>'+)|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*"
-)
 
 
 @dataclass(frozen=True)
@@ -88,12 +91,16 @@ def read_letters(pasted: Pasted) -> Letters:
     """Return the letters with their values, how they are written, and what is said of them."""
     pasted = _take_special(pasted)
     counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
-    variables = _declare(pasted, counts)
+    functions = find_functions(pasted.prints, _list_said(pasted))
+    variables = _declare(pasted, counts, functions)
     symbols = {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
+    moving = find_moving(variables, functions)
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
+        moving=moving.letters,
+        primed=moving.primed,
         phases=frozenset((one, other) for one, other in phases if one and other),
     )
     reader = Reader(variables, notation, COMMAND)
@@ -101,9 +108,9 @@ def read_letters(pasted: Pasted) -> Letters:
     equations = [r for r in relations if isinstance(r, sp.Equality)]
     variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
-    rates = _find_rates(variables)
+    rates = find_rates(variables)
     variables = tuple(replace(v, given=rates.get(v.symbol, v.given)) for v in variables)
-    variables = tuple(one for v in variables for one in show_entries(v))
+    variables = tuple(one for v in variables for one in show_entries(v)) + moving.rates
     left = [r for r in relations if r not in equations]
     return Letters(variables, notation, left, tied, rates, _list_needed(variables))
 
@@ -123,39 +130,6 @@ def _take_special(pasted: Pasted) -> Pasted:
     return replace(pasted, names=tuple(dict.fromkeys(named)), factors=factors)
 
 
-def _find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
-    r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
-    values = {v.symbol: v.given for v in variables if v.given is not None}
-    given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
-    rates: dict[sp.Basic, sp.Expr] = {}
-    for variable in variables:
-        rate = _RATE.fullmatch(variable.latex[0])
-        base = given.get(name_symbol(rate["primed"] or rate["dotted"])) if rate else None
-        if rate and base is not None and variable.given is None:
-            value = settle_all(base, values) if rate["dotted"] else values[base]
-            derivative = _differentiate(variable.latex[0], value, rate, {*values})
-            rates[variable.symbol] = derivative
-    return rates
-
-
-def _differentiate(
-    latex: str, value: sp.Expr, rate: re.Match[str], given: set[sp.Basic]
-) -> sp.Expr:
-    """Return a derivative by the time for dots, for primes by x or the only letter that runs."""
-    letters = {s.name: s for s in value.free_symbols}
-    by = letters.get("t" if rate["dotted"] else "x")
-    if by is None and rate["primed"] and len(letters) == 1 and {*letters} <= {*RUNNING}:
-        (by,) = letters.values()
-    if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):
-        raise ValueError(
-            f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
-            r"as a fraction, \frac{d}{dx}(…)"
-        )
-    order = len(rate["primes"] or rate["dots"])
-    derivative: sp.Expr = value.diff(by, order)
-    return derivative
-
-
 def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
     """Return what must hold so that letters that have values are real numbers."""
     needed: dict[Relational, None] = {}
@@ -170,12 +144,25 @@ def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
     return [r for r in needed if isinstance(r, sp.Gt) or r.lhs not in positive]
 
 
-def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
+def _list_said(pasted: Pasted) -> list[str]:
+    """List letters of which it is said that they are none of a letter behind them: f of f(x)."""
+    return [*pasted.factors, *(name.partition("(")[0] for name in pasted.names)]
+
+
+def _declare(
+    pasted: Pasted, counts: Collection[str], functions: Mapping[str, str]
+) -> tuple[Variable, ...]:
     """Make a variable of each name that is said and of each letter that is met."""
     bold = find_bold(pasted.prints, pasted.names)
-    said = dict.fromkeys((*pasted.names, *pasted.natural, *bold))
+    rates = [name for letter in functions for name in list_rates(letter, pasted.prints)]
+    of = (*functions, *functions.values(), *rates)
+    said = dict.fromkeys((*pasted.names, *pasted.natural, *bold, *of))
     named = [_make(latex, pasted, counts) for latex in said]
-    reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
+    moving = find_moving(named, functions)
+    notation = Notation(
+        factors=(*pasted.factors, *counts), moving=moving.letters, primed=sp.Symbol("x", real=True)
+    )
+    reader = Reader(named, notation, COMMAND)
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)

@@ -61,13 +61,14 @@ class Notation:
     on one side only it says whether the upper one is meant. `indices` are the symbols of index
     letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
     are letters that depend on another: that one, and the symbols of their derivatives by it, the
-    first one first. `name_unit` returns the unit that is printed so, nothing for what is none:
-    units are read behind numbers then. `weigh_unit` returns what such a unit is beside letters, in
-    symbols of the units that it is made of, nothing where it cannot stand there. `phases` are pairs
-    of letters, or one and pi, that stand side by side in an angle: a function without brackets
-    takes both, `\cos\omega t`. `dimensions` are those of letters with a unit: they tell the
-    brackets that multiply one from those that hold an argument. `imaginary` is the letter of the
-    imaginary unit; e is Euler's number beside it.
+    first one first; a prime behind a bracket is a derivative by `primed`. `name_unit` returns the
+    unit that is printed so, nothing for what is none: units are read behind numbers then.
+    `weigh_unit` returns what such a unit is beside letters, in symbols of the units that it is made
+    of, nothing where it cannot stand there. `phases` are pairs of letters, or one and pi, that
+    stand side by side in an angle: a function without brackets takes both, `\cos\omega t`.
+    `dimensions` are those of letters with a unit: they tell the brackets that multiply one from
+    those that hold an argument. `imaginary` is the letter of the imaginary unit; e is Euler's
+    number beside it.
     """
 
     factors: tuple[str, ...] = ()
@@ -81,6 +82,7 @@ class Notation:
     moving: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = field(
         default_factory=lambda: MappingProxyType({})
     )
+    primed: sp.Symbol | None = None
     name_unit: Callable[[str], str] | None = None
     weigh_unit: Callable[[str], sp.Expr | None] | None = None
     phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()

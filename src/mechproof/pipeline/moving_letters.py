@@ -1,0 +1,161 @@
+r"""Letters of a single equation that depend on others: \dot x beside x, u' beside u, and f(x).
+
+What they are is not said: a letter and its derivatives are numbers of which nothing is known.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import sympy as sp
+
+from mechproof.document.letters import name_symbol
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.tokens import tokenize
+from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
+from mechproof.pipeline.adjacent_letters import RUNNING
+from mechproof.record import Variable
+
+# Letters that are functions of one that stands alone in a bracket behind them; of the time all are.
+_FUNCTIONS = (*"fghpqrsuvwyzFGH",)
+_RATE = re.compile(
+    r"(?P<primed>[^']+)(?P<primes>'+)|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*"
+)
+_DOTS = (r"\dot", r"\ddot", r"\dddot")
+# Of a letter so many derivatives have symbols; so many are printed of one that depends on another.
+_ORDERS = range(1, 6)
+_FEWEST = 2
+
+
+def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, str]:
+    r"""Return letters with the one that they are functions of, f(x), f'(x) or \dot f(t).
+
+    Something has to be differentiated by that. Others are left out, and those with an index.
+    """
+    found: dict[str, str] = {}
+    split = list(map(_split, prints))
+    indexed = {text for texts in split for text, mark in pairwise(texts) if mark == "_"}
+    for texts in split:
+        for place, text in enumerate(texts):
+            behind = texts[_find_end(texts, place) :]
+            by = behind[1] if behind[:1] == ["("] and behind[2:3] == [")"] else ""
+            is_letter = text in _FUNCTIONS or (by == "t" and begins_letter(text))
+            if by in RUNNING and is_letter and text not in (*others, *indexed, by):
+                found.setdefault(text, by)
+    by_some = {by for texts in split for *d, by in _list_triples(texts) if d == ["{", "d"]}
+    by_some |= {by for x, by in found.items() if {*list_rates(x, prints)} != {x}}
+    return {letter: by for letter, by in found.items() if by in by_some}
+
+
+def _list_triples(texts: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+    return zip(texts, texts[1:], texts[2:], strict=False)
+
+
+def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
+    """Yield a letter, with primes and dots too, as it is printed."""
+    for texts in map(_split, prints):
+        for place in (place for place, text in enumerate(texts) if text == letter):
+            start = place - 2 * (place > 1 and texts[place - 2] in _DOTS)
+            yield "".join(texts[start : _find_end(texts, place)])
+
+
+def _find_end(texts: Sequence[str], place: int) -> int:
+    """Return the place behind a letter, the dots above it and its primes."""
+    is_dotted = place > 1 and texts[place - 2] in _DOTS and texts[place + 1 : place + 2] == ["}"]
+    end = place + 1 + is_dotted
+    while texts[end : end + 1] == ["'"]:
+        end += 1
+    return end
+
+
+def _split(latex: str) -> list[str]:
+    return [token.text for token in tokenize(latex)]
+
+
+@dataclass(frozen=True)
+class Moving:
+    """What depends on what: letters with that one and their derivatives, and variables of these.
+
+    A prime behind a bracket is a derivative by `primed`.
+    """
+
+    letters: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
+    rates: tuple[Variable, ...]
+    primed: sp.Symbol | None
+
+
+def find_moving(variables: Sequence[Variable], functions: Mapping[str, str]) -> Moving:
+    """Return the letters that depend on others: those whose derivatives stand beside them.
+
+    One with dots depends on the time, one with primes on x or t, or on the only angle.
+    """
+    shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
+    symbols = {name: v.symbol for name, v in shown.items() if isinstance(v.symbol, sp.Symbol)}
+    met = [(v, rate) for v in shown.values() if (rate := _RATE.fullmatch(v.latex[0]))]
+    primed = {name_symbol(rate["primed"]) for _, rate in met if rate["primed"]}
+    of = {name_symbol(letter): name_symbol(by) for letter, by in functions.items()}
+    angles = ({*map(name_symbol, RUNNING)} - {*"txyz"}) & {*symbols}
+    running = {*of.values()} or {"x", "t"} & {*symbols} - primed or angles or {"x"}
+    # An angle beside a letter with a prime may be a constant as well.
+    is_clear = len(running) == 1 and not (primed and running <= angles)
+    by_prime = next(iter(running)) if is_clear else ""
+    steps: dict[str, tuple[str, dict[int, sp.Basic]]] = {x: (by, {}) for x, by in of.items()}
+    for variable, rate in met:
+        base, by = (
+            name_symbol(rate["primed"] or rate["dotted"]),
+            "t" if rate["dotted"] else by_prime,
+        )
+        order = len(rate["primes"] or rate["dots"])
+        if by and steps.setdefault(base, (by, {}))[0] == by:
+            steps[base][1][order] = variable.symbol
+    letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
+    for base, (by, known) in steps.items():
+        # The derivative of one that is nothing else may be a constant.
+        if len(known) + (base in symbols) < _FEWEST and base not in of:
+            continue
+        others = {n: sp.Symbol(f"{base}^({n})", real=True) for n in _ORDERS}
+        letters[_get(symbols, base)] = _get(symbols, by), tuple({**others, **known}.values())
+    named = symbols.values()
+    rates = (rate for _, own in letters.values() for rate in own if rate not in named)
+    unnamed = tuple(Variable(rate, str(rate), latex=()) for rate in rates)
+    return Moving(letters, unnamed, _get(symbols, by_prime) if by_prime else None)
+
+
+def _get(symbols: Mapping[str, sp.Symbol], name: str) -> sp.Symbol:
+    return symbols.get(name, sp.Symbol(name, real=True))
+
+
+def find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
+    r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
+    values = {v.symbol: v.given for v in variables if v.given is not None}
+    given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
+    rates: dict[sp.Basic, sp.Expr] = {}
+    for variable in variables:
+        rate = _RATE.fullmatch(variable.latex[0])
+        base = given.get(name_symbol(rate["primed"] or rate["dotted"])) if rate else None
+        if rate and base is not None and variable.given is None:
+            value = settle_all(base, values) if rate["dotted"] else values[base]
+            derivative = _differentiate(variable.latex[0], value, rate, {*values})
+            rates[variable.symbol] = derivative
+    return rates
+
+
+def _differentiate(
+    latex: str, value: sp.Expr, rate: re.Match[str], given: set[sp.Basic]
+) -> sp.Expr:
+    """Return a derivative by the time for dots, for primes by x or the only letter that runs."""
+    letters = {s.name: s for s in value.free_symbols}
+    by = letters.get("t" if rate["dotted"] else "x")
+    if by is None and rate["primed"] and len(letters) == 1 and {*letters} <= {*RUNNING}:
+        (by,) = letters.values()
+    if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):
+        raise ValueError(
+            f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
+            r"as a fraction, \frac{d}{dx}(…)"
+        )
+    order = len(rate["primes"] or rate["dots"])
+    derivative: sp.Expr = value.diff(by, order)
+    return derivative

@@ -1,0 +1,75 @@
+"""Letters of a single equation that depend on others: u' beside u, dots beside a letter, f(x)."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.latex import ReadingError
+from mechproof.pipeline.moving_letters import find_functions
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+# The print, what is true, and what is not.
+PAIRS = [
+    (r"(uv)'=%s", "u'v+uv'", "u'v'"),
+    (r"(uv)''=%s", "u''v+2u'v'+uv''", "u''v+u'v'+uv''"),
+    (r"\left(\frac uv\right)'=%s", r"\frac{u'v-uv'}{v^2}", r"\frac{u'v+uv'}{v^2}"),
+    (r"(e^u)'=%s", "u'e^u", "u'e^{u'}"),
+    (r"(x^3\sin x)'=%s", r"3x^2\sin x+x^3\cos x", r"3x^2\cos x"),
+    ("(yz)'=%s", "y'z", "yy'"),
+    ("(tu)'=%s", "u+tu'", "tu'"),
+    (r"(r\cos\varphi)'=%s", r"-r\sin\varphi", r"r\sin\varphi"),
+    (r"\frac{d}{dx}(u(x)v(x))=%s", "u'(x)v(x)+u(x)v'(x)", "u'(x)v'(x)"),
+    (r"\frac{d}{dx}f(x)^2=%s", "2f(x)f'(x)", "2f(x)"),
+    (r"\frac{d}{dt}(x\dot x)=%s", r"\dot x^2+x\ddot x", r"\dot x^2+x\dot x"),
+    (r"\frac{d}{dt}\left(\frac12mv^2\right)=%s", r"mv\dot v", r"m\dot v"),
+    (r"\frac{d}{dt}\left(\frac12m\dot x^2\right)=%s", r"m\dot x\ddot x", r"m\ddot x"),
+    (
+        r"\frac{d^2}{dt^2}(r\cos\varphi)=%s",
+        r"-r\ddot\varphi\sin\varphi-r\dot\varphi^2\cos\varphi",
+        r"-r\ddot\varphi\sin\varphi",
+    ),
+    (r"f(x)=x^2\Rightarrow f'(x)=%s", "2x", "3x"),
+]
+REFUSED = [
+    # Other functions of the letter, or of another one; constants as well as rates; no letter by
+    # which a prime may be.
+    "f(x)=f(-x)",
+    "f(x)f(t)=1",
+    "f(x)=1",
+    "f(x)=f(x)",
+    r"f'(x)+f_0=f_0+f'(x)",
+    r"\Gamma(x)=\Gamma(x)",
+    "a(x)=ax",
+    r"\frac{d}{dt}(\dot x)=0",
+    r"(\ln u)'=\frac1u",
+    r"(r\cos\varphi)'=r'\cos\varphi-r\sin\varphi",
+    r"(\cos\alpha\cos\varphi)'=-\cos\alpha\sin\varphi",
+    r"\int_a^bf(x)\,dx=-\int_b^af(x)\,dx",
+]
+
+
+def judge(latex: str) -> Verdict:
+    (found,) = judge_pasted(Pasted(latex)).judgements
+    return found.verdict
+
+
+@pytest.mark.parametrize(("latex", "true", "wrong"), PAIRS)
+def test_what_depends_on_another_letter_is_differentiated(
+    latex: str, true: str, wrong: str
+) -> None:
+    assert judge(latex % true) is Verdict.PROVED
+    assert judge(latex % wrong) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("latex", REFUSED)
+def test_what_is_not_said_is_asked_for(latex: str) -> None:
+    with pytest.raises(ReadingError):
+        judge(latex)
+
+
+def test_a_letter_that_is_said_to_be_a_factor_is_no_function() -> None:
+    assert find_functions(["u'(x)=v'(x)"], ["v"]) == {"u": "x"}
+    (found,) = judge_pasted(Pasted("f(x)=xf", factors=("f",))).judgements
+    assert found.verdict is Verdict.PROVED
