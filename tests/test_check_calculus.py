@@ -27,6 +27,15 @@ PAIRS = [
     ),
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=%s", (r"\sqrt{\pi/a}", r"\sqrt{\pi a}"), ("a>0",)),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
+    # Limits of sequences, by their quotients, and of what is like its argument.
+    (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
+    (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
+    (r"\lim_{n\to\infty}nq^n=%s", ("0", "q"), ("|q|<1", r"n\in\mathbb N")),
+    (r"\lim_{n\to\infty}\frac{(-1)^n}n=%s", ("0", "1"), (r"n\in\mathbb N",)),
+    (r"\lim_{n\to\infty}\left(1+\frac xn\right)^n=%s", ("e^x", "e^{2x}"), ()),
+    (r"\lim_{x\to\infty}x(\ln(x+a)-\ln x)=%s", ("a", "2a+1"), ()),
+    (r"\lim_{n\to\infty}\sum_{k=0}^nq^k=%s", (r"\frac1{1-q}", r"\frac q{1-q}"), ("|q|<1",)),
+    (r"\prod_{n=2}^\infty\left(1-\frac1{n^2}\right)=%s", (r"\frac12", r"\frac13"), ()),
     # From one whole number to the next by parts.
     (r"\int_0^\infty x^ne^{-x}dx=%s", ("n!", "(n+1)!"), ()),
     (r"\int_0^\infty x^ne^{-ax}dx=%s", (r"\frac{n!}{a^{n+1}}", r"\frac{n!}{a^n}"), ("a>0",)),
@@ -68,6 +77,15 @@ NOT_PROVED = [
     (r"\int_0^1x^{n-2}(1-x)^mdx=\frac{m!(n-2)!}{(m+n-1)!}", ()),
     (r"\int_0^\infty\sin^nx\,dx=\pi\frac{(2n)!}{4^n(n!)^2}", ()),
     (r"\int_{-2}^0\frac{dx}{(1+x)^{2n}}=\frac{2}{1-2n}", (r"n\in\mathbb N",)),
+    # Quotients that come to 1 or more, or have none; what has no value far out.
+    (r"\lim_{n\to\infty}q^n=0", (r"|q|\le1", r"n\in\mathbb N")),
+    (r"\lim_{n\to\infty}\frac{3^nn!}{n^n}=0", ()),
+    (r"\lim_{n\to\infty}\frac{n!}{a^n}=0", ()),
+    (r"\lim_{n\to\infty}(-1)^n=0", (r"n\in\mathbb N",)),
+    (r"\lim_{n\to\infty}\ln(a-n)\cdot2^{-n}=0", (r"n\in\mathbb N",)),
+    (r"\lim_{n\to\infty}(a-n)!\cdot2^{-n}=0", (r"a,n\in\mathbb N",)),
+    (r"\lim_{n\to\infty}\frac{\sqrt{a-n}}{\sqrt{a-n}}\cdot2^{-n}=0", (r"n\in\mathbb N",)),
+    (r"\prod_{n=0}^\infty\frac nn=1", ()),
     # A factorial without a value, though it cancels.
     ("(n-2)!-(n-2)!=0", ()),
     ("(n-20)!-(n-20)!=0", ()),

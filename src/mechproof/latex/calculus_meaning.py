@@ -190,7 +190,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
             node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
         )
     term = meaning.take_number(node.term, meaning.side(node.term))
-    running = make_running(variable.name, term)
+    running = make_running(variable.name, term, counts=bool(variable.is_integer))
     inside = settle(split_tangents(term, (point,)), meaning.values, {variable: running})
     return sp.Limit(inside, running, point, node.side)
 

@@ -98,8 +98,8 @@ def name_turns(expression: sp.Expr) -> sp.Expr:
     return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
 
 
-def make_running(name: str, inside: Any) -> sp.Dummy:
+def make_running(name: str, inside: Any, *, counts: bool = False) -> sp.Dummy:
     """Return a bound variable that nothing within is, the same one at each reading."""
-    met = inside.atoms(sp.Dummy)
-    numbered = (sp.Dummy(f"{name}_", dummy_index=n, real=True) for n in count())
+    met, kind = inside.atoms(sp.Dummy), {"integer": True} if counts else {"real": True}
+    numbered = (sp.Dummy(f"{name}_", dummy_index=n, **kind) for n in count())
     return next(dummy for dummy in numbered if dummy not in met)

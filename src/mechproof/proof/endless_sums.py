@@ -15,7 +15,7 @@ from sympy.concrete.gosper import gosper_sum
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
-from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.induction import decide_by_induction, sum_up
 from mechproof.proof.signs import is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 from mechproof.record.parts import find_bound, find_parts
@@ -34,7 +34,7 @@ def settle_endless(expression: Any, domain: Domain) -> Any:
 def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
     """Put values in the places of sums that have no letters of others; none leaves a sum."""
     bound = set(find_bound(expression))
-    sums = (s for s in find_parts(expression, sp.Sum) if not s.free_symbols & bound)
+    sums = (s for s in find_parts(expression, sp.Sum, sp.Product) if not s.free_symbols & bound)
     values = ((node, find(node)) for node in sorted(sums, key=str))
     return expression.xreplace({node: value for node, value in values if value is not None})
 
@@ -51,6 +51,9 @@ def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     if (read := read_endless(total)) is None:
         return None
     term, k, first = read
+    if isinstance(total, sp.Product):
+        partial = sum_up(sp.Product(term, (k, first, _N)), _N, domain)
+        return None if partial.has(sp.Product) else _find_limit(partial, domain)
     ratio = sp.powsimp(term.subs(k, k + 1) / term)
     if not ratio.has(k):
         return term.subs(k, first) / (1 - ratio) if is_positive(1 - ratio**2, domain) else None
@@ -60,5 +63,9 @@ def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     partial = gosper_sum(term, (k, first, _N))
     if partial is None or not decide_by_induction(sp.Sum(term, (k, first, _N)), partial, domain):
         return None
+    return _find_limit(partial, domain)
+
+
+def _find_limit(partial: sp.Expr, domain: Domain) -> sp.Expr | None:
     limit = find_limit(partial, _N, sp.oo, 1, domain)
     return None if limit is None or limit.is_infinite else limit

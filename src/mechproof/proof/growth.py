@@ -124,10 +124,9 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
     if isinstance(node, sp.Pow) and node.exp.has(_Y):
         return _find(sp.exp(node.exp * sp.log(node.base)), domain, depth - 1)
     order = _find_order(node, domain, depth - 1)
-    if order is not None:
-        return _settle(order, domain)
-    if not isinstance(node, sp.Mul):
-        return None
+    settled = None if order is None else _settle(order, domain)
+    if settled is not None or not isinstance(node, sp.Mul):
+        return settled
     limit = _find_product(node, domain, depth - 1)
     if limit is None and (expanded := sp.expand(node)) != node:
         return _find(expanded, domain, depth - _REWRITTEN)
@@ -139,6 +138,9 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     limits = [_find(factor, domain, depth) for factor in node.args]
     if all(limit is not None and not limit.is_infinite for limit in limits):
         return sp.Mul(*limits)
+    like = sp.Mul(*(_write_like(factor, domain, depth) for factor in node.args))
+    if like != node:
+        return _find(like, domain, depth)
     _, rest = node.as_independent(_Y)
     bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]
     if {*bases} != {_Y, sp.E}:
@@ -146,6 +148,18 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     # Such as exp(-y**2)*y**p.
     logarithm = _find(sp.expand_log(sp.log(rest)), domain, depth)
     return sp.S.Zero if logarithm == -sp.oo else None
+
+
+def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
+    """Write a factor that is u times what goes to one as u: ln(1 + u), sin u where u goes to 0."""
+    factor = (_join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
+    if isinstance(factor, sp.log):
+        small = sp.expand(factor.args[0] - 1)
+    elif isinstance(factor, _LIKE_ARGUMENT):
+        (small,) = factor.args
+    else:
+        return factor
+    return small if _find(small, domain, depth) == 0 else factor
 
 
 def _settle(order: _Order, domain: Domain) -> sp.Expr | None:

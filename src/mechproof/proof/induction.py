@@ -7,6 +7,8 @@ summed up; the value comes from the print (Petkovšek, Wilf, Zeilberger, A = B, 
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
@@ -32,19 +34,29 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
 
 
 def sum_up(body: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
-    """Put the values that SymPy proposes in the places of sums to a variable, where proved.
+    """Put the values that SymPy proposes in the places of sums and products, where proved.
 
-    The variable counts from 1.
+    These go to a variable, which counts from 1.
     """
     count = sp.Dummy("n", integer=True, positive=True)
     counted = domain.with_set(count, sp.S.Naturals)
-    for total in sorted(body.atoms(sp.Sum), key=sp.default_sort_key):
-        factor, term = total.function.as_independent(total.limits[0][0])
-        plain = sp.Sum(term, *total.limits).xreplace({variable: count})
-        value = plain.doit() if plain.has(count) else plain
-        if not value.has(sp.Sum) and decide_by_induction(plain, value, counted):
+    for total in sorted(body.atoms(sp.Sum, sp.Product), key=sp.default_sort_key):
+        factor, term = sp.S.One, total.function
+        if isinstance(total, sp.Sum):
+            factor, term = term.as_independent(total.limits[0][0])
+        plain = total.func(term, *total.limits).xreplace({variable: count})
+        value = _propose(plain) if plain.has(count) else plain
+        if not value.has(sp.Sum, sp.Product) and decide_by_induction(plain, value, counted):
             body = body.xreplace({total: factor * value.xreplace({count: variable})})
     return body
+
+
+def _propose(total: sp.Sum | sp.Product) -> sp.Expr:
+    value: sp.Expr = total.doit()
+    # SymPy raises it for complex roots of a term.
+    with suppress(TypeError):
+        return sp.combsimp(value) if value.has(sp.RisingFactorial) else value
+    return total
 
 
 def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:

@@ -77,7 +77,7 @@ def settle_series(expression: Any, domain: Domain) -> Any:
 
 
 def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
-    if (read := read_endless(total)) is None:
+    if isinstance(total, sp.Product) or (read := read_endless(total)) is None:
         return None
     term, k, first = read
     above = sp.Dummy("above", integer=True, nonnegative=True)

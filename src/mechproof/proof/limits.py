@@ -16,6 +16,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.record import list_partial
 from mechproof.record.parts import find_parts
 
 _MOST_DERIVATIVES = 6
@@ -38,9 +39,36 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body, variable, point, direction = limit.args
     body = sum_up(body, variable, domain) if point == sp.oo else body
     value = _find_smooth(body, variable, point, domain)
+    if value is None and variable.is_integer and point == sp.oo:
+        value = _find_of_sequence(body, variable, domain)
     if value is not None:
         return value
     return _find_from_sides(body, variable, point, str(direction), domain)
+
+
+def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
+    """Return the endless sum or product of one to n; 0 where quotients come to less than 1.
+
+    The sign of what comes to 0 may alternate.
+    """
+    if isinstance(body, sp.Sum | sp.Product) and len(body.limits) == 1:
+        k, first, last = body.limits[0]
+        is_plain = not (last - n).has(n) and not first.has(n) and not body.function.has(n)
+        return body.func(body.function, (k, first, sp.oo)) if is_plain else None
+    sizes = [f for f in sp.Mul.make_args(body) if f.as_base_exp()[0] != -1]
+    size = sp.Mul(*sizes)
+    if size != body and find_limit(size, n, sp.oo, -1, domain) == 0:
+        return sp.S.Zero
+    parts = [part for part in list_partial(size) if part.has(n)]
+    ends = [factorial.args[0] for factorial in size.atoms(sp.factorial) if factorial.has(n)]
+    if not all(is_defined_near(part, n, sp.oo, -1, domain) for part in parts) or not all(
+        find_limit(end, n, sp.oo, -1, domain) == sp.oo for end in ends
+    ):
+        return None
+    quotient = sp.powsimp(sp.combsimp(size.subs(n, n + 1) / size))
+    limit = find_limit(quotient, n, sp.oo, -1, domain)
+    is_less = limit is not None and limit.is_finite and is_positive(1 - limit**2, domain)
+    return sp.S.Zero if is_less else None
 
 
 def _find_from_sides(
