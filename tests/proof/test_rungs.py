@@ -58,6 +58,7 @@ NAMED += [
     inequalities.SQUARES,
     inequalities.HALF_ANGLES,
     inequalities.ORDERS,
+    inequalities.GAPS,
     monotonicity.RUNG,
     binomial_squares.RUNG,
     telescoping.RUNG,

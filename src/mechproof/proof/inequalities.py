@@ -3,13 +3,14 @@
 Roots and moduli are squared one after the other: p + q*r, r >= 0 and r**2 = b, is not negative if p
 and q are not, if q**2*b >= p**2 and q >= 0, or if p**2 >= q**2*b and p >= 0. A polynomial of few
 numbers that are not negative is looked at for every order of theirs, each written as the one below
-and a gap (successive difference substitution, Yang 2005).
+and a gap (successive difference substitution, Yang 2005). Numbers of which linear relations are
+said are written by the gaps of these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import permutations
+from collections.abc import Iterator, Sequence
+from itertools import combinations, permutations
 
 import sympy as sp
 
@@ -24,14 +25,18 @@ from mechproof.proof.half_angles import (
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
 from mechproof.record.parts import has_parts
+from mechproof.record.relations import find_slack
 
 SQUARES = "squares of roots and moduli"
 HALF_ANGLES = "signs in half-angle tangents"
 ORDERS = "every order of the numbers"
+GAPS = "gaps of linear relations"
 # Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
 _MOST_ROOTS = 6
 _MOST_ORDERED = 3
 _MOST_TERMS = 120
+# Work limit: relations that are said, of which some are chosen.
+_MOST_SAID = 6
 # Work limit: operations of a number.
 _LARGEST = 150
 _UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.KroneckerDelta, Root)
@@ -46,6 +51,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
     rungs = (
         (HALF_ANGLES, is_shown_there),
         (ORDERS, _by_orders),
+        (GAPS, _by_gaps),
         (SQUARES, _by_squares),
         (binomial_squares.RUNG, binomial_squares.holds_by_squares),
         (monotonicity.RUNG, monotonicity.holds_by_slope),
@@ -80,6 +86,43 @@ def _holds_in_order(
     return is_shown(Slack(value.xreplace(written), strict), Domain(within, (), {}))
 
 
+def _by_gaps(slack: Slack, domain: Domain) -> bool:
+    """Write numbers by the gaps of as many linear relations, a < b + c, which are independent.
+
+    Of the sides of a triangle that is the substitution of Ravi.
+    """
+    value = domain.resolve(slack.value)
+    symbols = sorted(value.free_symbols, key=str)
+    if any(s.is_integer for s in symbols):
+        return False
+    ends = ((s, domain.set_of(s)) for s in symbols)
+    said = [Slack(s - v.start, v.left_open) for s, v in ends if v.inf.is_finite]
+    related = [one for one in map(find_slack, domain.where) if one and _is_linear(one, symbols)]
+    if not (related and 2 <= len(symbols) <= _MOST_ORDERED and len(said + related) <= _MOST_SAID):
+        return False
+    chosen = (some for some in combinations(related + said, len(symbols)) if some[0] in related)
+    return any(_holds_by_gaps(value, symbols, slack.strict, some) for some in chosen)
+
+
+def _is_linear(one: Slack, symbols: Sequence[sp.Basic]) -> bool:
+    if not (one.value.free_symbols <= {*symbols} and one.value.is_polynomial(*symbols)):
+        return False
+    return int(sp.Poly(one.value, *symbols).total_degree()) == 1
+
+
+def _holds_by_gaps(
+    value: sp.Expr, symbols: Sequence[sp.Symbol], strict: bool, said: Sequence[Slack]
+) -> bool:
+    gaps = [sp.Dummy("gap", nonnegative=True) for _ in said]
+    equations = [one.value - gap for one, gap in zip(said, gaps, strict=True)]
+    (found,) = sp.linsolve(equations, symbols) or [sp.Tuple(*symbols)]
+    if found.free_symbols & {*symbols}:
+        return False
+    written = value.xreplace(dict(zip(symbols, found, strict=True)))
+    within = {g: sp.Interval(0, sp.oo, left_open=s.strict) for g, s in zip(gaps, said, strict=True)}
+    return show_sign(Slack(written, strict), Domain(within, (), {})) is not None
+
+
 def _by_squares(slack: Slack, domain: Domain) -> bool:
     value = domain.resolve(slack.value)
     count = len(_list_roots(value))
@@ -106,6 +149,8 @@ def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
         return True
     if depth == 0 or is_negative_somewhere(value, domain):
         return False
+    if not _list_roots(value):
+        return binomial_squares.holds_by_squares(Slack(value, strict), domain)
     return any(
         _holds_by_root(*parts, strict, domain, depth - 1) for parts in isolate_root(value, domain)
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import sympy as sp
 
 from mechproof.proof import bisection, inductive_inequalities, newton, taylor
@@ -15,10 +17,16 @@ from mechproof.proof.taylor import holds_near_zero
 from mechproof.record.relations import find_slack
 
 SIGN = "sign in positive coordinates"
+# Of powers of negative numbers to counts: so many are looked at.
+_MOST_TURNS = 2
 
 
 def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     """Return the rung that proves an inequality wherever its sides have values, None for none."""
+    if (cases := _list_turns(relation)) is not None:
+        left = [case for case in cases if case != sp.true]
+        rungs = [None if case == sp.false else prove_relation(case, domain) for case in left]
+        return None if None in rungs else next(iter(rungs), SIGN)
     if newton.converges(relation, domain):
         return newton.RUNG
     if holds_near_zero(relation, domain):
@@ -33,6 +41,24 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     if holds_by_steps(slack, domain, show_sign):
         return inductive_inequalities.RUNG
     return _hold_by_cases(relation, domain) or show_sign(slack, domain)
+
+
+def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:
+    """Write powers of negative numbers to counts, (-2)^n, as 2^n and as its opposite.
+
+    Whichever sign each has, one of the relations returned says the same; None without such powers.
+    """
+    powers = [p for p in relation.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols]
+    if not 0 < len(powers) <= _MOST_TURNS or not all(p.exp.is_integer for p in powers):
+        return None
+    signs = product((1, -1), repeat=len(powers))
+    sizes = [(-p.base) ** p.exp for p in powers]
+    return [
+        relation.xreplace(
+            {p: sign * size for p, sign, size in zip(powers, one, sizes, strict=True)}
+        )
+        for one in signs
+    ]
 
 
 def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:

@@ -51,6 +51,8 @@ RUNGS = {
     "exponentials, on the intervals in which these lie",
     "every order of the numbers": "an inequality, by the coefficients for every order of the "
     "numbers, each written as the one below and a gap",
+    "gaps of linear relations": "an inequality, with the numbers written by the gaps of relations "
+    "that are said of them, such as a < b + c",
     "monotonicity": "an inequality that holds at one place, or in the limit at an end, from which "
     "the difference of its sides grows; at both ends of an interval on which that is concave; or "
     "where its slope is zero and it is convex",

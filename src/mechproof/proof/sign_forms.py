@@ -69,6 +69,7 @@ def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Write a - b, both positive and one a power that is no root, as ln a - ln b."""
+    value = sp.collect(value, _list_powers(value))
     terms = value.args if isinstance(value, sp.Add) else ()
     if len(terms) != 2 or not _list_powers(value):
         return None

@@ -1,0 +1,73 @@
+"""Pasted inequalities: of vectors, for whole numbers, and where linear relations are said."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+TRIANGLE = ("a<b+c", "b<c+a", "c<a+b")
+COUNT = (r"n\in\mathbb N",)
+PROVED = [
+    # Cauchy and Schwarz, and the sides of a triangle.
+    (r"|\mathbf a\cdot\mathbf b|\le|\mathbf a||\mathbf b|", ()),
+    (r"|\mathbf a\times\mathbf b|\le|\mathbf a||\mathbf b|", ()),
+    (r"|\mathbf a+\mathbf b|\le|\mathbf a|+|\mathbf b|", ()),
+    (r"\big||\mathbf a|-|\mathbf b|\big|\le|\mathbf a-\mathbf b|", ()),
+    (
+        r"|a_1b_1+a_2b_2+a_3b_3|\le\sqrt{a_1^2+a_2^2+a_3^2}\sqrt{b_1^2+b_2^2+b_3^2}",
+        (),
+    ),
+    # Powers of negative numbers, of either sign.
+    (r"(-2)^n\le2^n", COUNT),
+    ("(-2)^n<3^n", COUNT),
+    (r"\cos n\pi\le1", COUNT),
+    (r"(-1)^n+(-1)^m\le2", (r"m,n\in\mathbb N",)),
+    # Two powers to n, each with what it is multiplied by.
+    (r"n!\le\left(\frac{n+1}2\right)^n", ()),
+    (r"n!<\left(\frac{n+1}2\right)^n", (r"n\ge2",)),
+    # By the gaps of what is said.
+    ("a^2+b^2+c^2<2(ab+bc+ca)", TRIANGLE),
+    (r"(a+b-c)(b+c-a)(c+a-b)\le abc", TRIANGLE),
+    (r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}<2", TRIANGLE),
+    (r"\frac{x-a}x<\ln\frac xa", ("x>a>0",)),
+    (r"\sqrt{l^2-r^2}>l-r", ("l>r>0",)),
+    (r"\sqrt x-\sqrt a<\frac{x-a}{2\sqrt a}", ("x>a>0",)),
+]
+NOT_PROVED = [
+    (r"|\mathbf a\cdot\mathbf b|<|\mathbf a||\mathbf b|", ()),
+    (r"|\mathbf a+\mathbf b|<|\mathbf a|+|\mathbf b|", ()),
+    (r"|\mathbf a+\mathbf b|\le|\mathbf a|", ()),
+    (r"|\mathbf a-\mathbf b|\le|\mathbf a|-|\mathbf b|", ()),
+    ("(-2)^n<2^n", COUNT),
+    (r"(-3)^n\le2^n", COUNT),
+    (r"(-1)^n\ge1", COUNT),
+    (r"(-1)^n\ge2", COUNT),
+    (r"n!<\left(\frac{n+1}2\right)^n", ()),
+    (r"n!\le\left(\frac n2\right)^n", ()),
+    # One relation less, or a bound that is too low.
+    ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", *TRIANGLE[:2])),
+    ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", "b>0", "c>0")),
+    (r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}<\frac53", TRIANGLE),
+    (r"a^2+b^2+c^2\le ab+bc+ca", TRIANGLE),
+    (r"\frac{x-a}a<\ln\frac xa", ("x>a>0",)),
+    (r"\frac{x-a}x<\ln\frac xa", (r"x\ge a>0",)),
+    (r"\sqrt{l^2-r^2}>l-r", (r"l\ge r>0",)),
+    ("x^2<y^2", ("x<y",)),
+]
+
+
+def judge(latex: str, where: tuple[str, ...]) -> set[Verdict]:
+    return {found.verdict for found in judge_pasted(Pasted(latex, where=where)).judgements}
+
+
+@pytest.mark.parametrize(("latex", "where"), PROVED)
+def test_an_inequality_is_proved(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) == {Verdict.PROVED}
+
+
+@pytest.mark.parametrize(("latex", "where"), NOT_PROVED)
+def test_what_fails_somewhere_is_not_proved(latex: str, where: tuple[str, ...]) -> None:
+    assert Verdict.PROVED not in judge(latex, where)
