@@ -33,6 +33,7 @@ from mechproof.latex.matrix_meaning import (
     give_table,
     give_transposed,
 )
+from mechproof.latex.matrix_powers import is_power, raise_matrix
 from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
 from mechproof.latex.tree import (
     Add,
@@ -109,6 +110,8 @@ class Meaning:
         self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
+        # Powers of matrices to letters.
+        self._raised = 0
         # What is divided by, and the expression that shows it; what sides have lost of that.
         self.divisors: dict[sp.Expr, sp.Expr] = {}
         self.lost: dict[sp.Expr, None] = {}
@@ -136,12 +139,16 @@ class Meaning:
 
     def of(self, node: Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
+        raised = self._raised
         try:
             found = self._find(node)
         except ReadingError:
             raise
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
             raise self.source.refuse(node.start, _UNFIT) from error
+        # SymPy would work such a power out, for some matrices with those parameters only.
+        if self._raised > raised and not isinstance(node, Power | Bracket):
+            raise self.source.refuse(node.start, _UNFIT)
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
@@ -215,6 +222,11 @@ class Meaning:
             shown = show_entries(base)
             return shown.dot(shown)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
+            if (power := raise_matrix(base, exponent)) is None:
+                raise self.source.refuse(node.start, _UNFIT)
+            self._raised += 1
+            return power
+        if is_power(base):
             raise self.source.refuse(node.start, _UNFIT)
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
             self._divide_by(base.det(method="berkowitz"))

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
+from mechproof.latex.matrix_powers import is_power, state_power
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.measures import find_factor
 from mechproof.latex.products import is_matrix
@@ -48,6 +49,8 @@ def _turn_rows(members: Members) -> Members:
 
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """Return what a sign of a row asserts; `ValueError` where that is not declared."""
+    if is_power(members.left) or is_power(members.right):
+        return _state_power(row, sign, members)
     members = _turn_rows(members)
     if any(isinstance(node, Extremum) for node in members.nodes):
         return _state_extremum(row, sign, members, reader)
@@ -80,6 +83,17 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if changed == (False, True):
         return Equality(left, right)
     return Equality(right, left)
+
+
+def _state_power(row: Row, sign: str, members: Members) -> Statement:
+    where = row.on.where if row.on else ()
+    stated = state_power((members.left, members.right), where) if sign == "=" else None
+    if stated is None:
+        raise ValueError(
+            f"row {row.number!r}: a power of a matrix to a whole number stands alone on one side, "
+            "with its value for all numbers on the other"
+        )
+    return stated
 
 
 def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> Statement:

@@ -1,0 +1,44 @@
+r"""A power of a matrix to a whole number n, read as what it is for the first n and at each step.
+
+A^n = B(n) for n = 1, 2, ... says that B(1) = A and B(n + 1) = B(n)A, and no more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+
+from mechproof.record import Conjunction, Equality
+from mechproof.record.substitution import substitute
+
+
+def is_power(value: Any) -> bool:
+    """Tell whether a value is a power of a matrix to a whole number."""
+    return isinstance(value, sp.MatPow)
+
+
+def raise_matrix(base: sp.MatrixBase, exponent: sp.Expr) -> sp.MatPow | None:
+    """Return a power that is not worked out, to a letter that counts; None of other exponents."""
+    is_count = exponent.is_Symbol and exponent.is_integer and exponent.is_nonnegative
+    return sp.MatPow(base, exponent) if is_count and base.is_square else None
+
+
+def state_power(sides: Sequence[Any], where: Sequence[sp.Basic]) -> Conjunction | None:
+    """Return what an equation with a power on one side says; None where that is not clear."""
+    powers = [side for side in sides if isinstance(side, sp.MatPow)]
+    values = [side for side in sides if isinstance(side, sp.MatrixBase)]
+    if len(powers) != 1 or len(values) != 1:
+        return None
+    (value,), (base, count) = values, powers[0].args
+    if base.has(count) or value.shape != base.shape or any(one.has(count) for one in where):
+        return None
+    first = base if count.is_positive else sp.eye(base.rows).as_immutable()
+    at_first, later = (
+        value.applyfunc(lambda entry, to=to: substitute(entry, {count: to}))
+        for to in (sp.Integer(bool(count.is_positive)), count + 1)
+    )
+    return Conjunction(
+        (Equality(at_first, first, "member"), Equality(later, value * base, "member"))
+    )
