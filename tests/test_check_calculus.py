@@ -27,6 +27,19 @@ PAIRS = [
     ),
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=%s", (r"\sqrt{\pi/a}", r"\sqrt{\pi a}"), ("a>0",)),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
+    # From both ends, by cosines, and over one period after the other.
+    (r"\int_0^\pi\frac{x\sin x}{1+\cos^2x}dx=%s", (r"\frac{\pi^2}4", r"\frac{\pi^2}2"), ()),
+    (r"\int_{-1}^1\frac{x^2}{1+e^x}dx=%s", (r"\frac13", r"\frac23"), ()),
+    (
+        r"\int_0^{\pi/2}\sin^nx\,dx=%s",
+        (r"\int_0^{\pi/2}\cos^nx\,dx", r"\int_0^\pi\cos^nx\,dx"),
+        (r"n\in\mathbb N",),
+    ),
+    (r"\int_0^{n\pi}|\sin x|\,dx=%s", ("2n", "n"), (r"n\in\mathbb N",)),
+    # Sums whose terms change by one factor from n to n + 1.
+    (r"a^n-b^n=(a-b)\sum_{k=0}^{n-1}%s", ("a^{n-1-k}b^k", "a^{n-k}b^k"), ()),
+    (r"\sum_{k=1}^n2^{n-k}=%s", ("2^n-1", "2^n"), ()),
+    (r"\sum_{k=1}^n(-1)^{n-k}k=%s", (r"\frac{2n+1-(-1)^n}4", r"\frac{2n+1}4"), ()),
     # Limits of sequences, by their quotients, and of what is like its argument.
     (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
     (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
@@ -77,6 +90,14 @@ NOT_PROVED = [
     (r"\int_0^1x^{n-2}(1-x)^mdx=\frac{m!(n-2)!}{(m+n-1)!}", ()),
     (r"\int_0^\infty\sin^nx\,dx=\pi\frac{(2n)!}{4^n(n!)^2}", ()),
     (r"\int_{-2}^0\frac{dx}{(1+x)^{2n}}=\frac{2}{1-2n}", (r"n\in\mathbb N",)),
+    # Poles that are alike from both ends, or in each period; a factor that is none.
+    (r"\int_{-1}^1\frac{dx}{x^3}=0", ()),
+    (r"\int_0^2\frac{dx}{x-1}=0", ()),
+    (r"\int_0^\pi\tan x\,dx=0", ()),
+    (r"\int_0^{n\pi}\tan x\,dx=0", (r"n\in\mathbb N",)),
+    (r"\int_0^n\frac{dx}{x-n}=0", (r"n\in\mathbb N",)),
+    (r"\sum_{k=1}^n(n-k)!=n!", ()),
+    (r"a^n-b^n=(a+b)\sum_{k=0}^{n-1}a^{n-1-k}b^k", ()),
     # Quotients that come to 1 or more, or have none; what has no value far out.
     (r"\lim_{n\to\infty}q^n=0", (r"|q|\le1", r"n\in\mathbb N")),
     (r"\lim_{n\to\infty}\frac{3^nn!}{n^n}=0", ()),

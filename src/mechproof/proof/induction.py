@@ -10,9 +10,11 @@ from __future__ import annotations
 from contextlib import suppress
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
+from mechproof.proof.integrals import put_values
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, is_analytic, split_powers
 from mechproof.proof.preparation import prepare
@@ -20,6 +22,7 @@ from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
 
 RUNG = "induction"
+_TO_COUNTS = (sp.Sum, sp.Product, sp.Integral)
 # Work limit: terms that come or go in one step.
 _MOST_STEPS = 4
 
@@ -72,15 +75,23 @@ def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:
 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
     """Return the symbols up to which sums and products run from an integer, each term once."""
-    sums = difference.atoms(sp.Sum, sp.Product)
+    sums = difference.atoms(*_TO_COUNTS)
+    if any(len(limits) != 3 for total in sums for limits in total.limits):
+        return set()
     ends = {symbol for total in sums for symbol in total.limits[0][2].free_symbols}
     counts = {end for end in ends if end.is_positive and end.is_integer}
     return {n for n in counts if all(is_plain(total, n) for total in sums if total.has(n))}
 
 
-def is_plain(total: sp.Sum | sp.Product, count: sp.Symbol) -> bool:
-    """Tell whether the ends of the one index go on by whole steps with n, its terms without n."""
+def is_plain(total: ExprWithLimits, count: sp.Symbol) -> bool:
+    """Tell whether the ends of the one index go on by whole steps with n, its terms without n.
+
+    Terms of a sum may change by one factor, as a^(n - k) does.
+    """
     (_, lower, upper), *others = total.limits
+    if isinstance(total, sp.Integral):
+        is_moved = sp.diff(upper, count).is_number and not (lower.has(count) or others)
+        return bool(is_moved and not total.function.has(count))
     rates = [sp.diff(end, count) for end in (lower, upper)]
     first = (upper - lower).subs(count, 1)
     return bool(
@@ -90,8 +101,24 @@ def is_plain(total: sp.Sum | sp.Product, count: sp.Symbol) -> bool:
         and first.is_Integer
         and first >= -1
         and lower.subs(count, 1).is_Integer
-        and not total.function.has(count)
+        and not _change(total, count).has(total.limits[0][0])
     )
+
+
+def _change(total: ExprWithLimits, count: sp.Symbol) -> sp.Expr:
+    """Return the factor by which the terms of a sum change from n to n + 1.
+
+    A power with a whole exponent changes by its base, also where that is zero.
+    """
+    if not total.function.has(count):
+        return sp.S.One
+    factors = [factor.as_base_exp() for factor in sp.Mul.make_args(total.function)]
+    if isinstance(total, sp.Product) or any(
+        base.has(count) or not exponent.is_integer for base, exponent in factors
+    ):
+        return total.limits[0][0]
+    steps = (base ** sp.expand(e.subs(count, count + 1) - e) for base, e in factors)
+    return sp.Mul(*steps)
 
 
 def _begins(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
@@ -113,27 +140,35 @@ def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
 
 
 def follow(number: sp.Expr, count: sp.Symbol) -> tuple[sp.Expr, sp.Expr, list[sp.Symbol]]:
-    """Return a number for n and for n + 1, its sums and products to n named; and the products."""
-    totals = [total for total in number.atoms(sp.Sum, sp.Product) if total.has(count)]
+    """Return a number for n and for n + 1, its sums and products to n named.
+
+    Third come the names of those that are multiplied.
+    """
+    totals = [total for total in number.atoms(*_TO_COUNTS) if total.has(count)]
     kept = {total: sp.Dummy() for total in totals}
     before = number.xreplace(kept)
     after = {kept[total]: _go_on(total, count, kept[total]) for total in totals}
     following = before.subs(count, count + 1).xreplace(after)
-    return before, following, [kept[total] for total in totals if isinstance(total, sp.Product)]
+    changed = (t for t in totals if isinstance(t, sp.Product) or _change(t, count) != 1)
+    return before, following, [kept[total] for total in changed]
 
 
-def _go_on(total: sp.Sum | sp.Product, count: sp.Symbol, value: sp.Symbol) -> sp.Expr:
+def _go_on(total: ExprWithLimits, count: sp.Symbol, value: sp.Symbol) -> sp.Expr:
     """Return the value for n + 1, by the one for n: with the terms that come and go."""
     index, lower, upper = total.limits[0]
+    if isinstance(total, sp.Integral):
+        moved = total.function.subs(index, index + upper)
+        return value + sp.Integral(moved, (index, 0, sp.diff(upper, count)))
     come = [upper + k for k in range(1, int(sp.diff(upper, count)) + 1)]
     go = [lower + k for k in range(int(sp.diff(lower, count)))]
-    more, less = ([total.function.subs(index, k) for k in numbers] for numbers in (come, go))
+    term = total.function.subs(count, count + 1)
+    more, less = ([term.subs(index, k) for k in numbers] for numbers in (come, go))
     if isinstance(total, sp.Product):
         return value * sp.Mul(*more) / sp.Mul(*less)
-    return value + sp.Add(*more) - sp.Add(*less)
+    return value * _change(total, count) + sp.Add(*more) - sp.Add(*less)
 
 
 def _vanishes(value: sp.Expr, domain: Domain) -> bool:
-    value = split_powers(prepare(value))
+    value = split_powers(prepare(put_values(value, domain)))
     rungs = (decide_equal, decide_by_logarithms, decide_by_inverse)
     return any(rung(value, sp.S.Zero, domain) for rung in rungs)

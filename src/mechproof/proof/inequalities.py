@@ -51,10 +51,10 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
     rungs = (
         (HALF_ANGLES, is_shown_there),
         (ORDERS, _by_orders),
-        (GAPS, _by_gaps),
         (SQUARES, _by_squares),
         (binomial_squares.RUNG, binomial_squares.holds_by_squares),
         (monotonicity.RUNG, monotonicity.holds_by_slope),
+        (GAPS, _by_gaps),
     )
     return next((name for name, rung in rungs if rung(slack, domain)), None)
 

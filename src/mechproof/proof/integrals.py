@@ -46,11 +46,22 @@ def decide_by_antiderivative(
     if not integrals or _are_seen_to_differ(sides, domain):
         return None
     values = {integral: _find_value(integral, domain) for integral in integrals}
+    turned = {integral: _turn(integral) for integral, value in values.items() if value is None}
     known = {integral: value for integral, value in values.items() if value is not None}
+    known |= {integral: other for integral, other in turned.items() if other != integral}
     if not known:
         return None
     rest = prove(*(side.xreplace(known) for side in sides), domain)
     return f"{RUNG}, {rest}" if rest else None
+
+
+def _turn(integral: sp.Integral) -> sp.Integral:
+    """Return an integral, or the same from the other end, as the integrand comes first in order."""
+    variable, *ends = integral.limits[0]
+    if len(integral.limits) > 1 or len(ends) != 2 or any(end.is_infinite for end in ends):
+        return integral
+    other = integral.function.subs(variable, sp.Add(*ends) - variable)
+    return min((integral, sp.Integral(other, *integral.limits)), key=sp.default_sort_key)
 
 
 def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
@@ -66,6 +77,12 @@ def settle_improper(expression: Any, domain: Domain) -> Any:
     kinds = (is_improper, _has_power_of_zero, _is_iterated)
     met = (node for node in free if any(is_one(node) for is_one in kinds))
     values = ((node, _find_value(node, domain)) for node in met)
+    return expression.xreplace({node: value for node, value in values if value is not None})
+
+
+def put_values(expression: sp.Expr, domain: Domain) -> sp.Expr:
+    """Put the values of integrals in their places, as far as they are shown."""
+    values = ((node, _find_value(node, domain)) for node in _list_free(expression))
     return expression.xreplace({node: value for node, value in values if value is not None})
 
 
@@ -121,7 +138,24 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         found = _find_value_by_signs(written, variable, lower, upper, domain)
         if found is not None or written == integrand:
             return found
-    return _find_by_antiderivative(integrand, variable, lower, upper, domain)
+    found = _find_by_antiderivative(integrand, variable, lower, upper, domain)
+    return _find_from_both_ends(integral, domain) if found is None else found
+
+
+def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value by the mean of the integrand and the same from the other end."""
+    variable, lower, upper = integral.limits[0]
+    if lower.is_infinite or upper.is_infinite:
+        return None
+    place, run = parametrise(variable, lower, upper)
+    running = _put(integral.function, variable, place)
+    other = integral.function.subs(variable, lower + upper - variable)
+    mean = sp.cancel(sp.together(integral.function + other)) / 2
+    if mean.as_independent(variable)[1].count_ops() >= integral.function.count_ops():
+        return None
+    if find_break(running, variable, domain.with_set(variable, run)) is not None:
+        return None
+    return _find_by_antiderivative(mean, variable, lower, upper, domain)
 
 
 def _is_root(node: sp.Basic) -> bool:

@@ -54,7 +54,8 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
-    for propose in (_propose_by_half_angle, _propose_by_tangent, _propose_by_fractions):
+    by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
+    for propose in (*by_others, _propose_by_fractions):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
 
@@ -87,6 +88,18 @@ def _integrate_wave(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
         return None
     turned = -sp.cos(wave.args[0]) if isinstance(wave, sp.sin) else sp.sin(wave.args[0])
     return factor * turned / slope
+
+
+def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate by t = cos x what has sin x as a factor once, the other way round, too."""
+    t, s = _TANGENT, sp.Dummy("s")
+    for one, other, sign in ((sp.cos, sp.sin, -1), (sp.sin, sp.cos, 1)):
+        written = integrand.xreplace({one(variable): t, other(variable): s})
+        rest = sp.cancel(sp.together(written / s).subs(s**2, 1 - t**2))
+        if not rest.has(s, variable):
+            found = manualintegrate(sp.apart(rest, t), t)
+            if not found.has(sp.Integral):
+                yield from (sign * f.subs(t, one(variable)) for f in _list_pieces(found))
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:

@@ -19,7 +19,7 @@ RUNGS = {
     "constant": "both sides have the same value at one point",
     "continuity": "both sides are continuous over the whole domain, so no branch is lost",
     "antiderivative": "the integral has the value of an antiderivative, which is proved to be one "
-    "and to be continuous up to both limits",
+    "and to be continuous up to both limits, or is the same from its other end",
     "integration by parts to the next number": "an integral has its value for the first whole "
     "number, and from each to the next both change by the same factor, but for what is a "
     "derivative and adds nothing between the limits",
