@@ -17,6 +17,8 @@ ROWS = [
     (r"\vec a\cdot(\vec b\times\vec c)=\vec c\cdot(\vec a\times\vec b)", PROVED),
     (r"\vec a\cdot(\vec b\times\vec c)=\vec a\cdot(\vec c\times\vec b)", REFUTED),
     (rf"{_A}\times{_A}=0", PROVED),
+    (rf"{_A}+\mathbf 0={_A}", PROVED),
+    (rf"{_A}+\mathbf 0=2{_A}", REFUTED),
     (rf"({_M}{_N})^T={_N}^T{_M}^T", PROVED),
     (rf"({_M}{_N})^T={_M}^T{_N}^T", REFUTED),
     (rf"({_M}{_N})^{{-1}}={_N}^{{-1}}{_M}^{{-1}}", PROVED),
@@ -30,6 +32,7 @@ ROWS = [
     (rf"{_A}=2{_A}", REFUTED),
 ]
 REFUSED = [
+    (rf"{_A}+1={_A}", "do not fit"),
     (r"\vec F\cdot\vec s=Fs\cos\alpha", "its length"),
     (rf"{_A}\cdot{_B}=a_xb_x+a_yb_y+a_zb_z", "a component of it"),
     (r"\mathbf r\cdot\mathbf r=x^2+y^2+z^2", "components of it"),

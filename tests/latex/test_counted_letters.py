@@ -6,11 +6,14 @@ import pytest
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.record import Variable
+from mechproof.record import Notation, Variable
 
 x, y, s = sp.symbols("x y s", real=True)
 n = sp.Symbol("n", integer=True, positive=True)
-READER = Reader(tuple(Variable(letter, "", latex=(str(letter),)) for letter in (x, y, s, n)))
+READER = Reader(
+    tuple(Variable(letter, "", latex=(str(letter),)) for letter in (x, y, s, n)),
+    Notation(factors=("n", "y")),
+)
 READ = {
     r"\cos nx": sp.cos(n * x),
     r"\sin^2nx": sp.sin(n * x) ** 2,
@@ -21,12 +24,14 @@ READ = {
         sp.cos(sp.Symbol("k", integer=True) * x), (sp.Symbol("k", integer=True), 1, n)
     ),
     r"s(s-x)": s * (s - x),
+    r"n2^{n-1}": n * 2 ** (n - 1),
     r"s^2(1-xs^2)": s**2 * (1 - x * s**2),
     r"s(s(s+1)+1)": s * (s * (s + 1) + 1),
 }
 REFUSED = (
     *(r"\cos xy", r"\cos nxy", r"\cos xn", r"\cos nk", r"\int_0^1\cos xu^2\,du"),
     *(r"\int_0^1\cos x\,u\,du", r"\int_0^1\cos xyu\,du", r"\int_0^1\cos xy\,du"),
+    *("x2^n", "y2^n", "n2", "n2x^2"),
     *("s(x-y)", "s(x)", "s(s(x))", "s(x(s))"),
 )
 

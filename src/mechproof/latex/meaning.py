@@ -202,7 +202,10 @@ class Meaning:
 
     def _add(self, node: Add) -> Any:
         terms = [sign * self.of(term) for sign, term in node.terms]
-        return reduce(add, terms) if _any_matrix(terms) else sp.Add(*terms)
+        if not _any_matrix(terms):
+            return sp.Add(*terms)
+        # A zero beside a matrix is one of zeros.
+        return reduce(add, [term for term in terms if is_matrix(term) or term != 0])
 
     def _quotient(self, node: Quotient) -> Any:
         below = self.of(node.below)

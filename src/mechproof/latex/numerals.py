@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from itertools import dropwhile
 from typing import TYPE_CHECKING
 
 from mechproof.latex.characters import is_digit
-from mechproof.latex.tree import Number
+from mechproof.latex.tree import Bracket, Letter, Node, Number
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -83,3 +84,15 @@ def is_number_fraction(parser: Parser) -> bool:
     texts = [token.text for token in parser.tokens[parser.place + 1 :]]
     inside = texts[: texts.index("}", texts.index("}") + 1)]
     return all(is_digit(text) or text in "{}." for text in inside)
+
+
+def may_follow(parser: Parser, left: Node) -> bool:
+    """Return whether a number behind a factor is one, too: behind a bracket, or n2^{n-1}.
+
+    The letter counts, and a number with a power is no index of it.
+    """
+    if not isinstance(left, Letter):
+        return isinstance(left, Bracket)
+    behind = dropwhile(is_digit, (token.text for token in parser.rest))
+    counts = left.text in parser.factors and (parser.collects or bool(left.symbol.is_integer))
+    return counts and next(behind, "") == "^"

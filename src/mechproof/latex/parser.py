@@ -29,7 +29,7 @@ from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.measures import is_unit
 from mechproof.latex.names import Names, to_signs
-from mechproof.latex.numerals import is_number_fraction
+from mechproof.latex.numerals import is_number_fraction, may_follow
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.tokens import read_signs
@@ -287,7 +287,7 @@ class Parser:
 
     def _check_neighbours(self, left: Node) -> None:
         """Refuse factors side by side that could be something else."""
-        if is_digit(self.text) and not isinstance(left, Bracket):
+        if is_digit(self.text) and not may_follow(self, left):
             raise self.refuse(
                 "a number follows without a sign between: a factor, an index or a decimal place?",
                 r"Print \cdot, or the number first.",
