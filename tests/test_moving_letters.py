@@ -17,7 +17,8 @@ PAIRS = [
     (r"\left(\frac uv\right)'=%s", r"\frac{u'v-uv'}{v^2}", r"\frac{u'v+uv'}{v^2}"),
     (r"(e^u)'=%s", "u'e^u", "u'e^{u'}"),
     (r"(x^3\sin x)'=%s", r"3x^2\sin x+x^3\cos x", r"3x^2\cos x"),
-    ("(yz)'=%s", "y'z", "yy'"),
+    (r"\frac{d}{dt}(m\dot x^2+2mgx)=%s", r"2m\dot x\ddot x+2mg\dot x", r"2m\dot x\ddot x"),
+    ("(ay)'=%s", "ay'", "yy'"),
     ("(tu)'=%s", "u+tu'", "tu'"),
     (r"(r\cos\varphi)'=%s", r"-r\sin\varphi", r"r\sin\varphi"),
     (r"\frac{d}{dx}(u(x)v(x))=%s", "u'(x)v(x)+u(x)v'(x)", "u'(x)v'(x)"),
@@ -38,6 +39,10 @@ REFUSED = [
     "f(x)=f(-x)",
     "f(x)f(t)=1",
     "f(x)=1",
+    "(uv)'=u'v",
+    "(u+v)'=u'",
+    r"\frac{d}{dt}(xy)=\dot xy",
+    r"\frac{d}{dx}(u(x)v)=u'(x)v",
     "f(x)=f(x)",
     r"f'(x)+f_0=f_0+f'(x)",
     r"\Gamma(x)=\Gamma(x)",
@@ -73,3 +78,8 @@ def test_a_letter_that_is_said_to_be_a_factor_is_no_function() -> None:
     assert find_functions(["u'(x)=v'(x)"], ["v"]) == {"u": "x"}
     (found,) = judge_pasted(Pasted("f(x)=xf", factors=("f",))).judgements
     assert found.verdict is Verdict.PROVED
+
+
+def test_it_is_told_what_depends_on_what() -> None:
+    taken = judge_pasted(Pasted(r"\frac{d}{dt}(mv^2)=2mv\dot v")).taken
+    assert (taken["m"], taken["v"]) == ("real", "real, depends on t")

@@ -21,6 +21,8 @@ from mechproof.record import Variable
 
 # Letters that are functions of one that stands alone in a bracket behind them; of the time all are.
 _FUNCTIONS = (*"fghpqrsuvwyzFGH",)
+# Letters that are seldom constants beside others that depend on something.
+_VARYING = (*"uvwxyz", "varphi", "phi", "theta", "vartheta", "psi")
 _RATE = re.compile(
     r"(?P<primed>[^']+)(?P<primes>'+)|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*"
 )
@@ -90,7 +92,8 @@ class Moving:
 def find_moving(variables: Sequence[Variable], functions: Mapping[str, str]) -> Moving:
     """Return the letters that depend on others: those whose derivatives stand beside them.
 
-    One with dots depends on the time, one with primes on x or t, or on the only angle.
+    One with dots depends on the time, one with primes on x or t, or on the only angle. None does
+    where others may depend on something as well.
     """
     shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
     symbols = {name: v.symbol for name, v in shown.items() if isinstance(v.symbol, sp.Symbol)}
@@ -112,7 +115,10 @@ def find_moving(variables: Sequence[Variable], functions: Mapping[str, str]) -> 
         if by and steps.setdefault(base, (by, {}))[0] == by:
             steps[base][1][order] = variable.symbol
     letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
+    unclear = {x for x in (*_VARYING, *("fgh" if primed else "")) if x in symbols} - {*steps}
     for base, (by, known) in steps.items():
+        if unclear - {by}:
+            continue
         # The derivative of one that is nothing else may be a constant.
         if len(known) + (base in symbols) < _FEWEST and base not in of:
             continue

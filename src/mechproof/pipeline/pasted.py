@@ -111,7 +111,9 @@ def _judge(pasted: Pasted) -> Checked:
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
-    return Checked(read, {v.latex[0]: describe(v) for v in variables if v.latex})
+    depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}
+    taken = {v.latex[0]: describe(v) + depends.get(v.symbol, "") for v in variables if v.latex}
+    return Checked(read, taken)
 
 
 def _leave_out_shown(

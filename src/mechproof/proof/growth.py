@@ -278,7 +278,7 @@ def _constant(factor: sp.Expr | None) -> _Order:
 
 
 def _raise(base: _Order, exponent: sp.Expr, domain: Domain) -> _Order | None:
-    if base.factor is None and exponent.is_negative:
+    if base.factor is None and not exponent.is_nonnegative:
         return None
     if not exponent.is_integer and (base.factor is None or _direction(base.factor, domain) != 1):
         return None
