@@ -46,6 +46,8 @@ PAIRS = [
     (r"\lim_{n\to\infty}nq^n=%s", ("0", "q"), ("|q|<1", r"n\in\mathbb N")),
     (r"\lim_{n\to\infty}\frac{(-1)^n}n=%s", ("0", "1"), (r"n\in\mathbb N",)),
     (r"\lim_{n\to\infty}\left(1+\frac xn\right)^n=%s", ("e^x", "e^{2x}"), ()),
+    (r"\lim_{n\to\infty}n\sin\frac{2\pi}n=%s", (r"2\pi", "0"), (r"n\in\mathbb N",)),
+    (r"\lim_{n\to\infty}n\tan\frac\pi n=%s", (r"\pi", "0"), ()),
     (r"\lim_{x\to\infty}x(\ln(x+a)-\ln x)=%s", ("a", "2a+1"), ()),
     (r"\lim_{n\to\infty}\sum_{k=0}^nq^k=%s", (r"\frac1{1-q}", r"\frac q{1-q}"), ("|q|<1",)),
     (r"\prod_{n=2}^\infty\left(1-\frac1{n^2}\right)=%s", (r"\frac12", r"\frac13"), ()),
@@ -107,6 +109,8 @@ NOT_PROVED = [
     (r"\lim_{n\to\infty}(a-n)!\cdot2^{-n}=0", (r"a,n\in\mathbb N",)),
     (r"\lim_{n\to\infty}\frac{\sqrt{a-n}}{\sqrt{a-n}}\cdot2^{-n}=0", (r"n\in\mathbb N",)),
     (r"\prod_{n=0}^\infty\frac nn=1", ()),
+    (r"\lim_{x\to0}\frac{\sin(nx)}{nx}=1", (r"n\ge0", r"n\in\mathbb N")),
+    (r"\lim_{x\to0}\frac{\sin(ax)}{ax}=1", ()),
     # A factorial without a value, though it cancels.
     ("(n-2)!-(n-2)!=0", ()),
     ("(n-20)!-(n-20)!=0", ()),

@@ -29,8 +29,9 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
         resolved = domain.resolve(divisor)
         points = list(islice(points_for((resolved,), domain, _TRIED), _TRIED))
         zeros = [point for point in points if _is_zero(resolved, point)]
-        factorial = 1 / resolved if isinstance(1 / resolved, sp.factorial) else None
-        zeros += islice(list_zeros(factorial.args[0] + 1 if factorial else resolved, domain), 1)
+        factorial = 1 / divisor if isinstance(1 / divisor, sp.factorial) else None
+        solved = domain.resolve(factorial.args[0] + 1) if factorial else resolved
+        zeros += islice(list_zeros(solved, domain), 1)
         needed = 1 if has_steps(resolved, domain) else min(_MANY, len(points))
         if len(zeros) >= needed:
             at = name_point(zeros[0], domain)

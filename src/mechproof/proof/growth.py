@@ -14,8 +14,8 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign, is_positive
-from mechproof.record import list_needs, list_partial
+from mechproof.proof.signs import find_sign, is_nonzero, is_positive
+from mechproof.record import list_divisors, list_needs, list_partial
 
 _Y = sp.Dummy("y", positive=True)
 # Work limits: parts of parts, and how many of them it costs to write a sum anew.
@@ -139,7 +139,8 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     if all(limit is not None and not limit.is_infinite for limit in limits):
         return sp.Mul(*limits)
     like = sp.Mul(*(_write_like(factor, domain, depth) for factor in node.args))
-    if like != node:
+    lost = {*list_divisors(node)} - {*list_divisors(like)}
+    if like != node and all(is_nonzero(divisor, domain) for divisor in lost if not divisor.has(_Y)):
         return _find(like, domain, depth)
     _, rest = node.as_independent(_Y)
     bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]

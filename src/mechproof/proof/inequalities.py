@@ -37,8 +37,8 @@ _MOST_ORDERED = 3
 _MOST_TERMS = 120
 # Work limit: relations that are said, of which some are chosen.
 _MOST_SAID = 6
-# Work limit: operations of a number.
-_LARGEST = 150
+# Work limits: operations of a number, and of one that is written by gaps.
+_LARGEST, _LARGEST_MOVED = 150, 40
 _UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.KroneckerDelta, Root)
 
 
@@ -93,14 +93,15 @@ def _by_gaps(slack: Slack, domain: Domain) -> bool:
     """
     value = domain.resolve(slack.value)
     symbols = sorted(value.free_symbols, key=str)
-    if any(s.is_integer for s in symbols):
+    if any(s.is_integer for s in symbols) or value.count_ops() > _LARGEST_MOVED:
         return False
     ends = ((s, domain.set_of(s)) for s in symbols)
     said = [Slack(s - v.start, v.left_open) for s, v in ends if v.inf.is_finite]
     related = [one for one in map(find_slack, domain.where) if one and _is_linear(one, symbols)]
     if not (related and 2 <= len(symbols) <= _MOST_ORDERED and len(said + related) <= _MOST_SAID):
         return False
-    chosen = (some for some in combinations(related + said, len(symbols)) if some[0] in related)
+    few = combinations(related, min(len(related), len(symbols)))
+    chosen = ((*one, *rest) for one in few for rest in combinations(said, len(symbols) - len(one)))
     return any(_holds_by_gaps(value, symbols, slack.strict, some) for some in chosen)
 
 

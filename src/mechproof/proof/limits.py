@@ -38,12 +38,15 @@ def settle_limits(expression: Any, domain: Domain) -> Any:
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body, variable, point, direction = limit.args
     body = sum_up(body, variable, domain) if point == sp.oo else body
-    value = _find_smooth(body, variable, point, domain)
+    # Of a whole number n the sine of n*pi is zero, as that of pi/n is not.
+    running = sp.Dummy(variable.name, real=True)
+    run = body.xreplace({variable: running})
+    value = _find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
         value = _find_of_sequence(body, variable, domain)
     if value is not None:
         return value
-    return _find_from_sides(body, variable, point, str(direction), domain)
+    return _find_from_sides(run, running, point, str(direction), domain)
 
 
 def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
