@@ -138,10 +138,8 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     limits = [_find(factor, domain, depth) for factor in node.args]
     if all(limit is not None and not limit.is_infinite for limit in limits):
         return sp.Mul(*limits)
-    like = sp.Mul(*(_write_like(factor, domain, depth) for factor in node.args))
-    lost = {*list_divisors(node)} - {*list_divisors(like)}
-    if like != node and all(is_nonzero(divisor, domain) for divisor in lost if not divisor.has(_Y)):
-        return _find(like, domain, depth)
+    if (found := _find_like(node, domain, depth)) is not None:
+        return found
     _, rest = node.as_independent(_Y)
     bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]
     if {*bases} != {_Y, sp.E}:
@@ -149,6 +147,15 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     # Such as exp(-y**2)*y**p.
     logarithm = _find(sp.expand_log(sp.log(rest)), domain, depth)
     return sp.S.Zero if logarithm == -sp.oo else None
+
+
+def _find_like(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
+    """Return the limit of a product whose factors are written as what they are like."""
+    like = sp.Mul(*(_write_like(factor, domain, depth) for factor in sp.Mul.make_args(node)))
+    lost = {*list_divisors(node)} - {*list_divisors(like)}
+    if like == node or not all(is_nonzero(x, domain) for x in lost if not x.has(_Y)):
+        return None
+    return _find(like, domain, depth)
 
 
 def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
