@@ -162,5 +162,6 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge equations and papers in this process: to start another takes longer than most."""
     from command import answer_here
 
-    for module in ("pipeline.pasted", "document.checking", "document.constrained_rows"):
+    rooms = ("checking", "constrained_rows", "doubted_definitions", "special_values")
+    for module in ("pipeline.pasted", *(f"document.{room}" for room in rooms)):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

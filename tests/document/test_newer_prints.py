@@ -36,10 +36,24 @@ TURN = r"R_z=\begin{pmatrix}\cos\psi&-\sin\psi\\\sin\psi&\cos\psi\end{pmatrix}"
 BACK = r"R_z=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}"
 FIRST = r"R_z\begin{pmatrix}1\\0\end{pmatrix}=\begin{pmatrix}\cos\psi\\\sin\psi\end{pmatrix}"
 HEXAGON = ("#The area of the hexagonal section is", r"A=\frac{\sqrt3}2s^2")
+BEAM = (
+    "M=F(l-x)",
+    r"#\section{Another beam} Its moment is",
+    r"M=\begin{cases}Fx&0\le x\le l/2\\F(l-x)&l/2<x\le l\end{cases}",
+    "#whence",
+)
 PRESSED = ("#The drum turns to the right, and the moments are", r"Fa=Nb-\mu Nc")
 OPEN = "not judged"
 # Displays, with # words before them, and the outcome of the last one.
 PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
+    "a rate by pieces of a newer print": (
+        (*BEAM, r"\frac{dM}{dx}=\begin{cases}F&x<l/2\\-F&x>l/2\end{cases}"),
+        "PROVED",
+    ),
+    "a wrong rate by pieces of a newer print": (
+        (*BEAM, r"\frac{dM}{dx}=\begin{cases}F&x<l/2\\-2F&x>l/2\end{cases}"),
+        "REFUTED",
+    ),
     "hence, with the newer print": ((*PARALLEL, *SERIES, "#Hence", IN_SERIES), "PROVED"),
     "hence, with the first print": ((*PARALLEL, *SERIES, "#Hence", IN_PARALLEL), OPEN),
     "new words, with the newer print": (

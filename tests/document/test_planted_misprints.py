@@ -10,7 +10,7 @@ from command import answer_here
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
-from mechproof.document.judging import judge_beside
+from mechproof.document.judging_beside import judge_beside
 from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
@@ -263,6 +263,43 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     assert len(asked) > 1
     assert row.outcome == "not judged"
     assert "contradict each other" in row.reason
+
+
+COSINE = r"\cos\beta=\sqrt{1-\frac{r^2}{l^2}\sin^2\alpha}"
+ACUTE = r"%% where -\pi/2<\beta<\pi/2" + "\n%% where l>r\n"
+RATE = r"\dot\beta=\frac{r\dot\alpha\cos\alpha}{l\cos\beta}"
+SPEED = r"\dot\alpha=2\pi w_1"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("equations", "block", "number", "outcome"),
+    [
+        ((ROD, COSINE), ACUTE, 1, "PROVED"),
+        ((ROD, COSINE), "", 1, "DEFINITION"),
+        ((ROD, COSINE.replace(r"=\sqrt", r"=-\sqrt")), ACUTE, 1, "REFUTED"),
+        ((ROD, COSINE.replace("1-", "1+")), ACUTE, 1, "REFUTED"),
+        # The rod may have the misprint as well.
+        ((ROD, COSINE.replace(r"\sin^2", r"\cos^2")), ACUTE, 1, "not judged"),
+        # What is compared may have the root, too.
+        (
+            (ROD, COSINE, "x=" + SLIDER[2:] + r"=r\cos\alpha+\sqrt{l^2-r^2\sin^2\alpha}"),
+            ACUTE,
+            3,
+            "PROVED",
+        ),
+        # That a speed is given later by a letter of its own is no excuse.
+        ((ROD, RATE, SPEED), ACUTE, 1, "PROVED"),
+        ((ROD, RATE.replace(r"\cos\alpha", r"\sin\alpha"), SPEED), ACUTE, 1, "REFUTED"),
+        ((ROD, RATE.replace(r"\cos\alpha", r"\sin\alpha"), SPEED), ACUTE, 2, "DEFINITION"),
+    ],
+)
+def test_a_root_and_a_rate_follow_from_what_they_are_made_of(
+    equations: tuple[str, ...], block: str, number: int, outcome: str
+) -> None:
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n Then\n" for one in equations)
+    row = check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[number]
+    assert row.outcome == outcome, row.reason
 
 
 PREMISES = r"""%% mechproof

@@ -352,3 +352,53 @@ def test_what_depends_on_a_letter_has_no_value_where_nothing_says_how(
     rows = check("paper.tex", UNKNOWN + text).rows
     assert [row.outcome for row in rows] == ["DEFINITION", "not read", "not read", "DEFINITION"]
     assert "nothing says what" in rows[1].reason
+
+
+TRAIN = r"""%% mechproof
+%% n_1 ; n_2 ; n_3 : speeds [1/min]
+%% z_1 ; z_2 : teeth [1] {z_1>0}
+%% i_0 ; i ; k : ratios [1]
+%% factor i_0, n_3
+%% end
+\begin{equation}i_0=\frac{n_1-n_3}{n_2-n_3}=-\frac{z_2}{z_1}\end{equation}
+"""
+HELD = r"With the ring held ($n_2=0$), the ratio becomes"
+
+
+@pytest.mark.parametrize(
+    ("words", "latex", "expected"),
+    [
+        (HELD, r"i=\frac{n_1}{n_3}=1-i_0", "PROVED"),
+        (HELD, r"i=\frac{n_1}{n_3}=1+i_0", "REFUTED"),
+        ("Otherwise", r"i=\frac{n_1}{n_3}=1-i_0", "not judged"),
+        # What was said before another equation is said of that.
+        (
+            rf"{HELD} $$n_1=\left(1-i_0\right)n_3$$ In general",
+            r"i=\frac{n_1}{n_3}=1-i_0",
+            "not judged",
+        ),
+        ("Then", r"i=\frac{n_1}{n_3}=1-i_0,\qquad n_2=0", "PROVED"),
+        ("Then", r"i=\frac{n_1}{n_3}=1+i_0,\qquad n_2=0", "REFUTED"),
+        # It is a constraint there, too.
+        (HELD, r"i=\frac{n_1}{n_3}=1+\frac{z_2}{z_1}", "not judged"),
+        # It holds in general, and is not said of this.
+        (HELD, r"i=1-i_0=\frac{n_2-n_1}{n_2-n_3}", "PROVED"),
+    ],
+)
+def test_a_row_is_meant_at_what_is_said_to_be_zero_beside_it(
+    words: str, latex: str, expected: str
+) -> None:
+    rows = check("paper.tex", rf"{TRAIN}{words} \begin{{equation}}{latex}\end{{equation}}").rows
+    steps = [row for row in rows if row.role == "step" and row.name.startswith("(2)")]
+    assert steps[-1].outcome == expected, steps[-1].reason
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [(r"1+\frac{z_1}{z_2}", "PROVED"), (r"1+\frac{z_2}{z_1}", "it differs from the third member")],
+)
+def test_a_member_with_the_same_letters_that_differs_is_told(latex: str, expected: str) -> None:
+    row = check(
+        "paper.tex", rf"{TRAIN}\begin{{equation}}i=1-\frac1{{i_0}}={latex}\end{{equation}}"
+    ).rows[-1]
+    assert expected in (row.outcome, row.reason[: len(expected)])

@@ -74,8 +74,8 @@ _WHERE = re.compile(rf"[\s.,;]*(?:{_MEANING})\b[^.;]*", re.IGNORECASE)
 # What tells that a display follows from those before it, or says the same.
 _CONSEQUENCE = re.compile(
     r"\b(?:hence|therefore|thus|so|this|which|these|consequently|accordingly|again|that is|i\.e"
-    r"|namely|(?:is|be) written|daher|folglich|somit|damit|also|daraus|donc|ainsi|soit"
-    r"|следовательно|тогда|отсюда)\b"
+    r"|namely|whence|(?:is|be) written|daher|folglich|somit|damit|also|daraus|woraus"
+    r"|donc|ainsi|soit|следовательно|тогда|отсюда)\b"
     r"|\bthe same (?:equation|expression|relation|result)|\b(?:squar|substitut)(?:ing|ed|ion)\b"
     r"|\bfollows?\b|\b(?:we|one) obtains?\b|\bobtaining\b"
     r"|\b(?:insert|eliminat|combin|solv|simplif|expan|rearrang|transform"

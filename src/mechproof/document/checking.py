@@ -16,11 +16,11 @@ from mechproof.document.constrained_rows import (
     follow_from_constraints,
     solve_constraints,
 )
+from mechproof.document.doubted_definitions import doubt_by_letters
 from mechproof.document.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
     doubt_by_indices,
-    doubt_by_letters,
     doubt_by_positions,
     doubt_by_rates,
     doubt_by_unread,
@@ -31,6 +31,7 @@ from mechproof.document.doubts import (
 from mechproof.document.judging import (
     COMPARED,
     LIMIT,
+    UNLIKE,
     Key,
     judge_members,
     judge_row,
@@ -42,6 +43,7 @@ from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
+from mechproof.document.special_values import compare_specially
 from mechproof.document.tasks import Task
 from mechproof.document.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.proof.findings import list_findings
@@ -155,6 +157,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(compare_rates(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
+        rows |= dict(compare_specially(key, tasks, rows, limit))
         rows |= dict(solve_constraints(key, tasks, rows, limit))
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
@@ -170,7 +173,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         contested = {**misprints, **unlike, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
-        rows |= dict(doubt_by_letters(tasks, rows, contested))
+        rows |= dict(doubt_by_letters(key, tasks, rows, contested, document.symbols, limit))
         rows |= dict(doubt_by_positions(tasks, rows))
         rows |= dict(doubt_by_unread(found, rows))
         rows |= dict(doubt_by_cases(key, tasks, rows, limit))
@@ -204,6 +207,7 @@ def _leave_open(
                 "it is meant for all their values, say so in the block of letters: identity "
                 f"{name_equation(task.row.number)}"
             )
+            reason = found.reason if UNLIKE in found.reason else reason
             yield number, make_row(task, reason)
         elif task.is_either:
             yield number, make_row(task, _EITHER)

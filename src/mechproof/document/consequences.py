@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -12,12 +13,13 @@ from mechproof.document.witnesses import hold_together
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Conjunction, Equality
+from mechproof.record import Conjunction, Equality, Holds
 
 MULTIPLE = "multiple of a constraint"
 COMBINATION = "combination of constraints"
+SQUARE = "square of a root"
 # How rows follow from constraints.
-FOLLOWING = (MULTIPLE, COMBINATION)
+FOLLOWING = (MULTIPLE, COMBINATION, SQUARE)
 GIVEN = "definition"
 
 
@@ -39,7 +41,7 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
             return Verdict.DEFINITION, GIVEN, reason
         if hold_together([other.residual], domain, list_factors_below(task.residual)):
             return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
-    return _combine(task, others, domain)
+    return _combine(task, others, domain) or _square(task, others, domain)
 
 
 def list_letters(task: Task) -> set[sp.Basic]:
@@ -65,6 +67,32 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
             reason = f"follows from constraints, taken as given: left - right is {parts}"
             return Verdict.PROVED, COMBINATION, reason
     return _put_in(task, alone, domain)
+
+
+def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
+    r"""Return that a row with a root follows by its square, where the root has the right sign.
+
+    Where a + b\sqrt{c} is printed to be zero, a^2 = b^2 c, and a and b are not of one sign.
+    """
+    residual = sp.sympify(task.residual)
+    roots = [power for power in residual.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)]
+    roots = [root for root in roots if root.free_symbols]
+    if len(roots) != 1:
+        return None
+    (root,), name = roots, sp.Dummy()
+    above = sp.expand(sp.numer(sp.together(residual.xreplace({root: name}))))
+    rest, factor = (above.coeff(name, n) for n in range(2))
+    if not factor or sp.expand(above - rest - factor * name) != 0:
+        return None
+    squared = replace(task, residual=rest**2 - factor**2 * root.base)
+    found = find_consequence(squared, [o for o in others if not sp.sympify(o.residual).has(root)])
+    if not found or found[0] is not Verdict.PROVED:
+        return None
+    sign = sp.cancel(-rest / factor)
+    if decide(Holds(sp.Ge(sign, 0)), domain).verdict is Verdict.PROVED:
+        return Verdict.PROVED, SQUARE, f"its square {found[2]}; the root has the right sign"
+    reason = f"its square {found[2]}; that {sign} >= 0, as the root is, is taken as given"
+    return Verdict.DEFINITION, GIVEN, reason
 
 
 def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:

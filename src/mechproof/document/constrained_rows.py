@@ -14,7 +14,8 @@ from mechproof.document.applicable_constraints import (
     may_hold_for,
 )
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.consequences import FOLLOWING, GIVEN, list_letters
+from mechproof.document.consequences import FOLLOWING, GIVEN, SQUARE, list_letters
+from mechproof.document.doubted_definitions import leaves_free
 from mechproof.document.doubts import (
     CONTRADICTING,
     defines,
@@ -22,8 +23,8 @@ from mechproof.document.doubts import (
     list_used,
     tell_contradiction,
 )
-from mechproof.document.judging import (
-    Key,
+from mechproof.document.judging import Key
+from mechproof.document.judging_beside import (
     judge_beside,
     judge_excused,
     judge_freed,
@@ -182,7 +183,7 @@ def doubt_by_premises(
         given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
         doubted = [g for g in given if g in refuted | contested]
         # What is proved itself may be so by these.
-        certain = tuple(g for g in given if _is_constraint(tasks[g], rows[g]))
+        certain = tuple(g for g in given if _may_be_given(tasks[g], rows[g]))
         rivals = {g: _list_denied(n, g, defining, tasks, rows) for g in doubted if g in contested}
         chosen = {(*certain, g): denied for g, denied in rivals.items()}
         chosen = chosen or ({certain: frozenset()} if doubted else {})
@@ -303,7 +304,8 @@ def _list_later(tasks: Sequence[Task], accused: Collection[int]) -> Iterator[tup
     for n in accused:
         used = list_used(tasks[n], tasks)
         behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
-        yield from ((n, m) for m in behind if defines(tasks[m], used))
+        used_later = [m for m in behind if defines(tasks[m], used)]
+        yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
 
 
 def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
@@ -325,6 +327,12 @@ def _connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterat
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:
     return row.outcome == Verdict.DEFINITION.value and _binds(task)
+
+
+def _may_be_given(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row is a constraint, or follows by its square and says which root is."""
+    is_square = row.judgement is not None and row.judgement.rung == SQUARE
+    return is_square or _is_constraint(task, row)
 
 
 def _binds(task: Task) -> bool:

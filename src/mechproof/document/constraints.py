@@ -64,7 +64,7 @@ def find_combination(
     (above, below), *others = map(_to_fraction, (residual, *constraints))
     names = _name_functions((above, *(one for one, _ in others)))
     polynomials = [e.xreplace(names) for e in (above, *(one for one, _ in others))]
-    found = _combine(polynomials[0], polynomials[1:], [e.xreplace(names) for e in _circles(names)])
+    found = _combine(polynomials[0], polynomials[1:], [*_circles(names)])
     if found is None:
         return None
     back = {name: function for function, name in names.items()}
@@ -121,17 +121,19 @@ def _combine(
     """
     target, *others = (one.xreplace({sp.pi: _PI}) for one in (target, *parts, *circles))
     parts, circles = others[: len(parts)], others[len(parts) :]
-    letters = sorted(set().union(*(p.free_symbols for p in (target, *parts, *circles))), key=str)
-    if not letters:
+    met = set().union(*(p.free_symbols for p in (target, *parts, *circles)))
+    if not met:
         return None
+    # A root comes before what it is a root of.
+    letters = sorted(met, key=lambda s: (not isinstance(s, sp.Dummy), str(s)))
     ring = PolyRing(letters, sp.QQ, lex)
     try:
-        goal, *elements = map(ring.from_expr, (target, *parts, *circles))
+        goal, *zeros = map(ring.from_expr, (target, *circles))
     except (ValueError, sp.CoercionFailed):
         return None
-    sums, zeros = elements[: len(parts)], elements[len(parts) :]
-    met = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
-    factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in met}
+    sums = [_read_polynomial(one, ring) for one in parts]
+    known = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
+    factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in known}
     # Squares of constraints may cancel only by circles.
     most = max([_degree(goal), *(2 * _degree(one) for one in sums if zeros)])
     products = [
@@ -143,14 +145,24 @@ def _combine(
     if len(products) > MOST_PRODUCTS:
         return None
     columns = [sums[n].mul_monom(factors[factor]).rem(zeros) for n, factor in products]
-    solved = _solve(columns, goal.rem(zeros))
-    if solved is None:
-        return None
-    found = (
-        sp.Add(*(x * f for x, (m, f) in zip(solved, products, strict=True) if m == n))
-        for n in range(len(parts))
-    )
-    return [one.xreplace({_PI: sp.pi}) for one in found]
+    shared = ring.term_new(tuple(map(min, zip(*goal, strict=True))) or ring.zero_monom, sp.QQ.one)
+    for common in dict.fromkeys((ring.one, shared)):
+        solved = _solve(columns, goal.quo(common).rem(zeros))
+        if solved is not None:
+            found = (
+                sp.Add(*(x * f for x, (m, f) in zip(solved, products, strict=True) if m == n))
+                for n in range(len(parts))
+            )
+            return [(common.as_expr() * one).xreplace({_PI: sp.pi}) for one in found]
+    return None
+
+
+def _read_polynomial(expression: sp.Expr, ring: PolyRing) -> PolyElement:
+    """Return a constraint as a polynomial; nothing is a multiple of one that is none."""
+    try:
+        return ring.from_expr(expression)
+    except (ValueError, sp.CoercionFailed):
+        return ring.zero
 
 
 def _degree(polynomial: PolyElement) -> int:
@@ -183,7 +195,7 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
     if 0 in (above, own_above):
         return
     names = _name_functions((above, own_above))
-    polynomials = [e.xreplace(names) for e in (above, own_above, *_circles(names))]
+    polynomials = [*(e.xreplace(names) for e in (above, own_above)), *_circles(names)]
     generators = sorted(set().union(*(p.free_symbols for p in polynomials)), key=str)
     back = {name: function for function, name in names.items()}
     for shared in dict.fromkeys((sp.S.One, _find_shared(polynomials[1]))):
@@ -214,17 +226,26 @@ def _divide_tangents(expression: sp.Expr) -> sp.Expr:
 
 
 def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Return a symbol for each sine and cosine of the angles that are met."""
+    """Return a symbol for each sine and cosine of the angles that are met, and each square root."""
+    expressions = [*expressions]
     angles = {f.args[0] for e in expressions for f in e.atoms(sp.sin, sp.cos)}
+    powers = {f for e in expressions for f in e.atoms(sp.Pow) if f.exp.is_Rational and f.exp.q == 2}
+    roots = {sp.sqrt(f.base) for f in powers if f.base.free_symbols}
     return {
-        f(angle): sp.Dummy(f"{f.__name__}{n}")
-        for n, angle in enumerate(sorted(angles, key=str))
-        for f in (sp.cos, sp.sin)
+        **{root: sp.Dummy(f"_root{n}") for n, root in enumerate(sorted(roots, key=str))},
+        **{
+            f(angle): sp.Dummy(f"{f.__name__}{n}")
+            for n, angle in enumerate(sorted(angles, key=str))
+            for f in (sp.cos, sp.sin)
+        },
     }
 
 
-def _circles(names: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
-    """Yield what is zero of sines and cosines."""
-    for function in names:
+def _circles(names: Mapping[sp.Expr, sp.Expr]) -> Iterator[sp.Expr]:
+    """Yield what is zero of the symbols of sines and cosines, and of square roots."""
+    for function, name in names.items():
         if isinstance(function, sp.cos):
-            yield function**2 + sp.sin(function.args[0]) ** 2 - 1
+            yield name**2 + names[sp.sin(function.args[0])] ** 2 - 1
+        elif isinstance(function, sp.Pow):
+            above, below = (part.xreplace(names) for part in _to_fraction(function.base))
+            yield sp.expand(below * name**2 - above)

@@ -178,42 +178,6 @@ def _is_odd(number: str) -> bool:
     return int(number) >= _LARGE and max(sp.primefactors(int(number))) > _PRIME
 
 
-def doubt_by_letters(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
-    """Refute no row by a letter whose definition may be wrong, or said of a case only.
-
-    A definition that is printed later may be of a case; no condition is proved by one, either.
-    `contested` are the misprints, and the rows that contradict each other.
-    """
-    unfit = {n: row for n, row in rows.items() if row.outcome == Verdict.ILL_FORMED.value}
-    doubted = [
-        tasks[n]
-        for n, row in sorted({**contested, **unfit}.items())
-        if tasks[n].sign.role is Role.DEFINITION
-        and (row.state is State.NOT_JUDGED or _is_refuted(row) or n in unfit)
-    ]
-    special = [one for one in tasks if one.said.is_special]
-    for n, task in enumerate(tasks):
-        is_condition = task.sign.role is Role.RELATION and rows[n].outcome == Verdict.PROVED.value
-        letters = list_used(task, tasks) if _is_refuted(rows[n]) or is_condition else ()
-        of_cases = [] if task.said.is_special else special
-        behind = [one for one in tasks[n + 1 :] if one.said.passage > task.said.passage]
-        behind = [one for one in behind if not one.said.is_clause]
-        groups = (
-            (doubted, "may be wrong itself"),
-            (of_cases, "is said of a case"),
-            ([one for one in behind if one.said.is_new], "is printed later, perhaps of a case"),
-            (behind, "is printed later, and may be wrong itself"),
-        )
-        for others, why in groups:
-            defining = (one for one in others if one is not task and defines(one, letters))
-            if names := ", ".join(one.row.number for one in defining):
-                first = "it holds" if is_condition else "it differs"
-                yield n, make_row(task, f"{first}, but rests on {names}, which {why}")
-                break
-
-
 def doubt_by_positions(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:

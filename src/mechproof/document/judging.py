@@ -9,22 +9,19 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import list_applicable
-from mechproof.document.consequences import GIVEN, find_consequence, list_letters
-from mechproof.document.following import judge_following, list_entries
+from mechproof.document.consequences import GIVEN
+from mechproof.document.following import judge_following
 from mechproof.document.layouts import TRANSPOSED, holds_transposed
-from mechproof.document.misprints import FEW, RUNG, find_failure, find_misprint, holds_at_rest
+from mechproof.document.misprints import FEW
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
 from mechproof.document.rows import Document
-from mechproof.document.slips import Entry, find_slip
+from mechproof.document.sides import have_same_letters
+from mechproof.document.slips import find_slip
 from mechproof.document.solutions import (
-    SUBSTITUTION,
-    Solutions,
     are_exchanged,
     judge_angles,
     judge_signs,
-    write_sign,
 )
 from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
@@ -33,10 +30,8 @@ from mechproof.document.witnesses import find_points
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
-from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
+from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import (
-    Conjunction,
-    Definition,
     Equality,
     Holds,
     PrintedNumber,
@@ -52,6 +47,8 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 LIMIT = 60.0
 # How far a row is never true: those that define its letters may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"
+# What is said of a member that a row differs from.
+UNLIKE = ", which has the same letters: one is wrong, or of another case"
 # Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
@@ -104,6 +101,31 @@ def judge_row(which: tuple[Key, int]) -> Judgement | str:
         return judge_following(task, tasks) if task.follows else _judge_alone(task)
     except (RecordError, ContradictionError) as error:
         return str(error)
+
+
+def judge_special(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row at the values that are said of its letters beside it."""
+    special = open_tasks(which[0])[which[1]].special
+    assert special is not None
+    return _judge_alone(special)
+
+
+def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | None:
+    """Judge a row whatever defines some letters; None where that tells nothing.
+
+    What differs then is refuted only if both sides have the same letters, as identities have.
+    """
+    key, number, letters = which
+    task = open_tasks(key)[number]
+    free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
+    paper = replace(task.paper, variables=tuple(free))
+    try:
+        found = judge(task.row, paper)
+        sides = [*map(Domain.of(paper, task.row.on).resolve, task.sign.sides)]
+    except (RecordError, ContradictionError, TypeError):
+        return None
+    is_refuted = found.verdict is Verdict.REFUTED and task.asserts and have_same_letters(sides)
+    return found if is_refuted or found.verdict is Verdict.PROVED else None
 
 
 def _judge_alone(task: Task) -> Judgement | str:
@@ -219,145 +241,14 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
                 beside = f"; compared with {one.sign.first}" if one.sign.first else ""
                 said = found.reason.removesuffix(beside).removesuffix(".")
                 return replace(found, reason=f"{said}{beside}")
-    return answers[0][0]
+    own = answers[0][0]
+    unlike = [one for found, one in answers[1:] if _is_unlike(found, one)]
+    if unlike and isinstance(own, Judgement) and own.rung == GIVEN:
+        return replace(own, reason=f"it differs from {unlike[0].sign.first}{UNLIKE}")
+    return own
 
 
-def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
-    """Judge by the constraints before it what may follow from them; None if that is not shown."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    before = [tasks[other] for other in list_applicable(others, number, tasks)]
-    found = find_consequence(task, before) if task.residual is not None else None
-    return _replace(task, *found) if found else None
-
-
-def judge_freed(
-    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
-) -> Judgement | None:
-    """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
-    key, number, others, letters = which
-    if not letters:
-        return judge_beside((key, number, others))
-    tasks = open_tasks(key)
-    entries = list_entries(tasks[number], letters)
-    before = [entry for n in others for entry in list_entries(tasks[n], letters)]
-    found = find_consequence(entries[0], before) if len(entries) == 1 else None
-    return _replace(tasks[number], *found) if found else None
-
-
-def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
-    """Judge beside all constraints what is not true by itself, or say which may make it true."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    found = judge_beside(which)
-    if found and found.verdict is Verdict.PROVED:
-        return found
-    given = list(_list_given(task, [tasks[other] for other in others]))
-    names = ", ".join(tasks[other].row.number for other in others)
-    domain = Domain.of(task.paper, task.row.on)
-    for entry in _list_entries(task):
-        if evidence := find_failure(entry.sides, given, domain):
-            reason = f"the two sides differ, also where {names} hold"
-            return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
-    return f"the two sides differ unless {names} makes them equal, which could not be decided"
-
-
-def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
-    """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    try:
-        domain = Domain.of(task.paper, task.row.on)
-        given = list(_list_given(task, [tasks[other] for other in others]))
-        compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
-        if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
-            return None
-        printed = _list_printed(tasks)
-        second = {s for t in (task, *(tasks[o] for o in others)) for s in _list_accelerations(t)}
-        for entry in compared:
-            found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
-            if found and not holds_at_rest(entry.sides, given, domain, second):
-                met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
-                names = ", ".join(name for name in met if name not in ("", task.row.number))
-                beside = f"; compared with {names}" if names else ""
-                reason = f"{found.change.reason}{beside}"
-                return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
-    except (RecordError, ContradictionError):
-        pass
-    return None
-
-
-def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
-    return {task.row.says.symbol for task in tasks if isinstance(task.row.says, Definition)}
-
-
-def _list_accelerations(task: Task) -> set[sp.Basic]:
-    """Return the second derivatives that those of a row have and nothing before them."""
-    first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
-    return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
-
-
-def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
-    """Judge a print with a double sign beside constraints: None if nothing is shown."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    given = {tasks[o].row.number: tasks[o].residual for o in others}
-    letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
-    solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
-    domain = Domain.of(task.paper, task.row.on)
-    if met := solutions.find_met(given, domain):
-        reason = "both signs give {} of {}, taken as given".format(*met)
-        return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
-    if task.is_case:
-        return None
-    if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
-        reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
-        return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
-    return None
-
-
-def _replace(
-    task: Task, verdict: Verdict, rung: str, reason: str, evidence: tuple[Evidence, ...] = ()
-) -> Judgement:
-    """Return what a row is judged to be by itself, with another verdict."""
-    alone = judge(task.row, task.paper)
-    return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
-
-
-def _list_entries(task: Task) -> Iterator[Entry]:
-    """Yield the sides of equations, entry by entry if they are matrices."""
-    says, sign = task.row.says, task.sign
-    worked_out = zip(sign.sides, sign.worked_out, strict=True)
-    printed = [side for side, is_not in worked_out if not (is_not or side is None)]
-    for part in says.parts if isinstance(says, Conjunction) else (says,):
-        if not isinstance(part, Equality):
-            continue
-        one, other = map(_take_out, (part.printed, part.rebuilt))
-        are_printed = part.printed in printed, part.rebuilt in printed
-        if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
-            pairs = zip(one, other, strict=True) if one.shape == other.shape else ()
-            yield from (Entry(pair, are_printed) for pair in pairs)
-        elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
-            yield Entry((one, other), are_printed)
-
-
-def _take_out(side: sp.Basic) -> sp.Basic:
-    """Return the entry of a matrix that has but one."""
-    side = side.doit() if isinstance(side, sp.MatrixExpr) else side
-    return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
-
-
-def _list_given(task: Task, others: Sequence[Task]) -> Iterator[sp.Expr]:
-    """Yield the residuals of constraints, with derivatives as long as they add letters of a row."""
-    letters = list_letters(task)
-    for other in others:
-        met: set[sp.Basic] = set()
-        for one in (other.residual, *other.rates):
-            if met and not one.free_symbols & letters - met:
-                break
-            yield one
-            met |= one.free_symbols
+def _is_unlike(found: Judgement | str, task: Task) -> bool:
+    """Return whether a member has the same letters as what it is compared with, and differs."""
+    is_refuted = isinstance(found, Judgement) and found.verdict is Verdict.REFUTED
+    return is_refuted and have_same_letters(task.sign.sides)

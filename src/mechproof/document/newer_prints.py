@@ -50,6 +50,7 @@ def compare_newer_prints(
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
         is_open = n in contested and rows[n].state is State.NOT_JUDGED
+        is_open |= bool(newer) and _is_proved_by(tasks[newer[-1]], rows[n])
         if newer and _is_compared(task, rows[n]) and not (is_said or is_open):
             asked.append((key, n, tuple(newer)))
     for place, answer in run_tasks(judge_anew, asked, limit=limit):
@@ -62,6 +63,12 @@ def compare_newer_prints(
 def _is_compared(task: Task, row: CheckedRow) -> bool:
     """Return whether a row has a verdict, or differs from what it is compared with."""
     return row.outcome in _CERTAIN or (row.state is State.NOT_JUDGED and task.sign.role in COMPARED)
+
+
+def _is_proved_by(newer: Task, row: CheckedRow) -> bool:
+    """Return whether a row is proved by what the last new print says."""
+    is_proved = row.outcome == Verdict.PROVED.value
+    return is_proved and row.reason.endswith(f"compared with {newer.row.number}")
 
 
 def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:

@@ -26,6 +26,10 @@ class PrintedSize:
     name: str
     group: int
 
+    def is_zero(self, group: int) -> bool:
+        """Return whether a display says that the letter is zero."""
+        return self.group == group and self.size.value == 0
+
 
 def read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
     """Return the size that a sign says of its letter."""

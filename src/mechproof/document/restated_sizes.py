@@ -47,7 +47,7 @@ class RestatedSizes:
 
     def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
         """Return the sizes that hold at an equation and are not those of the block."""
-        place = self.order.get(printed.latex.offsets[printed.taken], -1)
+        place = self._find_place(printed)
         last = {one.letter: one for one in self.found if one.place < place}
         return {
             s: one
@@ -57,8 +57,16 @@ class RestatedSizes:
 
     def list_quantities(self, printed: Printed) -> list[SaidQuantity]:
         """Return what sentences before an equation say without a letter, the last first."""
-        place = self.order.get(printed.latex.offsets[printed.taken], -1)
+        place = self._find_place(printed)
         return [one for one in reversed(self.quantities) if one.place < place]
+
+    def list_zeros(self, before: Printed | None, printed: Printed) -> set[sp.Basic]:
+        """Return the letters that are said to be zero between two equations."""
+        first, last = self._find_place(before) if before else -1, self._find_place(printed)
+        return {one.letter for one in self.found if first < one.place < last and one.value == 0}
+
+    def _find_place(self, printed: Printed) -> int:
+        return self.order.get(printed.latex.offsets[printed.taken], -1)
 
 
 def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> Iterator[Restated]:

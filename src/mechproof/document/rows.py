@@ -41,10 +41,12 @@ from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign, find_roles, give_values
 from mechproof.document.said import find_pi, find_said
 from mechproof.document.scopes import add_scopes
+from mechproof.document.seams import make_seams
 from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.solutions import SIGN, read_signs
 from mechproof.document.sources import Source
+from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.symbols import declare
 from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
@@ -187,7 +189,8 @@ class Document:
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
         restated = RestatedSizes(self.source, self.symbols)
         sizes = collect_sizes(zip(self.printed, read, strict=True), self.known, restated)
-        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, sizes)
+        numbers = StatedNumbers(self.known, sizes)
+        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, numbers)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):
             if isinstance(signs, Left):
@@ -195,7 +198,8 @@ class Document:
                 continue
             made = self._guard(printed, partial(maker.make, printed, signs, again))
             rows += [made] if isinstance(made, Left) else made
-        return [*rows, *maker.make_seams(), *compared]
+        seams = make_seams(self.printed, self.known, self.papers, self.files)
+        return [*rows, *seams, *compared]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:

@@ -9,21 +9,15 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.block import Block
-from mechproof.document.cells import Numeral
 from mechproof.document.complex_parts import split_parts
-from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.displays import Printed
 from mechproof.document.known import Known
-from mechproof.document.laws import find_seams
 from mechproof.document.layouts import gives_entries
 from mechproof.document.limits import state_limit
 from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
-from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import CONSTRAINING, Role, Sign
-from mechproof.document.rounded_factors import is_far
-from mechproof.document.scales import agrees, is_near
 from mechproof.document.sides import (
     have_same_letters,
     is_solvable,
@@ -31,7 +25,6 @@ from mechproof.document.sides import (
     list_sides,
     ties_letters,
 )
-from mechproof.document.sizes import OTHERS, Sizes
 from mechproof.document.solutions import read_signs, state_signs
 from mechproof.document.special_cases import (
     list_rates,
@@ -42,6 +35,7 @@ from mechproof.document.special_cases import (
     state_modulo,
     stay_within_pieces,
 )
+from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.tasks import Task
 from mechproof.document.text import Files
 from mechproof.latex import Reader
@@ -53,19 +47,14 @@ from mechproof.record import (
     Equality,
     Equation,
     Paper,
+    Part,
     PrintedNumber,
     Row,
     Statement,
 )
 
-
-@dataclass(frozen=True)
-class _Stated:
-    """A row with its sign, and whether it states what a number says."""
-
-    row: Row
-    sign: Sign
-    is_stated: bool
+# What is compared at values that are said of letters beside it, too.
+_SPECIAL = (Role.REPEATED, Role.DERIVATIVE, Role.STEP, *CONSTRAINING)
 
 
 @dataclass(frozen=True)
@@ -80,7 +69,7 @@ class TaskMaker:
     known: Known
     papers: Mapping[bool, Paper]
     files: Files
-    sizes: Sizes
+    numbers: StatedNumbers
 
     def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
         """Make the tasks of an equation; `reader` knows the values of all letters."""
@@ -108,34 +97,42 @@ class TaskMaker:
             pairs = [(state_signs(one, sign, dimensions), sign) for one, sign in pairs]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
-        return [self._prepare(printed, *part, own) for part in parts]
+        zeros = self._list_zeros(printed)
+        tasks = ((self._prepare(printed, *part, own), part) for part in parts)
+        return [self._add_special(printed, task, *part, own, zeros) for task, part in tasks]
 
-    def make_seams(self) -> Iterator[Task]:
-        """Make tasks of the places where the pieces of laws meet that are printed one by one.
+    def _list_zeros(self, printed: Printed) -> list[sp.Basic]:
+        """Return letters without a formula that are said to be zero before a print or beside it."""
+        others = self.printed[: self.printed.index(printed)]
+        passage = printed.announced.passage
+        before = next((x for x in reversed(others) if x.announced.passage != passage), None)
+        sizes = self.numbers.sizes
+        beside = {s for s, one in sizes.printed.items() if one.is_zero(printed.group)}
+        zeros = sizes.restated.list_zeros(before, printed) | beside
+        return sorted(zeros - self.known.values.keys(), key=str)
 
-        A letter whose derivative is printed does not jump, nor does one at a place of two pieces.
-        """
-        for letter, pieces in self.known.laws.items():
-            by, steps = pieces[0].by, self.known.symbols.find_steps(letter)[1]
-            order = steps.index(letter)
-            is_smooth = not order and self.known.met[steps[1]] > 0
-            for seam in find_seams(pieces):
-                before, behind = (one.xreplace({by: seam.place}) for one in seam.values)
-                printed = [
-                    x for x in self.printed if x.name in (seam.before.name, seam.behind.name)
-                ]
-                row = Equation(
-                    f"{self.known.name_law(letter)}, {letter} at {by} = {seam.place}",
-                    r"\quad ".join(one.latex.string for one in printed),
-                    says=Equality(before, behind, "member"),
-                    read_as=f"{before} = {behind}",
-                )
-                sides = (self.known.settle(before), self.known.settle(behind))
-                letters = sides[0].free_symbols | sides[1].free_symbols
-                paper = self.papers[not letters & self.known.symbols.bare]
-                asserts = is_smooth or (seam.is_shared and not order)
-                sign, place = Sign(Role.SEAM), printed[-1].locate(self.files)
-                yield Task(row, place, sign, paper, asserts, residual=sides[0] - sides[1])
+    def _add_special(
+        self,
+        printed: Printed,
+        task: Task | Left,
+        row: Row,
+        sign: Sign,
+        own: sp.Basic | None,
+        zeros: Sequence[sp.Basic],
+    ) -> Task | Left:
+        """Add to a task what it is where letters are zero that are said to be so beside it."""
+        if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
+            return task
+        if not (met := [s for s in zeros if s in task.residual.free_symbols]):
+            return task
+        said = tuple(sp.Eq(letter, 0, evaluate=False) for letter in met)
+        part = row.on or Part("", {})
+        text = " and ".join([*([part.text] if part.text else []), *(f"{s} = 0" for s in met)])
+        on = replace(part, text=text, where=(*part.where, *said))
+        special = self._make(printed, replace(row, on=on), sign, own)
+        if isinstance(special, Task) and _has_letters(special.row.says):
+            return replace(task, special=special)
+        return task
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
@@ -186,7 +183,7 @@ class TaskMaker:
             reason = f"nothing else is printed of {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         row, sign = self._specialise(self._restate(row, sign), sign)
-        number = self._state_number(printed, row, sign, own)
+        number = self.numbers.state(printed, row, sign, own)
         if isinstance(number, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
         row, sign = number.row, number.sign
@@ -282,50 +279,6 @@ class TaskMaker:
             row = stay_within_pieces(row, sign, self.known)
         return row, sign
 
-    def _state_number(
-        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
-    ) -> _Stated | str:
-        """State what a number says, if a sign is beside one, or say why that is left open."""
-        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
-        if is_number and not sign.value.has(sp.Limit):
-            sign = replace(sign, role=Role.NUMBER)
-        stated: PrintedNumber | Equality | str | None = None
-        note = ""
-        is_calculated = sign.role is Role.NUMBER and not sign.number
-        if is_calculated:
-            found = state_put_in(sign, own, printed, self.sizes)
-            stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
-        elif sign.role is Role.NUMBER and sign.formula is not None:
-            stated = state_result(sign, own, printed, self.sizes)
-        elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
-            stated = self.sizes.state(sign, own, printed)
-        elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
-            if misfit := tell_misfit(sign, self.known.symbols):
-                return misfit
-            sign, stated = self._compare_size(printed, sign, own)
-        claim = row.says if stated is None else stated
-        if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
-            return NEAR
-        if stated is None or isinstance(stated, str):
-            return stated or _Stated(row, sign, is_stated=False)
-        is_size = isinstance(stated, PrintedNumber)
-        note = self.sizes.tell(sign, printed) if is_size else note
-        role = Role.NUMBER if is_size or is_calculated else Role.CONSTRAINT
-        row = replace(row, says=stated, note=f"{row.note} {note}".strip())
-        return _Stated(row, replace(sign, role=role), is_stated=True)
-
-    def _compare_size(
-        self, printed: Printed, sign: Sign, own: sp.Basic | None
-    ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
-        """Compare a size with what other prints say of its letter, if they say a number."""
-        said = replace(sign, role=Role.NUMBER)
-        formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
-        judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
-        told = [(one, says) for one, says in judged if isinstance(says, PrintedNumber)]
-        for one in sorted(told, key=lambda one: not agrees(one[1])):
-            return one
-        return next((one for one in judged if str(one[1]).startswith(OTHERS)), (sign, None))
-
     def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
         """Return whether a letter that is printed again may be meant for another case."""
         if sign.role not in (Role.REPEATED, Role.DERIVATIVE):
@@ -341,13 +294,6 @@ class TaskMaker:
         is_beside = first is not None and first.group == printed.group
         is_behind = first is None or first.announced.passage != said.passage
         return is_beside or (is_behind and (said.is_case or said.is_new))
-
-    def _list_formulas(self, letter: sp.Basic | None, printed: Printed) -> list[sp.Expr]:
-        """Return what other prints say of a letter whose size is printed."""
-        known = self.known
-        formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
-        found = [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
-        return found + [arc for _, arc in known.list_angles(letter, printed.announced)]
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
@@ -395,21 +341,17 @@ class TaskMaker:
         return is_compound and not is_said and have_same_letters(sides)
 
 
-def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
-    """Return whether rounding explains how far a number is off.
-
-    That of decimals in its calculation, or of an approximation: of a factor, of zeros at its end.
-    """
-    if r"\approx" in row.printed_latex and not agrees(claim):
-        is_factor = not sign.number and not is_far(claim.printed, claim.value)
-        return is_factor or is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
-    return sign.formula is None and may_be_rounded(claim, sign)
-
-
 def _raises_by_letter(side: Any) -> bool:
     """Return whether letters are raised by a letter: of p V^n no dimension is known."""
     return isinstance(side, sp.Expr) and any(
         power.exp.free_symbols and power.base.free_symbols for power in side.atoms(sp.Pow)
+    )
+
+
+def _has_letters(says: Statement | None) -> bool:
+    """Return whether both sides of an equation have letters: where they have none, much is true."""
+    return isinstance(says, Equality) and all(
+        side.free_symbols for side in (says.printed, says.rebuilt)
     )
 
 

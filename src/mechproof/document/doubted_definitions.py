@@ -1,0 +1,107 @@
+"""Rows that rest on letters whose definition may be wrong, is of a case, or is printed later.
+
+What is true or false whatever those letters are rests on no definition of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.doubts import defines, list_printed, list_used, reach
+from mechproof.document.judging import Key, judge_without
+from mechproof.document.roles import CONSTRAINING, Role
+from mechproof.document.symbols import Symbols
+from mechproof.document.tasks import Task
+from mechproof.proof.verdict import Judgement, State, Verdict
+from mechproof.tools.processes import run_tasks
+
+_OPEN = (Verdict.UNDECIDED.value, Verdict.ENCLOSED.value)
+
+
+def doubt_by_letters(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    contested: Mapping[int, CheckedRow],
+    symbols: Symbols,
+    limit: float,
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Refute no row by a letter whose definition may be wrong, or said of a case only.
+
+    A definition that is printed later may be of a case; no condition is proved by one, either. What
+    such definitions leave undecided may be decided without them. `contested` are the misprints,
+    and the rows that contradict each other.
+    """
+    doubted = [*_list_doubted(tasks, rows, contested)]
+    found = {n: one for n in rows if (one := _find_doubts(n, tasks, rows, doubted))}
+    asked = [(key, n, _list_letters(one, symbols)) for n, one in found.items()]
+    for place, answer in run_tasks(judge_without, asked, limit=limit):
+        n = asked[place][1]
+        is_open = rows[n].outcome in _OPEN
+        (others, why), *_ = found[n]
+        names = ", ".join(one.row.number for one in others)
+        if isinstance(answer, Judgement) and (is_open or answer.verdict is Verdict.REFUTED):
+            reason = f"{answer.reason}; that does not rest on {names}"
+            yield n, make_row(tasks[n], replace(answer, reason=reason))
+        elif not is_open:
+            first = "it differs" if rows[n].outcome == Verdict.REFUTED.value else "it holds"
+            yield n, make_row(tasks[n], f"{first}, but rests on {names}, which {why}")
+
+
+def _list_doubted(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
+) -> Iterator[Task]:
+    """Yield definitions that are refuted, or of which it is open whether they are wrong."""
+    unfit = {n: row for n, row in rows.items() if row.outcome == Verdict.ILL_FORMED.value}
+    for n, row in sorted({**contested, **unfit}.items()):
+        is_wrong = row.outcome in (Verdict.REFUTED.value, Verdict.ILL_FORMED.value)
+        if tasks[n].sign.role is Role.DEFINITION and (is_wrong or row.state is State.NOT_JUDGED):
+            yield tasks[n]
+
+
+def _find_doubts(
+    number: int, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], doubted: Sequence[Task]
+) -> list[tuple[list[Task], str]]:
+    """Return groups of definitions on which a row rests and that are doubted, each with why."""
+    task, outcome = tasks[number], rows[number].outcome
+    is_condition = task.sign.role is Role.RELATION and outcome == Verdict.PROVED.value
+    if not (outcome in (Verdict.REFUTED.value, *_OPEN) or is_condition):
+        return []
+    letters = list_used(task, tasks)
+    special = [] if task.said.is_special else [one for one in tasks if one.said.is_special]
+    behind = [one for one in tasks[number + 1 :] if one.said.passage > task.said.passage]
+    behind = [one for one in behind if not one.said.is_clause]
+    if not is_condition:
+        behind = [one for one in behind if not leaves_free(one, task, tasks)]
+    groups = (
+        (doubted, "may be wrong itself"),
+        (special, "is said of a case"),
+        ([one for one in behind if one.said.is_new], "is printed later, perhaps of a case"),
+        (behind, "is printed later, and may be wrong itself"),
+    )
+    found = ([one for one in g if one is not task and defines(one, letters)] for g, _ in groups)
+    return [(used, why) for used, (_, why) in zip(found, groups, strict=True) if used]
+
+
+def _list_letters(
+    groups: Sequence[tuple[list[Task], str]], symbols: Symbols
+) -> frozenset[sp.Basic]:
+    """Return the letters that definitions give, with their derivatives."""
+    letters = {one.sign.letter for used, _ in groups for one in used}
+    steps = ((s, symbols.find_steps(s)[1]) for s in letters if s is not None)
+    return frozenset(rate for s, rates in steps for rate in rates[rates.index(s) :])
+
+
+def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:
+    """Return whether a definition says of a letter what it is by a letter that a row lacks.
+
+    The row is about any value of it, then, and rests in nothing on the definition.
+    """
+    others = [other for other in tasks if other is not one]
+    bound = {s for other in others if other.sign.role in CONSTRAINING for s in list_printed(other)}
+    used = reach(list_printed(task) | task.sign.printed, others) | reach(bound, others)
+    return bool(list_printed(one) - used - {one.sign.letter})

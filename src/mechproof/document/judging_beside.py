@@ -1,0 +1,163 @@
+"""Rows beside the constraints of their paper, as worker processes judge them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.applicable_constraints import list_applicable
+from mechproof.document.consequences import find_consequence, list_letters
+from mechproof.document.following import list_entries
+from mechproof.document.judging import Key, open_tasks
+from mechproof.document.misprints import RUNG, find_failure, find_misprint, holds_at_rest
+from mechproof.document.slips import Entry
+from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
+from mechproof.document.tasks import Task
+from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.verdict import Evidence, Judgement, Verdict
+from mechproof.record import Conjunction, Definition, Equality, RecordError
+
+
+def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge by the constraints before it what may follow from them; None if that is not shown."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    before = [tasks[other] for other in list_applicable(others, number, tasks)]
+    found = find_consequence(task, before) if task.residual is not None else None
+    return _replace(task, *found) if found else None
+
+
+def judge_freed(
+    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
+) -> Judgement | None:
+    """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
+    key, number, others, letters = which
+    if not letters:
+        return judge_beside((key, number, others))
+    tasks = open_tasks(key)
+    entries = list_entries(tasks[number], letters)
+    before = [entry for n in others for entry in list_entries(tasks[n], letters)]
+    found = find_consequence(entries[0], before) if len(entries) == 1 else None
+    return _replace(tasks[number], *found) if found else None
+
+
+def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+    """Judge beside all constraints what is not true by itself, or say which may make it true."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    found = judge_beside(which)
+    if found and found.verdict is Verdict.PROVED:
+        return found
+    given = list(_list_given(task, [tasks[other] for other in others]))
+    names = ", ".join(tasks[other].row.number for other in others)
+    domain = Domain.of(task.paper, task.row.on)
+    for entry in _list_entries(task):
+        if evidence := find_failure(entry.sides, given, domain):
+            reason = f"the two sides differ, also where {names} hold"
+            return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
+    return f"the two sides differ unless {names} makes them equal, which could not be decided"
+
+
+def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    try:
+        domain = Domain.of(task.paper, task.row.on)
+        given = list(_list_given(task, [tasks[other] for other in others]))
+        compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
+        if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
+            return None
+        printed = _list_printed(tasks)
+        second = {s for t in (task, *(tasks[o] for o in others)) for s in _list_accelerations(t)}
+        for entry in compared:
+            found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
+            if found and not holds_at_rest(entry.sides, given, domain, second):
+                met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
+                names = ", ".join(name for name in met if name not in ("", task.row.number))
+                beside = f"; compared with {names}" if names else ""
+                reason = f"{found.change.reason}{beside}"
+                return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
+    except (RecordError, ContradictionError):
+        pass
+    return None
+
+
+def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
+    return {task.row.says.symbol for task in tasks if isinstance(task.row.says, Definition)}
+
+
+def _list_accelerations(task: Task) -> set[sp.Basic]:
+    """Return the second derivatives that those of a row have and nothing before them."""
+    first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
+    return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
+
+
+def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+    """Judge a print with a double sign beside constraints: None if nothing is shown."""
+    key, number, others = which
+    tasks = open_tasks(key)
+    task = tasks[number]
+    given = {tasks[o].row.number: tasks[o].residual for o in others}
+    letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
+    solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
+    domain = Domain.of(task.paper, task.row.on)
+    if met := solutions.find_met(given, domain):
+        reason = "both signs give {} of {}, taken as given".format(*met)
+        return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
+    if task.is_case:
+        return None
+    if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
+        reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
+        return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
+    return None
+
+
+def _replace(
+    task: Task, verdict: Verdict, rung: str, reason: str, evidence: tuple[Evidence, ...] = ()
+) -> Judgement:
+    """Return what a row is judged to be by itself, with another verdict."""
+    alone = judge(task.row, task.paper)
+    return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
+
+
+def _list_entries(task: Task) -> Iterator[Entry]:
+    """Yield the sides of equations, entry by entry if they are matrices."""
+    says, sign = task.row.says, task.sign
+    worked_out = zip(sign.sides, sign.worked_out, strict=True)
+    printed = [side for side, is_not in worked_out if not (is_not or side is None)]
+    for part in says.parts if isinstance(says, Conjunction) else (says,):
+        if not isinstance(part, Equality):
+            continue
+        one, other = map(_take_out, (part.printed, part.rebuilt))
+        are_printed = part.printed in printed, part.rebuilt in printed
+        if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
+            pairs = zip(one, other, strict=True) if one.shape == other.shape else ()
+            yield from (Entry(pair, are_printed) for pair in pairs)
+        elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
+            yield Entry((one, other), are_printed)
+
+
+def _take_out(side: sp.Basic) -> sp.Basic:
+    """Return the entry of a matrix that has but one."""
+    side = side.doit() if isinstance(side, sp.MatrixExpr) else side
+    return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
+
+
+def _list_given(task: Task, others: Sequence[Task]) -> Iterator[sp.Expr]:
+    """Yield the residuals of constraints, with derivatives as long as they add letters of a row."""
+    letters = list_letters(task)
+    for other in others:
+        met: set[sp.Basic] = set()
+        for one in (other.residual, *other.rates):
+            if met and not one.free_symbols & letters - met:
+                break
+            yield one
+            met |= one.free_symbols

@@ -1,0 +1,95 @@
+"""What a number says that is printed beside a formula, or of a letter that has one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from mechproof.document.cells import Numeral
+from mechproof.document.conversions import NEAR, tell_misfit
+from mechproof.document.displays import Printed
+from mechproof.document.known import Known
+from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
+from mechproof.document.roles import Role, Sign
+from mechproof.document.rounded_factors import is_far
+from mechproof.document.scales import agrees, is_near
+from mechproof.document.sizes import OTHERS, Sizes
+from mechproof.record import Equality, PrintedNumber, Row
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A row with its sign, and whether it states what a number says."""
+
+    row: Row
+    sign: Sign
+    is_stated: bool
+
+
+@dataclass(frozen=True)
+class StatedNumbers:
+    """States what numbers say, by what is known of letters and their sizes."""
+
+    known: Known
+    sizes: Sizes
+
+    def state(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Stated | str:
+        """State what a number says, if a sign is beside one, or say why that is left open."""
+        is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
+        if is_number and not sign.value.has(sp.Limit):
+            sign = replace(sign, role=Role.NUMBER)
+        stated: PrintedNumber | Equality | str | None = None
+        note = ""
+        is_calculated = sign.role is Role.NUMBER and not sign.number
+        if is_calculated:
+            found = state_put_in(sign, own, printed, self.sizes)
+            stated, note = (found, "") if isinstance(found, str) else (found.says, found.told)
+        elif sign.role is Role.NUMBER and sign.formula is not None:
+            stated = state_result(sign, own, printed, self.sizes)
+        elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
+            stated = self.sizes.state(sign, own, printed)
+        elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
+            if misfit := tell_misfit(sign, self.known.symbols):
+                return misfit
+            sign, stated = self._compare_size(printed, sign, own)
+        claim = row.says if stated is None else stated
+        if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
+            return NEAR
+        if stated is None or isinstance(stated, str):
+            return stated or Stated(row, sign, is_stated=False)
+        is_size = isinstance(stated, PrintedNumber)
+        note = self.sizes.tell(sign, printed) if is_size else note
+        role = Role.NUMBER if is_size or is_calculated else Role.CONSTRAINT
+        row = replace(row, says=stated, note=f"{row.note} {note}".strip())
+        return Stated(row, replace(sign, role=role), is_stated=True)
+
+    def _compare_size(
+        self, printed: Printed, sign: Sign, own: sp.Basic | None
+    ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
+        """Compare a size with what other prints say of its letter, if they say a number."""
+        said = replace(sign, role=Role.NUMBER)
+        formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
+        judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
+        told = [(one, says) for one, says in judged if isinstance(says, PrintedNumber)]
+        for one in sorted(told, key=lambda one: not agrees(one[1])):
+            return one
+        return next((one for one in judged if str(one[1]).startswith(OTHERS)), (sign, None))
+
+    def _list_formulas(self, letter: sp.Basic | None, printed: Printed) -> list[sp.Expr]:
+        """Return what other prints say of a letter whose size is printed."""
+        known = self.known
+        formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
+        found = [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
+        return found + [arc for _, arc in known.list_angles(letter, printed.announced)]
+
+
+def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
+    """Return whether rounding explains how far a number is off.
+
+    That of decimals in its calculation, or of an approximation: of a factor, of zeros at its end.
+    """
+    if r"\approx" in row.printed_latex and not agrees(claim):
+        is_factor = not sign.number and not is_far(claim.printed, claim.value)
+        return is_factor or is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
+    return sign.formula is None and may_be_rounded(claim, sign)
