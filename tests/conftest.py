@@ -162,6 +162,12 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge equations and papers in this process: to start another takes longer than most."""
     from command import answer_here
 
-    rooms = ("checking", "constrained_rows", "doubted_definitions", "special_values")
+    rooms = (
+        "checking",
+        "accused_rows",
+        "constrained_rows",
+        "doubted_definitions",
+        "special_values",
+    )
     for module in ("pipeline.pasted", *(f"document.{room}" for room in rooms)):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

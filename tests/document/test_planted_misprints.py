@@ -258,7 +258,8 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
         return answer_here(task, arguments, **options)
 
     before, _, (wrong, *_) = PAPERS["an acceleration"]
-    monkeypatch.setattr("mechproof.document.constrained_rows.run_tasks", answer)
+    for room in ("constrained_rows", "accused_rows"):
+        monkeypatch.setattr(f"mechproof.document.{room}.run_tasks", answer)
     row = judge((*before, wrong))
     assert len(asked) > 1
     assert row.outcome == "not judged"
@@ -299,6 +300,37 @@ def test_a_root_and_a_rate_follow_from_what_they_are_made_of(
 ) -> None:
     text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n Then\n" for one in equations)
     row = check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[number]
+    assert row.outcome == outcome, row.reason
+
+
+THREAD = (r"\tan\alpha=\frac{k}{n}", r"u=\frac{w_1}{w_2}=\frac{m}{k}")
+SLIDING = r"\frac{mw_2}{nw_1}=\tan\alpha"
+LEVER = r"T_1=\frac{mw_2}{nw_1\tan(\alpha+\beta)}=\frac{\tan\alpha}{\tan(\alpha+\beta)}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("equations", "number", "outcome"),
+    [
+        ((*THREAD, SLIDING), 2, "DEFINITION"),
+        ((*THREAD, SLIDING), 3, "PROVED"),
+        ((*THREAD, SLIDING.replace(r"\tan", r"\cot")), 2, "not judged"),
+        ((*THREAD, SLIDING.replace(r"\tan", r"\cot")), 3, "DEFINITION"),
+        ((*THREAD, LEVER), 4, "PROVED"),
+        ((*THREAD, LEVER.replace(r"{\tan\alpha}", r"{\tan\beta}")), 4, "not judged"),
+        # The derivatives of members that are equal somewhere are not.
+        (
+            (r"x=l=r\cos\alpha", r"\dot x=-r\dot\alpha\sin\alpha", r"\dot x=r\dot\alpha\sin\alpha"),
+            3,
+            "not judged",
+        ),
+    ],
+)
+def test_a_step_of_a_chain_is_a_constraint_if_further_rows_follow_from_it(
+    equations: tuple[str, ...], number: int, outcome: str
+) -> None:
+    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
+    row = check("paper.tex", f"{BLOCK}%% end\n{text}").rows[number]
     assert row.outcome == outcome, row.reason
 
 

@@ -7,14 +7,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
+from mechproof.document.accused_rows import find_misprints
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
-from mechproof.document.consequences import GIVEN
+from mechproof.document.consequences import GIVEN, ROOT
 from mechproof.document.constrained_rows import (
     doubt_by_premises,
     excuse_by_constraints,
-    find_misprints,
     follow_from_constraints,
     solve_constraints,
+    support_steps,
 )
 from mechproof.document.doubted_definitions import doubt_by_letters
 from mechproof.document.doubts import (
@@ -157,6 +158,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(compare_rates(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
+        rows |= dict(support_steps(tasks, rows))
         rows |= dict(compare_specially(key, tasks, rows, limit))
         rows |= dict(solve_constraints(key, tasks, rows, limit))
         misprints = dict(find_misprints(key, tasks, rows, limit))
@@ -207,7 +209,8 @@ def _leave_open(
                 "it is meant for all their values, say so in the block of letters: identity "
                 f"{name_equation(task.row.number)}"
             )
-            reason = found.reason if UNLIKE in found.reason else reason
+            is_said = UNLIKE in found.reason or ROOT in found.reason
+            reason = found.reason if is_said else reason
             yield number, make_row(task, reason)
         elif task.is_either:
             yield number, make_row(task, _EITHER)

@@ -21,6 +21,8 @@ SQUARE = "square of a root"
 # How rows follow from constraints.
 FOLLOWING = (MULTIPLE, COMBINATION, SQUARE)
 GIVEN = "definition"
+# What remains to be said where the square of a row follows.
+ROOT = ", as the root is, is taken as given"
 
 
 def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, str] | None:
@@ -91,7 +93,7 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
     sign = sp.cancel(-rest / factor)
     if decide(Holds(sp.Ge(sign, 0)), domain).verdict is Verdict.PROVED:
         return Verdict.PROVED, SQUARE, f"its square {found[2]}; the root has the right sign"
-    reason = f"its square {found[2]}; that {sign} >= 0, as the root is, is taken as given"
+    reason = f"its square {found[2]}; that {sign} >= 0{ROOT}"
     return Verdict.DEFINITION, GIVEN, reason
 
 

@@ -105,6 +105,7 @@ def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
     """Return whether multipliers have values where the residual has one."""
     own = {*list_factors_below(residual)}
+    own |= {sp.sin(factor.args[0]) for factor in own if isinstance(factor, sp.tan)}
     # Multipliers have the sines of sums written out, which has poles for tangents alone.
     own |= {sp.expand_trig(factor) for factor in own if not factor.has(sp.tan)}
     own |= {-factor for factor in own}
@@ -144,17 +145,42 @@ def _combine(
     ]
     if len(products) > MOST_PRODUCTS:
         return None
+    # What a factor of it is a sum of, it is a sum of, too.
+    goals = dict.fromkeys((goal, *(factor for factor, _ in goal.factor_list()[1])))
+    near = dict.fromkeys(pair for one in goals for pair in _list_near(one, sums))
+    if len(products) + len(near) <= MOST_PRODUCTS:
+        products += [(n, sp.Mul(*map(sp.Pow, letters, monomial))) for n, monomial in near]
+        factors |= {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for _, monomial in near}
     columns = [sums[n].mul_monom(factors[factor]).rem(zeros) for n, factor in products]
-    shared = ring.term_new(tuple(map(min, zip(*goal, strict=True))) or ring.zero_monom, sp.QQ.one)
-    for common in dict.fromkeys((ring.one, shared)):
-        solved = _solve(columns, goal.quo(common).rem(zeros))
+    for one in goals:
+        solved = _solve(columns, one.rem(zeros))
         if solved is not None:
+            rest = goal.quo(one).as_expr()
             found = (
                 sp.Add(*(x * f for x, (m, f) in zip(solved, products, strict=True) if m == n))
                 for n in range(len(parts))
             )
-            return [(common.as_expr() * one).xreplace({_PI: sp.pi}) for one in found]
+            return [(rest * multiplier).xreplace({_PI: sp.pi}) for multiplier in found]
     return None
+
+
+def _list_near(
+    goal: PolyElement, sums: Sequence[PolyElement]
+) -> Iterator[tuple[int, tuple[int, ...]]]:
+    """Yield constraints with monomials by which they have terms of the goal, or of these."""
+    found: dict[tuple[int, tuple[int, ...]], None] = {}
+    terms = {*goal}
+    for _ in range(2):
+        new = [
+            (n, quotient)
+            for n, one in enumerate(sums)
+            for term in sorted(terms)
+            for own in one
+            if min(quotient := tuple(a - b for a, b in zip(term, own, strict=True))) >= 0
+        ]
+        terms = {monomial for n, quotient in new for monomial in sums[n].mul_monom(quotient)}
+        found |= dict.fromkeys(new)
+    yield from found
 
 
 def _read_polynomial(expression: sp.Expr, ring: PolyRing) -> PolyElement:

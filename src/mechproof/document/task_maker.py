@@ -213,7 +213,9 @@ class TaskMaker:
         is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         is_claimed &= sign.role is not Role.DEFINITION
         asserts = is_claimed or self._asserts(printed, row.says, sign, sides)
-        rates = () if residual is None else tuple(list_rates(residual, self.known))
+        # Of members that are equal in some positions the derivatives are not.
+        has_rates = residual is not None and sign.role is not Role.STEP
+        rates = tuple(list_rates(residual, self.known)) if has_rates else ()
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
         words = printed.announced

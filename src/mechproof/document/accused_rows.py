@@ -1,0 +1,173 @@
+"""Rows that may be misprints beside the constraints of their paper, and what contradicts them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from mechproof.document.applicable_constraints import (
+    is_plain,
+    is_turned,
+    may_hold_for,
+)
+from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
+from mechproof.document.consequences import FOLLOWING, GIVEN
+from mechproof.document.constrained_rows import connect, is_constraint, is_proof
+from mechproof.document.doubted_definitions import leaves_free
+from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
+from mechproof.document.judging import Key
+from mechproof.document.judging_beside import judge_beside, judge_misprint
+from mechproof.document.roles import Role
+from mechproof.document.slips import WITHIN
+from mechproof.document.tasks import Task
+from mechproof.proof.verdict import Judgement, State, Verdict
+from mechproof.record import Equality
+from mechproof.tools.processes import WorkerError, run_tasks
+
+
+def find_misprints(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge what may be a constraint or a misprint.
+
+    One that shows only beside another print that may itself be wrong, or be meant for another
+    case, contradicts that print: neither is refuted. That it may be meant for another case is ruled
+    out where it comes first and further rows follow from it, and not without it.
+    """
+    given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    asked = {
+        n: tuple(connect(n, [g for g in given if may_hold_for(tasks[g], task)], tasks))
+        for n, task in enumerate(tasks)
+        if _may_be_misprint(task, rows[n])
+        # Of a letter whose first prints differ nobody knows which is meant.
+        and not (task.others and len(list_standing(task, tasks, rows)) > 1)
+    }
+    found = _accuse(key, [*asked.items()], limit)
+    accused = {n: found[place] for place, n in enumerate(asked) if place in found}
+    beside = [(n, other) for n in accused for other in asked[n]]
+    certain = {
+        (n, other)
+        for n, other in beside
+        if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
+    }
+    rivals = [pair for pair in beside if pair in certain or tasks[pair[1]].is_excused]
+    without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
+    still = _accuse(key, without, limit)
+    pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    excused = {(n, other) for n, other in pairs if other < n} - certain
+    needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
+    pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
+    open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
+    pairs += [*open_pairs, *_list_later(tasks, accused)]
+    refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}
+    for n in {*accused, *(one for pair in pairs for one in pair)}:
+        others = {one for pair in pairs if n in pair for one in pair} - {n}
+        names = ", ".join(tasks[other].row.number for other in sorted(others))
+        said = f": {accused[n].reason}" if n in accused else ""
+        contradicts = f"{tell_contradiction(names)}{said}"
+        if n in refuted or n not in wrong.values():
+            yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
+    for m, n in wrong.items():
+        yield m, make_row(tasks[m], _charge(rows[m], accused[n], tasks[n].row.number))
+
+
+def _ask_definitions(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    accused: Mapping[int, Judgement],
+    limit: float,
+) -> tuple[list[tuple[int, int]], dict[int, int]]:
+    """Return misprints with the definitions that they contradict, and definitions to blame.
+
+    These stand later, or before words that turn a sense. A definition is to blame that would have
+    to be changed if further rows follow from what it contradicts.
+    """
+    later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
+    later = [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
+    needed = _find_needed(key, tasks, rows, {n for n, _ in later}, limit)
+    wrong = {
+        m: n
+        for n, m in later
+        if n in needed and WITHIN in accused[n].reason and not tasks[m].is_case
+    }
+    turned = [
+        (n, m)
+        for n in accused
+        for m, one in enumerate(tasks)
+        if is_turned(one, tasks[n]) and defines(one, list_used(tasks[n], tasks))
+    ]
+    return [(n, m) for n, m in later if m not in wrong] + turned, wrong
+
+
+def _restates(task: Task, other: Task) -> bool:
+    """Return whether a row is about the same letters as the definition of one of them."""
+    letters = list_printed(task)
+    return defines(other, letters) and list_printed(other) == letters
+
+
+def _accuse(
+    key: Key, asked: Sequence[tuple[int, tuple[int, ...]]], limit: float
+) -> dict[int, Judgement]:
+    """Return the places of rows that are misprints beside constraints, with their judgements."""
+    answers = run_tasks(judge_misprint, [(key, *one) for one in asked], limit=limit)
+    return {place: found for place, found in answers if isinstance(found, Judgement)}
+
+
+def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
+    """Return whether a constraint may be said of a special position that is no matter of a row.
+
+    It is announced as another case, words between them turn a sense, or it comes later and is an
+    equation such as a = b + pi.
+    """
+    may_equate = other > number or tasks[other].said.is_equating
+    is_other = tasks[other].is_case or is_turned(tasks[other], tasks[number])
+    is_equal = may_equate and is_plain(tasks[other])
+    return is_equal or is_other or tasks[other].sign.role is Role.SOLUTIONS
+
+
+def _find_needed(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    others: Collection[int],
+    limit: float,
+) -> set[int]:
+    """Return constraints without which a row does not follow that is shown to follow."""
+    given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in FOLLOWING]
+    pairs = [(other, n) for other in others for n in following if other < n]
+    asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
+    found = dict(run_tasks(judge_beside, asked, limit=limit))
+    # What took too long may follow without it.
+    without = {p for p, one in found.items() if isinstance(one, WorkerError) or is_proof(one)}
+    return {other for place, (other, _) in enumerate(pairs) if place not in without}
+
+
+def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
+    """Return that a definition is wrong, as an equation shows from which further rows follow."""
+    reason = f"it contradicts {name}, from which further rows follow: {found.reason}"
+    if row.judgement is None:
+        return reason
+    verdict, rung, evidence = Verdict.REFUTED, found.rung, found.evidence
+    return replace(row.judgement, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
+
+
+def _list_later(tasks: Sequence[Task], accused: Collection[int]) -> Iterator[tuple[int, int]]:
+    """Yield rows that are accused, with what defines their letters after them.
+
+    What says behind a display what its letters mean is no print of its own.
+    """
+    for n in accused:
+        used = list_used(tasks[n], tasks)
+        behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
+        used_later = [m for m in behind if defines(tasks[m], used)]
+        yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
+
+
+def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
+    is_open = row.state is State.NOT_JUDGED or bool(row.judgement and row.judgement.rung == GIVEN)
+    is_equation = isinstance(task.row.says, Equality) and task.sign.number in ("", "0")
+    is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)
+    is_one_of_two |= task.sign.role is Role.SOLUTIONS
+    return is_open and is_equation and not (task.is_rounded or is_one_of_two)
