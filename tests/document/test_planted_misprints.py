@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from command import answer_here
+from small_papers import judge_parts
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
@@ -301,6 +302,34 @@ def test_a_root_and_a_rate_follow_from_what_they_are_made_of(
     text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n Then\n" for one in equations)
     row = check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[number]
     assert row.outcome == outcome, row.reason
+
+
+RISE = (r"x=r\sin\alpha", r"y=r\cos\alpha")
+STEADY = (r"#When it rises steadily, it turns at the rate", r"\dot\alpha=\frac{u}{r\cos\alpha}")
+DRIVEN = ("#If the worm drives, the force is", r"w_1=\frac{2T_1}{r}", "#The torque is", r"w_2=kw_1")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("parts", "number", "outcome"),
+    [
+        # What is printed later of a letter puts no other letters into what stands before.
+        ((*RISE, r"\dot y=-r\dot\alpha\sin\alpha", *STEADY), 2, "PROVED"),
+        ((*RISE, r"\dot y=-r\dot\alpha\cos\alpha", *STEADY), 2, "REFUTED"),
+        ((*RISE, r"\dot x=-\dot y\cot\alpha", *STEADY), 2, "PROVED"),
+        # What is introduced in a case is meant by that wherever it is printed.
+        ((*DRIVEN, r"w_3=w_2n=\frac{2knT_1}{r}"), 3, "PROVED"),
+        ((*DRIVEN, r"w_3=w_2n=\frac{knT_1}{r}"), 3, "REFUTED"),
+        ((*DRIVEN, "#In general", r"w_3=w_2n=\frac{knT_1}{r}"), 3, "not judged"),
+        # By a letter of its own a constraint says nothing of others.
+        ((r"mu+nT_1=0", r"x=kn^2=k^2n"), 2, "REFUTED"),
+    ],
+)
+def test_definitions_of_cases_and_later_ones_excuse_no_misprint(
+    parts: tuple[str, ...], number: int, outcome: str
+) -> None:
+    rows = judge_parts(f"{BLOCK}%% end\n", *parts)
+    assert rows[number] == outcome, rows
 
 
 THREAD = (r"\tan\alpha=\frac{k}{n}", r"u=\frac{w_1}{w_2}=\frac{m}{k}")

@@ -90,9 +90,11 @@ def excuse_by_constraints(
     Without any that have letters of theirs, and no letter of their own, they are not asked.
     """
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    # What a letter of its own makes true says nothing of others, nor do its derivatives.
+    given = [g for g in given if not tasks[g].is_loose]
     numbers = []
     for n, task in enumerate(tasks):
-        common = [g for g in given if _have_common(tasks[g], task) and not tasks[g].is_loose]
+        common = [g for g in given if _have_common(tasks[g], task)]
         is_refuted = rows[n].outcome == Verdict.REFUTED.value and task.asserts
         if common and is_refuted and not task.is_claimed:
             near = [g for g in given if g < n or may_hold_for(tasks[g], task)]

@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.doubts import defines, list_printed, list_used, reach
-from mechproof.document.judging import Key, judge_without
+from mechproof.document.judging import COMPARED, Key, judge_without
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.symbols import Symbols
 from mechproof.document.tasks import Task
@@ -33,15 +33,16 @@ def doubt_by_letters(
     """Refute no row by a letter whose definition may be wrong, or said of a case only.
 
     A definition that is printed later may be of a case; no condition is proved by one, either. What
-    such definitions leave undecided may be decided without them. `contested` are the misprints,
-    and the rows that contradict each other.
+    such definitions leave undecided, or put other letters into, may be decided without them.
+    `contested` are the misprints, and the rows that contradict each other.
     """
     doubted = [*_list_doubted(tasks, rows, contested)]
-    found = {n: one for n in rows if (one := _find_doubts(n, tasks, rows, doubted))}
+    free = [n for n in rows if n not in contested or rows[n].state is not State.NOT_JUDGED]
+    found = {n: one for n in free if (one := _find_doubts(n, tasks, rows, doubted))}
     asked = [(key, n, _list_letters(one, symbols)) for n, one in found.items()]
     for place, answer in run_tasks(judge_without, asked, limit=limit):
         n = asked[place][1]
-        is_open = rows[n].outcome in _OPEN
+        is_open = rows[n].outcome in _OPEN or rows[n].state is State.NOT_JUDGED
         (others, why), *_ = found[n]
         names = ", ".join(one.row.number for one in others)
         if isinstance(answer, Judgement) and (is_open or answer.verdict is Verdict.REFUTED):
@@ -69,10 +70,16 @@ def _find_doubts(
     """Return groups of definitions on which a row rests and that are doubted, each with why."""
     task, outcome = tasks[number], rows[number].outcome
     is_condition = task.sign.role is Role.RELATION and outcome == Verdict.PROVED.value
-    if not (outcome in (Verdict.REFUTED.value, *_OPEN) or is_condition):
+    is_compared = task.sign.role in COMPARED and not task.is_solution
+    is_open = outcome in _OPEN or (outcome == State.NOT_JUDGED.value and is_compared)
+    if not (outcome == Verdict.REFUTED.value or is_open or is_condition):
         return []
     letters = list_used(task, tasks)
-    special = [] if task.said.is_special else [one for one in tasks if one.said.is_special]
+    special = [one for one in tasks if one.said.is_special and not task.said.is_special]
+    special = [one for one in special if defines(one, letters)]
+    own = [one for one in special if one in tasks[:number] and _introduces(one, tasks)]
+    if not task.said.is_general and len({one.said.scope for one in own}) == 1:
+        special = [one for one in special if one not in own]
     behind = [one for one in tasks[number + 1 :] if one.said.passage > task.said.passage]
     behind = [one for one in behind if not one.said.is_clause]
     if not is_condition:
@@ -85,6 +92,11 @@ def _find_doubts(
     )
     found = ([one for one in g if one is not task and defines(one, letters)] for g, _ in groups)
     return [(used, why) for used, (_, why) in zip(found, groups, strict=True) if used]
+
+
+def _introduces(one: Task, tasks: Sequence[Task]) -> bool:
+    """Return whether a definition is the first print of its letter: later ones are of its case."""
+    return all(one.sign.letter not in list_printed(other) for other in tasks[: tasks.index(one)])
 
 
 def _list_letters(

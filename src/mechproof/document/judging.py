@@ -124,7 +124,8 @@ def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | No
         sides = [*map(Domain.of(paper, task.row.on).resolve, task.sign.sides)]
     except (RecordError, ContradictionError, TypeError):
         return None
-    is_refuted = found.verdict is Verdict.REFUTED and task.asserts and have_same_letters(sides)
+    is_compared = task.asserts or task.sign.role in COMPARED
+    is_refuted = found.verdict is Verdict.REFUTED and is_compared and have_same_letters(sides)
     return found if is_refuted or found.verdict is Verdict.PROVED else None
 
 

@@ -90,12 +90,14 @@ def decide(statement: Statement, domain: Domain) -> Answer:
 
 
 def _decide_equality(statement: Equality, domain: Domain) -> Answer:
-    source = "declaration" if _is_declaration(statement, domain) else statement.rebuilt_from
     answer = _decide_sides(statement.printed, statement.rebuilt, domain)
-    if answer.verdict is not Verdict.PROVED or source in ("mechanics", "member"):
+    is_repeated, source = _is_declaration(statement, domain), statement.rebuilt_from
+    is_compared = source in ("mechanics", "member") and not is_repeated
+    if answer.verdict is not Verdict.PROVED or is_compared:
         return answer
-    reason = f"the other side is built from the {source}: nothing to prove"
-    return Answer(Verdict.DEFINITION, answer.rung, reason)
+    said = "it repeats the definition of its letter"
+    reason = said if is_repeated else f"the other side is built from the {source}"
+    return Answer(Verdict.DEFINITION, answer.rung, f"{reason}: nothing to prove")
 
 
 def _is_declaration(statement: Equality, domain: Domain) -> bool:
