@@ -325,3 +325,14 @@ ANGLES = {
 def test_angles_are_those_of_their_cosines(printed: str) -> None:
     rows = check("p.tex", f"{WORKED_OUT}\\begin{{equation}}{printed}\\end{{equation}}").rows
     assert rows[-1].outcome == ANGLES[printed]
+
+
+@pytest.mark.parametrize(("number", "outcome"), [("2467", "PROVED"), ("2764", "REFUTED")])
+def test_a_unit_behind_a_number_is_that_of_a_letter_without(number: str, outcome: str) -> None:
+    block = (
+        "%% mechproof\n%% F :\n%% r : [mm]\n%% w : [1/s]\n%% m : [kg]\n%% a : [m/s^2]\n"
+        "%% sizes r=40 mm, w=351.2 1/s, m=0.5 kg\n%% end\n"
+    )
+    chain = rf"$$a=rw^2=4934\,\mathrm{{m/s^2}}$$ $$F=ma=0.5\cdot4934={number}\,\mathrm{{N}}$$"
+    row = check("paper.tex", block + chain).rows[-1]
+    assert row.outcome == outcome, row.reason

@@ -82,6 +82,7 @@ def state_result(
     if not sign.unit:
         return NEAR if may_be_rounded(plain, sign) else plain
     unit, is_right = read_unit(sign.unit), agrees(plain)
+    own = sizes.find_own(replace(sign, value=sign.formula), own)
     if is_share(unit):
         share = PrintedNumber(sign.number, sign.value / unit.scale)
         is_open = is_right and not agrees(share)

@@ -76,7 +76,7 @@ class Sizes:
         if is_constraint and not (sign.unit or letters):
             return round_irrational(sign)
         is_sum = _is_sum(sign.value)
-        own = self._find_own(sign, own)
+        own = self.find_own(sign, own)
         if (is_constraint or is_sum) and letters - self._list_sizes().keys():
             stated = self._constrain(sign, own)
             if stated or is_constraint:
@@ -125,7 +125,7 @@ class Sizes:
         used = {s: self.printed[s] for s in letters if s in self.printed and s not in declared}
         return dict(sorted(used.items(), key=lambda one: str(one[0])))
 
-    def _find_own(self, sign: Sign, own: sp.Basic | None) -> sp.Basic | None:
+    def find_own(self, sign: Sign, own: sp.Basic | None) -> sp.Basic | None:
         """Return a letter in whose unit a number counts: its own, or of a sum one of its letters.
 
         A unit behind the number is enough where the letters have units.
