@@ -26,6 +26,14 @@ def draft(text: str, name: str = "paper.tex") -> str:
         (r"\sum N_k=\mu b", [r"\sum N_k :"]),
         (r"s_2=s_1+v\,\Delta t", [r"\Delta t :"]),
         (r"\mathcal K=b-c", [r"\mathcal{K} :"]),
+        # A number behind a display tells the unit of its letter; one of numbers alone does not.
+        (
+            r"F_{\text{in}}=mb=0.5\cdot40=20\,\mathrm{N}\approx\SI{0.02}{kN}",
+            [r"F_{\text{in}} : [N]"],
+        ),
+        (r"s=\frac v2=0.2\,\mathrm m", ["s : [m]"]),
+        (r"\gamma=\arctan b=11.3^\circ", [r"\gamma : [rad]"]),
+        (r"\eta=\frac vw=0.81", [r"\eta :"]),
         ("b=h+e", ["# a letter here, Euler's number elsewhere:", "e :"]),
         (r"z=\begin{bmatrix}0&1\end{bmatrix}v", ["z :"]),
         (r"z=\begin{bmatrix}0&1\end{bmatrix}", ["z 1x2 :"]),

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from mechproof.document.complex_parts import find_imaginary_unit
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.extremes import find_extremes
-from mechproof.document.inline import RATE, Inline, find_inline, say_of_others
+from mechproof.document.inline import RATE, Inline, find_inline, find_printed_units, say_of_others
 from mechproof.document.letters import (
     Collected,
     collect_letters,
@@ -99,6 +99,13 @@ def draft_block(source: Source) -> str:
             if moving := entries.get(name_symbol(rate[1])):
                 moving.running = moving.running or "t"
         said[name] = replace(known, unit=known.unit or one.unit)
+    shown = {
+        name_symbol(_show(one)): name for name, entry in entries.items() for one in entry.names
+    }
+    for letter, measure, offset in find_printed_units(displays):
+        name = shown.get(name_symbol(letter), "")
+        known = said.get(name, Said("", "", source.files.locate(offset).line))
+        said[name] = replace(known, unit=known.unit or measure)
     lines = [
         line
         for name, entry in entries.items()
@@ -320,7 +327,11 @@ def _write(
     meaning = f"{found.meaning if found else ''}{unit}".strip()
     if found and not running and _POSITIVE.search(found.meaning):
         meaning += f" {{{first}>0}}"
-    yield _WORD_BELOW.sub(_write_upright, f"{first}{running}{others}{shape} : {meaning}".rstrip())
+    yield _show(f"{first}{running}{others}{shape} : {meaning}".rstrip())
+
+
+def _show(line: str) -> str:
+    return _WORD_BELOW.sub(_write_upright, line)
 
 
 def _write_upright(match: re.Match[str]) -> str:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 
 from mechproof.document.cells import Numeral, name_unit, read_numeral
+from mechproof.document.displays import Printed
 from mechproof.document.letters import name_symbol
 from mechproof.document.macros import expand, find_macros
 from mechproof.document.sources import Source
@@ -36,6 +37,9 @@ _UNIT = re.compile(
     r"(?:\\[,;: ]|~|\s)*(?P<unit>[kcdm\u00b5]?(?:m|N|Pa|W|J|s|Hz)|[kMG](?:N|Pa|W|J|Hz)|k?g|k?N\s?m"
     r"|rad(?:/s)?|rpm|min|deg)(?=[.,;:)\s]|\Z)"
 )
+# A unit of one letter, without braces: 3\,\mathrm m.
+_UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
+_SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
@@ -91,14 +95,30 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
             continue
         value = found["value"]
         behind = _UNIT.match(text, match.end())
-        plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], value)
         line = source.files.locate(source.text.offsets[match.start()]).line
-        if behind and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
-            plain = rf"{bare}\,\mathrm{{{behind['unit']}}}"
-        number = read_numeral(plain, decimal_comma="{,}" in plain)
-        unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
+        number, unit = read_quantity(value, behind["unit"] if behind else "")
         is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
-        yield Inline(letter, value, line, number, _MEANT.get(unit, unit), is_case, match.end())
+        yield Inline(letter, value, line, number, unit, is_case, match.end())
+
+
+def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
+    """Return a number and its unit, which may stand `behind`; none for what is no number."""
+    plain = _UPRIGHT.sub(r"\\mathrm{\1}", value)
+    plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], plain)
+    if behind and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
+        plain = rf"{bare}\,\mathrm{{{behind}}}"
+    number = read_numeral(plain, decimal_comma="{,}" in plain)
+    unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
+    return number, _MEANT.get(unit, unit)
+
+
+def find_printed_units(displays: Iterable[Printed]) -> Iterator[tuple[str, str, int]]:
+    """Yield letters that displays begin with, the unit of their number, and where it stands."""
+    for printed in displays:
+        letter, *members = _SIGNS.split(printed.latex.string)
+        units = (read_quantity(member.strip(" \n.,;~"))[1] for member in members)
+        if unit := next(filter(None, units), ""):
+            yield letter.strip(), unit, printed.latex.offsets[0]
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:
