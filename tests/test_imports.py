@@ -73,6 +73,12 @@ LOADED = {
     },
     "record": {"sympy", "mechproof.tools.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
+    "sources": {"mechproof.latex", "mechproof.sources"},
+    "nomenclature": {
+        *("sympy", "mechproof.latex", "mechproof.nomenclature", "mechproof.record"),
+        "mechproof.sources",
+    },
+    "domains": {"sympy", "mechproof.arithmetic", "mechproof.domains", "mechproof.record"},
     "programs": {
         *("sympy", "mpmath", "flint"),
         *("mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
@@ -82,14 +88,20 @@ LOADED = {
         *(
             "sympy",
             "flint",
-            "mechproof.tools.cache",
             "mechproof.tools.notebook",
             "mechproof.arithmetic",
         ),
         *("mechproof.latex", "mechproof.proof", "mechproof.record"),
+        *("mechproof.domains", "mechproof.sources"),
     },
     "proof.newton": {
         *("numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.proof", "mechproof.record"),
+        "mechproof.domains",
+    },
+    "ledger": {
+        *("sympy", "mechproof.tools.cache", "mechproof.tools.notebook", "mechproof.arithmetic"),
+        *("mechproof.latex", "mechproof.domains", "mechproof.ledger", "mechproof.proof"),
+        *("mechproof.record", "mechproof.sources"),
     },
     "codegen": {
         *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),
@@ -103,7 +115,7 @@ LOADED = {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         *("mechproof.executors", "mechproof.tools.extras"),
         *("mechproof.codegen", "mechproof.programs", "mechproof.arithmetic", "mechproof.proof"),
-        *("mechproof.record", "mechproof.roundoff"),
+        *("mechproof.domains", "mechproof.record", "mechproof.roundoff"),
         *("mechproof.tools.cache", "mechproof.tools.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
@@ -114,7 +126,7 @@ LOADED = {
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.programs", "mechproof.arithmetic"),
-        *("mechproof.proof", "mechproof.record"),
+        *("mechproof.domains", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
         *("mechproof.executors", "mechproof.tailoring", "mechproof.roundoff"),
     },
@@ -127,7 +139,7 @@ INSIDE = {
     "measurement": {"scipy", "uncertainties"},
     "tolerance": {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
-        "mechproof.record",
+        *("mechproof.domains", "mechproof.record"),
     },
     "mechanisms": {"scipy", "flint", "mechproof.executors", "mechproof.tolerance"},
     "codegen": {"ruff"},

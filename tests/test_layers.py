@@ -1,8 +1,9 @@
 """Who may import whom, as one sentence: each layer what is below it, and no way leads back.
 
-tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < programs < proof,
-roundoff, emission < documents, Coq, FPCore, comparison < loading < the runtime that proves <
-tailoring < laboratory, figures < report < pipeline < command line.
+tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < sources, domains <
+nomenclature, programs < proof, roundoff, emission < ledger < documents, Coq, FPCore, comparison <
+loading < the runtime that proves < tailoring < laboratory, figures < report < pipeline < command
+line.
 """
 
 from __future__ import annotations
@@ -32,8 +33,10 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"conformity": ("conformity",), "measurement": ("measurement",)},
     {"paper": ("record",)},
     {"latex": ("latex",), "arithmetic": ("arithmetic",)},
-    {"programs": ("programs",)},
+    {"sources": ("sources",), "domains": ("domains",)},
+    {"nomenclature": ("nomenclature",), "programs": ("programs",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
+    {"ledger": ("ledger",)},
     {
         "documents": ("document",),
         "Coq": ("coq",),
@@ -137,9 +140,9 @@ def made_up(module: str, source: str) -> Mapping[str, Kinds]:
     [
         ("record.papers", "import mechproof.proof.judge", "proof.judge"),
         ("record.papers", "from mechproof import latex", "latex"),
-        ("arithmetic.balls", "def f():\n    from ..proof.domain import Domain", "proof.domain"),
+        ("arithmetic.balls", "def f():\n    from ..domains.domain import Domain", "domains.domain"),
         ("latex.tree", "if TYPE_CHECKING:\n    import mechproof.proof.verdict", "proof.verdict"),
-        ("programs.domain", "from ..proof.domain import Domain", "proof.domain"),
+        ("programs.domain", "from ..proof.signs import find_sign", "proof.signs"),
         ("roundoff.bound", "from mechproof.codegen import forms", "codegen.forms"),
         ("pipeline.verification", "def f():\n    import mechproof.cli.console", "cli.console"),
         ("lab.ways", "def f():\n    from mechproof import plot", "plot"),

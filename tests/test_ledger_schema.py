@@ -12,7 +12,7 @@ import pytest
 from command import OPEN, PROVED, run, write
 from jsonschema import Draft202012Validator
 
-from mechproof.proof.ledger import SCHEMA
+from mechproof.ledger.judged import SCHEMA
 from mechproof.proof.verdict import Verdict
 
 ROOT = Path(__file__).parents[1]
@@ -26,7 +26,7 @@ Ledger = dict[str, Any]
 
 @pytest.fixture(scope="module")
 def schema() -> Draft202012Validator:
-    found = json.loads(files("mechproof.proof").joinpath("ledger.schema.json").read_text("utf-8"))
+    found = json.loads(files("mechproof.ledger").joinpath("ledger.schema.json").read_text("utf-8"))
     Draft202012Validator.check_schema(found)
     return Draft202012Validator(found)
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from import_graph import find_reached, read_graph
 
+from mechproof.ledger import verdict_cache as verdicts
 from mechproof.pipeline import validation
-from mechproof.proof import verdict_cache as verdicts
 from mechproof.roundoff import certificate_files as certificates
 from mechproof.tools import cache
 from mechproof.tools.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place

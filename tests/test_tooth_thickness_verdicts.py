@@ -10,7 +10,7 @@ from sympy import Interval, Rational, oo
 from weights import make_thorough
 
 from mechproof.derivations.tooth_thickness import claims, mechanics
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict

@@ -19,7 +19,7 @@ from mechproof.derivations.wedge_linkage import (
     symbols,
     transfer,
 )
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict

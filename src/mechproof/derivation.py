@@ -24,9 +24,9 @@ from typing import Any, Literal, NoReturn
 
 from mechproof.arguments.scalars import require
 from mechproof.chosen import choose_forms
+from mechproof.domains.dimensions import check_derived
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
-from mechproof.proof.dimensions import check_derived
 from mechproof.record import Paper
 from mechproof.tools.processes import limit_time
 

@@ -18,8 +18,8 @@ from weights import first_of
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.backends.numba import render_compiled
 from mechproof.codegen.backends.numpy import render_modules
+from mechproof.ledger.judged import Ledger, to_markdown
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import Ledger, to_markdown
 from mechproof.record import (
     Claim,
     Equality,

@@ -9,7 +9,7 @@ from pathlib import Path
 from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks
 from mechproof.coq.folder import CERTIFIABLE, RowScript
 from mechproof.coq.libraries import digest_libraries
-from mechproof.proof.ledger import MARKDOWN
+from mechproof.ledger.judged import MARKDOWN
 
 GENERATED = Path(__file__).parents[2] / "generated"
 RECORDED = json.loads((GENERATED / RECORD).read_text(encoding="utf-8"))

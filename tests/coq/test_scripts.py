@@ -11,7 +11,7 @@ from mechproof.coq.pieces import list_cases
 from mechproof.coq.scripts import write_script
 from mechproof.coq.terms import UnwritableError, list_needs, name_symbols, write_term
 from mechproof.coq.theorems import build_theorems
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     ANGLE,

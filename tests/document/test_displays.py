@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from mechproof.document.displays import Printed, find_displays
-from mechproof.document.macros import MOST_CALLS
-from mechproof.document.sources import read_source
+from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.files import read_source
+from mechproof.sources.macros import MOST_CALLS
 
 
 def find(content: str, name: str = "paper.tex") -> list[Printed]:

@@ -7,7 +7,7 @@ import pytest
 
 import mechproof
 from mechproof.document.draft import draft_block
-from mechproof.document.sources import read_source
+from mechproof.sources.files import read_source
 
 
 def draft(text: str, name: str = "paper.tex") -> str:

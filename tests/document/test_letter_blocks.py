@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from mechproof.document.block import BlockError
 from mechproof.document.checking import check
+from mechproof.nomenclature.block import BlockError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

@@ -6,7 +6,7 @@ import pytest
 
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.draft import draft_block
-from mechproof.document.sources import read_source
+from mechproof.sources.files import read_source
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

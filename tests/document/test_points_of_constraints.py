@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.document.misprints import find_failure, find_misprint
 from mechproof.document.slips import Entry, find_slip
 from mechproof.document.witnesses import enclose, find_points
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
 
 X, Y = sp.symbols("x y", real=True)

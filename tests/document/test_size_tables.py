@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from mechproof.document.cells import find_unit, finds_decimal_commas, read_numeral
 from mechproof.document.checking import CheckedPaper, check
-from mechproof.document.units import read_unit
+from mechproof.nomenclature.cells import find_unit, finds_decimal_commas, read_numeral
+from mechproof.nomenclature.units import read_unit
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

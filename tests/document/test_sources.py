@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from mechproof.document.block import BlockError, read_block
 from mechproof.document.checking import check
 from mechproof.document.rows import Document
-from mechproof.document.sources import DocumentError, read_source
-from mechproof.document.units import UnitError, read_unit
+from mechproof.nomenclature.block import BlockError, read_block
+from mechproof.nomenclature.units import UnitError, read_unit
 from mechproof.proof.verdict import Verdict
 from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
+from mechproof.sources.files import DocumentError, read_source
 
 
 def test_files_are_input_inside_of_the_folder(tmp_path: Path) -> None:

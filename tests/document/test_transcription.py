@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from mechproof.derivation import DerivationError, load_paper
-from mechproof.document.block import BlockError
 from mechproof.document.transcription import Transcription
+from mechproof.nomenclature.block import BlockError
 from mechproof.pipeline.verification import judge_derivations
 from mechproof.proof.verdict import State, Verdict
 from mechproof.record import ANGLE, Claim, Correction, Equation, Variable

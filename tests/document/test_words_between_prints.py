@@ -7,7 +7,7 @@ from functools import partial
 import pytest
 from small_papers import judge_parts
 
-from mechproof.document.announcements import NOTHING, Announced
+from mechproof.sources.announcements import NOTHING, Announced
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

@@ -12,6 +12,7 @@ from weights import first_of
 
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
+from mechproof.domains.domain import Domain
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import find_truth
@@ -23,7 +24,6 @@ from mechproof.lab.sampling.usual_sizes import draw_cell, make_workload
 from mechproof.lab.sampling.zero_sets import ZeroSet, find_roots
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments, Array
-from mechproof.proof.domain import Domain
 from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
 
 turns = sp.Symbol("m_turns", integer=True)

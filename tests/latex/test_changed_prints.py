@@ -16,10 +16,10 @@ import sympy as sp
 from derived import declared_paper_of, paper_of
 from weights import first_of
 
+from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
-from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Paper, RecordError, Row

@@ -7,8 +7,8 @@ not accept.
 import pytest
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality

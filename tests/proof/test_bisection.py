@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.bisection import RUNG, holds_on_interval
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds

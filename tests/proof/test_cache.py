@@ -12,11 +12,12 @@ import pytest
 from weights import first_of
 
 from mechproof.derivation import DerivationError
+from mechproof.ledger import verdict_cache
+from mechproof.ledger.verdict_cache import VerdictCache
 from mechproof.pipeline import opening, verification
 from mechproof.pipeline.verification import judge_derivations
-from mechproof.proof import verdict_cache
+from mechproof.proof import algebra
 from mechproof.proof.verdict import Verdict
-from mechproof.proof.verdict_cache import VerdictCache
 from mechproof.tools.cache import VARIABLE
 
 HEAD = """
@@ -135,7 +136,7 @@ def test_another_rung_judges_anew(
 ) -> None:
     """The prover is copied, one rung of the copy edited, and its sources are those that count."""
     copies = folder / "proof"
-    shutil.copytree(Path(verdict_cache.__file__).parent, copies)
+    shutil.copytree(Path(algebra.__file__).parent, copies)
     monkeypatch.setattr(verdict_cache, "prover_sources", lambda: sorted(copies.glob("*.py")))
     judged(*ROWS)
     assert judged(*ROWS) == []

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.cases import decide_by_pieces, narrow
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Statement

@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from mechproof.proof.dimensions import DimensionError, infer, infer_common, rescale
-from mechproof.proof.domain import Domain
+from mechproof.domains.dimensions import DimensionError, infer, infer_common, rescale
+from mechproof.domains.domain import Domain
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Distinct, Equality, Holds
 

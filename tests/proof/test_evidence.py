@@ -12,11 +12,11 @@ from derived import opened
 
 from mechproof.arithmetic import balls
 from mechproof.derivation import find_systems, packaged_directory
+from mechproof.domains.dimensions import infer, is_angle
+from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
 from mechproof.proof import refutation
 from mechproof.proof.comparison_latex import write_latex
-from mechproof.proof.dimensions import infer, is_angle
-from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.refutation import POINTS, compare, points_for
 from mechproof.proof.verdict import Verdict

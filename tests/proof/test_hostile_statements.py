@@ -27,7 +27,7 @@ from sympy import (
     tan,
 )
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (

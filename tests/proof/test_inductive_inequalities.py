@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.counts import find_first, let_run
-from mechproof.proof.domain import Domain
 from mechproof.proof.inductive_inequalities import RUNG, holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.verdict import Verdict

@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
-from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope

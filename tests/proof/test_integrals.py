@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof import integrals
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality

@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof import equalities, relations
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (

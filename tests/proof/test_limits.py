@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.verdict import Verdict
 

@@ -14,8 +14,8 @@ from derived import paper_of
 from weights import first_of
 
 from mechproof.derivations.track_wheel.symbols import i, j
+from mechproof.domains.domain import Domain
 from mechproof.proof.continuity import find_break
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import compare
 from mechproof.proof.verdict import Verdict

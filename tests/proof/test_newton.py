@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain
 from mechproof.proof import newton
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Holds, RecordError, Root

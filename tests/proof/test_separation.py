@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.separation import RUNG, decide_by_separation
 from mechproof.proof.verdict import Verdict

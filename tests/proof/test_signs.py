@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign

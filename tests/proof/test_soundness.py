@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from mechproof.derivation import DerivationError, load_paper
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict

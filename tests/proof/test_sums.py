@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.sums import canonicalise
 from mechproof.proof.verdict import Verdict

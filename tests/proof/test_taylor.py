@@ -7,7 +7,7 @@ import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, exp, log, sin, tan
 
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.taylor import RUNG, holds_near_zero
 from mechproof.proof.verdict import Verdict

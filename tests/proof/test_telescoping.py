@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
+from mechproof.domains.domain import Domain
 from mechproof.proof import endless_sums, induction, known_series, telescoping
-from mechproof.proof.domain import Domain
 from mechproof.proof.powers import split_powers
 from mechproof.proof.verdict import Verdict
 

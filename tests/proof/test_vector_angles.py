@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.vector_angles import RUNG, decide_by_argument
 
 x, y = sp.symbols("x y", real=True)

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import (
     LENGTH,

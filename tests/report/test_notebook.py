@@ -13,8 +13,8 @@ from pages import read_page
 
 import mechproof
 from mechproof.derivation import load_paper, packaged_directory
+from mechproof.ledger.judged import JudgedPaper
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import JudgedPaper
 from mechproof.report.fragments import read_parameters
 
 TOUR = Path(__file__).parents[2] / "docs" / "tour.ipynb"

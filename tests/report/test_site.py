@@ -24,9 +24,9 @@ from mechproof.derivation import packaged_directory
 from mechproof.kernels import elliptic_planetary
 from mechproof.kernels.elliptic_planetary import position
 from mechproof.lab.chart_points import list_workloads
+from mechproof.ledger.cards import PUT, TAKEN
 from mechproof.measured import find_files, read_record
 from mechproof.programs.kernel import build_functions
-from mechproof.proof.cards import PUT, TAKEN
 from mechproof.report.calls import write_sources
 from mechproof.report.formula_texts import LANGUAGES, formula
 from mechproof.report.mathml import write_formula

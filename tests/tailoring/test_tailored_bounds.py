@@ -19,7 +19,7 @@ from weights import first_of
 
 from mechproof.arithmetic.balls import evaluate, working_precision
 from mechproof.arithmetic.series import BITS, TaylorExpression, list_terms, working
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.record import Paper, Quantity
 from mechproof.tailoring import tailor
 from mechproof.tailoring.build import Built, build

@@ -16,11 +16,11 @@ from mechproof.document.checked_rows import rows_to_json
 from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.draft import draft_block
 from mechproof.document.judging import LIMIT
-from mechproof.document.sources import STDIN, SUFFIXES, read_source
+from mechproof.ledger.judged import Ledger, to_json
 from mechproof.pipeline.pasted import Checked, PastedError, check_pasted
 from mechproof.pipeline.pasted_letters import Pasted
-from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import State, Verdict
+from mechproof.sources.files import STDIN, SUFFIXES, read_source
 from mechproof.tools.processes import WorkerError
 
 DEFAULTS = (

@@ -25,10 +25,10 @@ from mechproof.cli.paths import RULE, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
-from mechproof.document.sources import SUFFIXES
+from mechproof.ledger.judged import to_json
 from mechproof.pipeline.verification import LIMIT
-from mechproof.proof.ledger import to_json
 from mechproof.proof.verdict import State, Verdict
+from mechproof.sources.files import SUFFIXES
 from mechproof.tools.extras import list_other_versions, tell_install
 from mechproof.tools.made import Change
 

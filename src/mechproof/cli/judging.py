@@ -8,6 +8,7 @@ from pathlib import Path
 
 from mechproof.cli.console import fail, show_progress
 from mechproof.derivation import DerivationError
+from mechproof.ledger.judged import JudgedPaper, Ledger
 from mechproof.pipeline.verification import (
     VerificationError,
     find_ledgers,
@@ -16,7 +17,6 @@ from mechproof.pipeline.verification import (
     name_judging,
     restore_papers,
 )
-from mechproof.proof.ledger import JudgedPaper, Ledger
 
 
 def judge_papers(

@@ -11,9 +11,9 @@ from rich.text import Text
 
 from mechproof.cli.console import console, say
 from mechproof.latex.changes import Style
-from mechproof.proof.cards import make_card
-from mechproof.proof.findings import LedgerFinding
-from mechproof.proof.ledger import COUNTED, PLAIN, Ledger, classify, show_totals, sort_findings
+from mechproof.ledger.cards import make_card
+from mechproof.ledger.findings import LedgerFinding
+from mechproof.ledger.judged import COUNTED, PLAIN, Ledger, classify, show_totals, sort_findings
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.record.findings import WEIGHTS
 

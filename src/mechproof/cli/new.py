@@ -10,10 +10,10 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import refuse, say
-from mechproof.document.sources import MARKDOWN, SUFFIXES
 from mechproof.document.transcription import Transcription
 from mechproof.record import RESERVED
 from mechproof.record.texts import is_name
+from mechproof.sources.files import MARKDOWN, SUFFIXES
 from mechproof.tools.files import write_whole
 
 SKELETONS = files("mechproof.cli").joinpath("skeletons")

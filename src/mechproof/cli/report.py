@@ -13,14 +13,14 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import load_papers, read_ledgers, refuse_failures
 from mechproof.cli.paths import find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
-from mechproof.document.sources import SUFFIXES
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.verification import LIMIT
+from mechproof.sources.files import SUFFIXES
 from mechproof.tools.files import write_whole
 from mechproof.tools.made import ForeignFileError
 
 if TYPE_CHECKING:
-    from mechproof.proof.ledger import Ledger
+    from mechproof.ledger.judged import Ledger
     from mechproof.report import Site
 
 

@@ -15,7 +15,7 @@ from mechproof.coq.families import find_ranks, find_wholes
 from mechproof.coq.reading import Joined, Read, ReadStatement, read_script
 from mechproof.coq.terms import Names, name_symbols
 from mechproof.coq.theorems import Theorem, is_true
-from mechproof.proof.domain import Point
+from mechproof.domains.domain import Point
 
 _JOINTS = {"/\\": sp.And, "\\/": sp.Or}
 

@@ -14,7 +14,7 @@ from mechproof.coq.coordinates import find_box
 from mechproof.coq.signs import BITS, find_factors, reduce_squares, show_sign, turn_positive
 from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
-from mechproof.proof.domain import Point
+from mechproof.domains.domain import Point
 from mechproof.record.parts import find_parts
 
 

@@ -16,8 +16,8 @@ from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
 from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.coq.theorems import build_theorems
-from mechproof.proof.domain import Domain
-from mechproof.proof.ledger import JudgedPaper, classify
+from mechproof.domains.domain import Domain
+from mechproof.ledger.judged import JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Row
 from mechproof.tools.made import ForeignFileError, Made

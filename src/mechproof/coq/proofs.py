@@ -21,7 +21,7 @@ from mechproof.coq.roots import clear_roots, open_arctangents
 from mechproof.coq.signs import BITS, ORDERED, find_factors, prove_order, write_product
 from mechproof.coq.terms import Names, write_relation, write_term
 from mechproof.coq.theorems import Theorem
-from mechproof.proof.domain import Point
+from mechproof.domains.domain import Point
 from mechproof.record.parts import find_parts
 
 

@@ -9,7 +9,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.coq.coordinates import NO_BOX, Box, find_box, spread_out
 from mechproof.coq.terms import Names, write_term
-from mechproof.proof.domain import Point
+from mechproof.domains.domain import Point
 from mechproof.record.parts import find_parts
 
 BITS = 128

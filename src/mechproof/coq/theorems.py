@@ -13,8 +13,8 @@ from mechproof.arithmetic import balls
 from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
 from mechproof.coq.pieces import list_cases
 from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
-from mechproof.proof.domain import Domain, Point, sizes_of
-from mechproof.proof.preparation import prepare
+from mechproof.domains.domain import Domain, Point, sizes_of
+from mechproof.domains.preparation import prepare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Conjunction,

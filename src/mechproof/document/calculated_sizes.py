@@ -12,14 +12,14 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.cells import Numeral
 from mechproof.document.scales import RoundedSize, has_sixty, spread
-from mechproof.document.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
+from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, exchange, walk
-from mechproof.proof.dimensions import DimensionError, infer
+from mechproof.nomenclature.cells import Numeral
+from mechproof.nomenclature.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 from mechproof.record import FREQUENCY, NUMBER
 
 _IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."

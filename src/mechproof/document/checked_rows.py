@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 
 from mechproof.document.roles import Role, name_member
 from mechproof.document.tasks import Task
-from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
+from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.proof.witness_text import name_bound
+from mechproof.sources.text import Place
 from mechproof.tools.processes import WorkerError
 
 # A member of a family, with what runs through it: d_{bi}[1].

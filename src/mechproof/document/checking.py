@@ -43,15 +43,16 @@ from mechproof.document.judging import (
 from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
-from mechproof.document.sources import read_source
 from mechproof.document.special_values import compare_specially
 from mechproof.document.tasks import Task
 from mechproof.document.undeclared_motion import doubt_by_motion, doubt_by_ties
-from mechproof.proof.findings import list_findings
-from mechproof.proof.ledger import JudgedPaper
-from mechproof.proof.verdict import Left, Place, Verdict
+from mechproof.ledger.findings import list_findings
+from mechproof.ledger.judged import JudgedPaper
+from mechproof.proof.verdict import Left, Verdict
 from mechproof.record import Equation, Paper, Row
 from mechproof.record.statements import list_parts
+from mechproof.sources.files import read_source
+from mechproof.sources.text import Place
 from mechproof.tools.processes import run_tasks
 
 _EITHER = (

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.sizes import Sizes
 from mechproof.proof.verdict import Left
+from mechproof.sources.displays import Printed
 
 
 def collect_sizes(

@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.document.constraints import find_combination, find_multiple, list_factors_below
 from mechproof.document.tasks import Task
 from mechproof.document.witnesses import hold_together
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Holds

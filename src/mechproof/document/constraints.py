@@ -17,9 +17,9 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import take_values
 from mechproof.proof.ladder import decide
-from mechproof.proof.preparation import take_values
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, list_divisors

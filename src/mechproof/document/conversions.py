@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from mechproof.document.cells import Numeral
 from mechproof.document.roles import Sign
 from mechproof.document.scales import RoundedSize, agrees, is_near
-from mechproof.document.symbols import Symbols
-from mechproof.document.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
+from mechproof.nomenclature.cells import Numeral
+from mechproof.nomenclature.symbols import Symbols
+from mechproof.nomenclature.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"

@@ -14,8 +14,8 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.doubts import defines, list_printed, list_used, reach
 from mechproof.document.judging import COMPARED, Key, judge_without
 from mechproof.document.roles import CONSTRAINING, Role
-from mechproof.document.symbols import Symbols
 from mechproof.document.tasks import Task
+from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.tools.processes import run_tasks
 

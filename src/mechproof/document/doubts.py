@@ -10,10 +10,10 @@ import sympy as sp
 from mechproof.document.applicable_constraints import is_left, is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
-from mechproof.document.letters import name_symbol
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
+from mechproof.nomenclature.letters import name_symbol
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition, Equality

@@ -11,21 +11,27 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_imaginary_unit
-from mechproof.document.displays import Printed, find_displays
 from mechproof.document.extremes import find_extremes
-from mechproof.document.inline import RATE, Inline, find_inline, find_printed_units, say_of_others
-from mechproof.document.letters import (
+from mechproof.document.rows import Document
+from mechproof.latex.left_scripts import GREEK
+from mechproof.nomenclature.inline import (
+    RATE,
+    Inline,
+    find_inline,
+    find_printed_units,
+    say_of_others,
+)
+from mechproof.nomenclature.letters import (
     Collected,
     collect_letters,
     drop_transposition,
     is_vector,
     name_symbol,
 )
-from mechproof.document.rows import Document
-from mechproof.document.said import Said, find_pi, find_said
-from mechproof.document.shapes import find_sizes
-from mechproof.document.sources import Source
-from mechproof.latex.left_scripts import GREEK
+from mechproof.nomenclature.said import Said, find_pi, find_said
+from mechproof.nomenclature.shapes import find_sizes
+from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.files import Source
 
 _RATE = re.compile(
     r"\\d{0,2}dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",

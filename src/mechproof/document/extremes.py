@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from mechproof.document.inline import DISPLAY, EQUATION
-from mechproof.document.letters import name_symbol
-from mechproof.document.sources import Source
+from mechproof.nomenclature.inline import DISPLAY, EQUATION
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.sources.files import Source
 
 _KINDS = {
     **dict.fromkeys(("largest", "greatest", "maximum", "maximal", "highest"), "max"),

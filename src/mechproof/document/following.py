@@ -17,7 +17,7 @@ import sympy as sp
 from mechproof.document.consequences import find_consequence
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Judgement, Verdict

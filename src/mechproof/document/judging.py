@@ -23,11 +23,10 @@ from mechproof.document.solutions import (
     judge_angles,
     judge_signs,
 )
-from mechproof.document.sources import read_source
 from mechproof.document.tasks import Task
 from mechproof.document.unsaid_relations import find_relations
 from mechproof.document.witnesses import find_points
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Judgement, Left, Verdict
@@ -38,6 +37,7 @@ from mechproof.record import (
     RecordError,
     Statement,
 )
+from mechproof.sources.files import read_source
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")

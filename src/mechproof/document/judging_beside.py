@@ -15,7 +15,7 @@ from mechproof.document.misprints import RUNG, find_failure, find_misprint, hold
 from mechproof.document.slips import Entry
 from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
 from mechproof.document.tasks import Task
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict

@@ -10,11 +10,11 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.later_matrices import Later
 from mechproof.document.laws import Piece, join_pieces, order_pieces
-from mechproof.document.symbols import Symbols
 from mechproof.latex.values import differentiate, list_reached, settle_all
+from mechproof.nomenclature.symbols import Symbols
+from mechproof.sources.announcements import NOTHING, Announced
 
 Values = dict[sp.Basic, Any]
 

@@ -12,8 +12,8 @@ import sympy as sp
 from mechproof.document.known import Known
 from mechproof.document.roles import Sign
 from mechproof.document.scales import Scales, may_turn_units
-from mechproof.document.units import UNITS, Unit, read_unit, weigh
-from mechproof.proof.dimensions import DimensionError, infer
+from mechproof.domains.dimensions import DimensionError, infer
+from mechproof.nomenclature.units import UNITS, Unit, read_unit, weigh
 from mechproof.record import FREQUENCY, NUMBER, Holds, Row
 
 _BARE = "a unit, {}, but none is declared for {}"

@@ -8,12 +8,8 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import Block
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
-from mechproof.document.letters import name_symbol
 from mechproof.document.roles import EQUAL
-from mechproof.document.said import Said
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import (
@@ -29,6 +25,10 @@ from mechproof.latex.tree import (
     Table,
     walk,
 )
+from mechproof.nomenclature.block import Block
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.said import Said
+from mechproof.sources.displays import Printed
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")

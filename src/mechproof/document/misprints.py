@@ -18,8 +18,8 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.slips import Change, Entry, Sides, list_alike, list_changes
 from mechproof.document.witnesses import Point, enclose, find_points
-from mechproof.proof.dimensions import is_angle
-from mechproof.proof.domain import Domain
+from mechproof.domains.dimensions import is_angle
+from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_plainly
 

@@ -13,7 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.announcements import Announced
 from mechproof.document.applicable_constraints import is_bare
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import FOLLOWING
@@ -26,6 +25,7 @@ from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality, list_given
 from mechproof.record.statements import list_parts
+from mechproof.sources.announcements import Announced
 from mechproof.tools.processes import run_tasks
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.cells import Head, Numeral
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales
-from mechproof.document.units import read_unit
+from mechproof.nomenclature.cells import Head, Numeral
+from mechproof.nomenclature.units import read_unit
 from mechproof.record import find_last_place
+from mechproof.sources.displays import Printed
 
 
 @dataclass(frozen=True)

@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.cells import Numeral
 from mechproof.document.conversions import NEAR, UNFIT
-from mechproof.document.displays import Printed
 from mechproof.document.numerical_values import OPEN, is_of_units
 from mechproof.document.roles import Sign
 from mechproof.document.scales import RoundedSize, agrees, spread
 from mechproof.document.sizes import SINGLE, Sizes, show, tell_missing
-from mechproof.document.units import Unit, is_share, read_unit
+from mechproof.nomenclature.cells import Numeral
+from mechproof.nomenclature.units import Unit, is_share, read_unit
 from mechproof.record import Equality, PrintedNumber
+from mechproof.sources.displays import Printed
 
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
 _ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.document.cells import Head, Numeral, find_unit
-from mechproof.document.displays import Printed
-from mechproof.document.inline import Inline, find_inline
-from mechproof.document.said_quantities import SaidQuantity, find_quantities
 from mechproof.document.scales import Scales
-from mechproof.document.sources import Source
-from mechproof.document.symbols import Symbols
-from mechproof.document.units import Unit
+from mechproof.nomenclature.cells import Head, Numeral, find_unit
+from mechproof.nomenclature.inline import Inline, find_inline
+from mechproof.nomenclature.said_quantities import SaidQuantity, find_quantities
+from mechproof.nomenclature.symbols import Symbols
+from mechproof.nomenclature.units import Unit
+from mechproof.sources.displays import Printed
+from mechproof.sources.files import Source
 
 # The word behind a formula, which may be its unit.
 _NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")

@@ -20,7 +20,6 @@ from mechproof.document.calculations import add_calculations
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import define_now
 from mechproof.document.laws import read_piece
-from mechproof.document.relations import read_relations
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_behind
@@ -41,6 +40,7 @@ from mechproof.latex.tree import (
     shows_matrix,
     walk,
 )
+from mechproof.nomenclature.relations import read_relations
 
 EQUAL = ("=", r"\equiv")
 

@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.cells import Numeral
 from mechproof.document.tasks import Task
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
+from mechproof.nomenclature.cells import Numeral
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, PrintedNumber

@@ -11,23 +11,12 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import Declared, read_block
 from mechproof.document.calculated_sizes import calculate_sizes
 from mechproof.document.collected_sizes import collect_sizes
-from mechproof.document.commas import join_thousands, mark_decimals
 from mechproof.document.complex_parts import find_imaginary_unit, is_complex
-from mechproof.document.displays import Printed, find_displays
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import Later, define_later, find_later
 from mechproof.document.laws import Piece
-from mechproof.document.letters import (
-    collect_letters,
-    drop_transposition,
-    find_shapes,
-    group_alike,
-    is_vector,
-    name_symbol,
-)
 from mechproof.document.mentions import (
     is_listed,
     look_up,
@@ -39,22 +28,34 @@ from mechproof.document.mentions import (
 )
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign, find_roles, give_values
-from mechproof.document.said import find_pi, find_said
-from mechproof.document.scopes import add_scopes
 from mechproof.document.seams import make_seams
-from mechproof.document.shapes import find_sizes
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.solutions import SIGN, read_signs
-from mechproof.document.sources import Source
 from mechproof.document.stated_numbers import StatedNumbers
-from mechproof.document.symbols import declare
-from mechproof.document.tabulars import find_tabulars
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
-from mechproof.proof.verdict import Left, Place, State
+from mechproof.nomenclature.block import Declared, read_block
+from mechproof.nomenclature.letters import (
+    collect_letters,
+    drop_transposition,
+    find_shapes,
+    group_alike,
+    is_vector,
+    name_symbol,
+)
+from mechproof.nomenclature.said import find_pi, find_said
+from mechproof.nomenclature.scopes import add_scopes
+from mechproof.nomenclature.shapes import find_sizes
+from mechproof.nomenclature.symbols import declare
+from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper
+from mechproof.sources.commas import join_thousands, mark_decimals
+from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.files import Source
+from mechproof.sources.tabulars import find_tabulars
+from mechproof.sources.text import Place
 from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")

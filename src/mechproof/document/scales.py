@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.cells import Head, Numeral
-from mechproof.document.symbols import Symbols
-from mechproof.document.units import REVOLUTIONS, Unit
-from mechproof.proof.dimensions import DimensionError, infer
+from mechproof.domains.dimensions import DimensionError, infer
+from mechproof.nomenclature.cells import Head, Numeral
+from mechproof.nomenclature.symbols import Symbols
+from mechproof.nomenclature.units import REVOLUTIONS, Unit
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.verdict import Verdict
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
 from mechproof.document.roles import Role, Sign
 from mechproof.document.tasks import Task
-from mechproof.document.text import Files
 from mechproof.record import Equality, Equation, Paper
+from mechproof.sources.displays import Printed
+from mechproof.sources.text import Files
 
 
 def make_seams(

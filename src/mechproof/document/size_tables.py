@@ -12,7 +12,12 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.cells import (
+from mechproof.document.known import Known
+from mechproof.document.roles import Role, Sign
+from mechproof.document.scales import Result, RoundedSize, Scales
+from mechproof.document.tasks import Task
+from mechproof.latex import Reader
+from mechproof.nomenclature.cells import (
     MATH,
     NOTHING,
     Head,
@@ -24,16 +29,11 @@ from mechproof.document.cells import (
     read_head,
     read_numeral,
 )
-from mechproof.document.known import Known
-from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import Result, RoundedSize, Scales
-from mechproof.document.tabulars import TableCell, Tabular
-from mechproof.document.tasks import Task
-from mechproof.document.text import Files
-from mechproof.document.units import Unit
-from mechproof.latex import Reader
-from mechproof.proof.verdict import Left, Place, State
+from mechproof.nomenclature.units import Unit
+from mechproof.proof.verdict import Left, State
 from mechproof.record import Equation, Paper
+from mechproof.sources.tabulars import TableCell, Tabular
+from mechproof.sources.text import Files, Place
 
 # Rows in which the heads may stand: above them those of groups of columns.
 _HEAD_ROWS = 3

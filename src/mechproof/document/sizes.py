@@ -13,7 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.cells import Head, Numeral
 from mechproof.document.conversions import (
     NEAR,
     UNFIT,
@@ -22,15 +21,16 @@ from mechproof.document.conversions import (
     may_count,
     round_irrational,
 )
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.printed_sizes import PrintedSize
 from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.scales import RoundedSize, Scales, agrees, is_near, may_turn_units
-from mechproof.document.units import Unit, read_unit
-from mechproof.proof.dimensions import DimensionError, infer
+from mechproof.domains.dimensions import DimensionError, infer
+from mechproof.nomenclature.cells import Head, Numeral
+from mechproof.nomenclature.units import Unit, read_unit
 from mechproof.record import NUMBER, Dimension, Equality, PrintedNumber
+from mechproof.sources.displays import Printed
 
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")

@@ -9,7 +9,7 @@ from itertools import combinations, permutations, product
 import sympy as sp
 
 from mechproof.document.scales import agrees
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
 
 # Functions of angles.

@@ -18,9 +18,9 @@ from mechproof.document.roles import Role, Sign
 from mechproof.document.slips import Entry, Sides
 from mechproof.document.special_cases import state_angles
 from mechproof.document.tasks import Task
+from mechproof.domains.dimensions import Dimensions, is_angle
+from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
-from mechproof.proof.dimensions import Dimensions, is_angle
-from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict

@@ -6,16 +6,16 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.cells import Numeral
 from mechproof.document.conversions import NEAR, tell_misfit
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import Role, Sign
 from mechproof.document.rounded_factors import is_far
 from mechproof.document.scales import agrees, is_near
 from mechproof.document.sizes import OTHERS, Sizes
+from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row
+from mechproof.sources.displays import Printed
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.block import Block
 from mechproof.document.complex_parts import split_parts
-from mechproof.document.displays import Printed
 from mechproof.document.known import Known
 from mechproof.document.layouts import gives_entries
 from mechproof.document.limits import state_limit
-from mechproof.document.lines import count_signs
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
 from mechproof.document.roles import CONSTRAINING, Role, Sign
@@ -37,9 +34,9 @@ from mechproof.document.special_cases import (
 )
 from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.tasks import Task
-from mechproof.document.text import Files
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
+from mechproof.nomenclature.block import Block
 from mechproof.proof.verdict import Left, State
 from mechproof.record import (
     Conjunction,
@@ -52,6 +49,9 @@ from mechproof.record import (
     Row,
     Statement,
 )
+from mechproof.sources.displays import Printed
+from mechproof.sources.lines import count_signs
+from mechproof.sources.text import Files
 
 # What is compared at values that are said of letters beside it, too.
 _SPECIAL = (Role.REPEATED, Role.DERIVATIVE, Role.STEP, *CONSTRAINING)

@@ -9,10 +9,10 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.announcements import NOTHING, Announced
 from mechproof.document.roles import Role, Sign
-from mechproof.proof.verdict import Place
 from mechproof.record import Paper, PrintedNumber, Row
+from mechproof.sources.announcements import NOTHING, Announced
+from mechproof.sources.text import Place
 
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
 

@@ -10,12 +10,12 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import read_block
-from mechproof.document.displays import Printed, find_displays
-from mechproof.document.sources import read_source
-from mechproof.document.symbols import declare
 from mechproof.latex import Reader
+from mechproof.nomenclature.block import read_block
+from mechproof.nomenclature.symbols import declare
 from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
+from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.files import read_source
 
 R = TypeVar("R", bound=Row)
 # Kept by `split`, as it is a group.

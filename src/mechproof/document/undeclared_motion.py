@@ -17,10 +17,10 @@ from mechproof.document.consequences import GIVEN
 from mechproof.document.doubts import list_compared, list_printed, reach
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.roles import Role
-from mechproof.document.symbols import Symbols
 from mechproof.document.tasks import Task
 from mechproof.document.witnesses import find_points
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
+from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict
 from mechproof.tools.processes import WorkerError, run_tasks
 

@@ -12,7 +12,7 @@ import sympy as sp
 from mechproof.document.consequences import list_letters
 from mechproof.document.slips import TURNING
 from mechproof.document.tasks import Task
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Part, RecordError

@@ -20,8 +20,8 @@ from flint import arb, arb_mat
 
 from mechproof.arithmetic import balls
 from mechproof.document.slips import TURNING
-from mechproof.proof.domain import Domain
-from mechproof.proof.preparation import take_values
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import take_values
 from mechproof.record import RecordError
 
 _STARTS = 16

@@ -8,10 +8,10 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic.balls import evaluate
+from mechproof.domains.domain import Domain
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Way
-from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 

@@ -27,6 +27,7 @@ from mechproof.derivation import (
     load_part,
     packaged_directory,
 )
+from mechproof.domains.domain import Domain
 from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.gpu_kernels import find_gpu, find_on_gpu
 from mechproof.lab.sampling.points import PointSet
@@ -34,7 +35,6 @@ from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
 from mechproof.measured import IN_C, ON_GPU, goes_by
-from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
 

@@ -14,11 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from mechproof.chosen import find_file
-from mechproof.proof.findings import LedgerCost, LedgerFinding
-from mechproof.proof.ledger import Ledger, Origin
-from mechproof.proof.verdict import Left, Place, State, Verdict
-from mechproof.proof.verdict_cache import UNREAD, read_judgement
+from mechproof.ledger.findings import LedgerCost, LedgerFinding
+from mechproof.ledger.judged import Ledger, Origin
+from mechproof.ledger.verdict_cache import UNREAD, read_judgement
+from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.record import Weight
+from mechproof.sources.text import Place
 from mechproof.tools.cache import Store, name_place
 from mechproof.tools.reads import are_unchanged, digest_program
 

@@ -12,10 +12,10 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.document.letters import name_symbol
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
+from mechproof.nomenclature.letters import name_symbol
 from mechproof.pipeline.adjacent_letters import RUNNING
 from mechproof.record import Variable
 

@@ -16,8 +16,8 @@ from mechproof.codegen.forms import (
     number_shipped,
 )
 from mechproof.derivation import DerivationError, load_paper
+from mechproof.ledger.findings import follower_rows
 from mechproof.programs.derivatives import select_wanted
-from mechproof.proof.findings import follower_rows
 from mechproof.record import Paper, Quantity, Row
 from mechproof.tools.reads import digest_program
 

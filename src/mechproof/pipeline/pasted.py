@@ -9,11 +9,12 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.document.relations import narrow
+from mechproof.domains.domain import Domain
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
+from mechproof.nomenclature.relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.pasted_letters import (
     COMMAND,
@@ -24,7 +25,6 @@ from mechproof.pipeline.pasted_letters import (
     read_letters,
 )
 from mechproof.pipeline.special_letters import take_set
-from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.verdict import Judgement

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_row_script
+from mechproof.ledger.judged import JudgedPaper
 from mechproof.pipeline.opening import Opened, open_paper
-from mechproof.proof.ledger import JudgedPaper
 from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # Seconds for the scripts of a row; beyond, something hangs.

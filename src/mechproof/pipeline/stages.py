@@ -26,6 +26,7 @@ from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
+from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
 from mechproof.measured import FOLDER, find_known, read_records, write_record
 from mechproof.pipeline.certification import certify_derivations
 from mechproof.pipeline.validation import ValidationError, validate_derivations
@@ -36,7 +37,6 @@ from mechproof.pipeline.verification import (
     list_failures,
     name_judging,
 )
-from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.certificate_files import write_certificates
 from mechproof.tools.extras import require_modules

@@ -20,7 +20,7 @@ from mechproof.tools.processes import WorkerError, run_tasks
 # What a validation rests on besides the emitted source and the derivation.
 LAYERS = (
     *("arguments", "kernel_support", "compiled_support", "record", "latex", "programs"),
-    *("arithmetic", "codegen", "proof", "roundoff", "lab"),
+    *("arithmetic", "sources", "domains", "codegen", "proof", "roundoff", "lab"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 PASSED = Store("validated.json")

@@ -13,15 +13,15 @@ from typing import TypeVar
 
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
 from mechproof.document import checking, judging
-from mechproof.document.sources import BESIDE, SUFFIXES
+from mechproof.ledger.findings import list_findings
+from mechproof.ledger.judged import JudgedPaper, Ledger, Origin
+from mechproof.ledger.verdict_cache import VerdictCache, make_keys
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.opening import Opened, open_derivation
-from mechproof.proof.findings import list_findings
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import JudgedPaper, Ledger, Origin
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.proof.verdict_cache import VerdictCache, make_keys
 from mechproof.record import Paper, Row
+from mechproof.sources.files import BESIDE, SUFFIXES
 from mechproof.tools.processes import START, WorkerError, run_batches
 from mechproof.tools.reads import digest_files, note_reads
 

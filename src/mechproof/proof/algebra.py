@@ -15,8 +15,8 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import factor_list, is_zero, reduce_polynomial, split
+from mechproof.domains.domain import Domain
 from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
-from mechproof.proof.domain import Domain
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
 from mechproof.proof.sums import canonicalise
 from mechproof.record.parts import find_parts, has_parts

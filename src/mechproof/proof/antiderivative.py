@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break, has_pole
-from mechproof.proof.domain import Domain
 from mechproof.record.slopes import differentiate
 
 RUNG = "derivative, constant, continuity"

@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.polys.matrices import DomainMatrix
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.signs import find_sign
 from mechproof.record import Slack
 

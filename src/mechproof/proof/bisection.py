@@ -13,8 +13,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.record.parts import has_parts
 from mechproof.record.relations import find_slack
 

@@ -12,9 +12,9 @@ from itertools import islice
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain, Point
 from mechproof.proof.count_zeros import list_zeros
 from mechproof.proof.counts import has_steps
-from mechproof.proof.domain import Domain, Point
 from mechproof.proof.refutation import name_point, points_for, put_exactly
 
 # Points that are tried; at so many of them zero is no single point of a line.

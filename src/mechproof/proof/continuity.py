@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.signs import is_positive, is_within_quarter_turn
 from mechproof.record import Slack, list_needs

@@ -9,7 +9,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import reduce_polynomial, split
-from mechproof.proof.set_values import COUNTS
+from mechproof.domains.set_values import COUNTS
 from mechproof.record.parts import replace_parts
 
 # Functions of an angle by its sine and its cosine.

@@ -10,8 +10,8 @@ from itertools import islice
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain, Point
 from mechproof.proof.counts import is_count
-from mechproof.proof.domain import Domain, Point
 from mechproof.proof.refutation import find_unlike_at, points_for
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors

@@ -8,7 +8,7 @@ from itertools import chain, islice, permutations
 
 import sympy as sp
 
-from mechproof.proof.domain import Domain, Point
+from mechproof.domains.domain import Domain, Point
 from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
 

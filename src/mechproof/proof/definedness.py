@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
-from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_nonzero, is_shown
 from mechproof.proof.sums import canonicalise

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.concrete.gosper import gosper_sum
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import decide_by_induction, sum_up
 from mechproof.proof.signs import is_positive

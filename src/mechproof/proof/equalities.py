@@ -7,6 +7,8 @@ from contextlib import suppress
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import prepare, take_values
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.antiderivative import decide_by_derivative
 from mechproof.proof.cases import (
@@ -17,13 +19,11 @@ from mechproof.proof.cases import (
     write_pieces,
 )
 from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
-from mechproof.proof.domain import Domain
 from mechproof.proof.induction import decide_by_induction
 from mechproof.proof.integral_recurrences import decide_by_parts
 from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, split_powers
-from mechproof.proof.preparation import prepare, take_values
 from mechproof.proof.refutation import compare
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping

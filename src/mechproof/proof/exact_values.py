@@ -6,7 +6,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip, show_plainly
 from mechproof.record.parts import find_free

@@ -12,8 +12,8 @@ from functools import reduce
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial
 

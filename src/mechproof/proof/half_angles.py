@@ -15,8 +15,8 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain
 from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
-from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_workable
 from mechproof.record import RecordError, Root, Slack

@@ -13,12 +13,12 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import prepare
 from mechproof.proof.counts import find_first, let_run
 from mechproof.proof.definedness import has_values
-from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import is_negative_somewhere
 from mechproof.proof.induction import follow, is_plain
-from mechproof.proof.preparation import prepare
 from mechproof.proof.sign_forms import drop_signed_factors
 from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.sums import write_out

@@ -15,8 +15,8 @@ from itertools import combinations, permutations
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import expand, split
+from mechproof.domains.domain import Domain
 from mechproof.proof import binomial_squares, monotonicity
-from mechproof.proof.domain import Domain
 from mechproof.proof.half_angles import (
     find_sign_there,
     is_negative_somewhere,

@@ -15,11 +15,11 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.counts import find_first
-from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.integrals import is_improper
 from mechproof.proof.powers import is_analytic

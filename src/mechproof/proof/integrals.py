@@ -14,11 +14,11 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.counts import has_steps
-from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms

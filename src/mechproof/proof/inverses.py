@@ -13,9 +13,9 @@ from math import lcm
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.coordinates import list_terms
-from mechproof.proof.domain import Domain
 from mechproof.proof.inequalities import isolate_root, show_sign
 from mechproof.proof.polynomial_signs import sign_of_number
 from mechproof.proof.signs import find_sign, is_positive, is_shown

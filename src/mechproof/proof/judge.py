@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.domains.dimensions import dimensions_of
+from mechproof.domains.domain import Domain
+from mechproof.domains.set_values import COUNTS
 from mechproof.proof.cancelled import tell_division_by_zero
 from mechproof.proof.comparison_latex import write_compared
-from mechproof.proof.dimensions import dimensions_of
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.restatements import check_restatements
-from mechproof.proof.set_values import COUNTS
 from mechproof.proof.statement_checks import check_statement
 from mechproof.proof.verdict import Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 from sympy.simplify.simplify import hypersimp
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.endless_sums import put_values, read_endless
 from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below

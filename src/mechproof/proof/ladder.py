@@ -10,6 +10,8 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import take_values
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
@@ -22,7 +24,6 @@ from mechproof.proof.definedness import (
     need_the_same,
     put_in,
 )
-from mechproof.proof.domain import Domain
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
@@ -30,7 +31,6 @@ from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import settle_limits
-from mechproof.proof.preparation import take_values
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.reasons import (
     WORST_FIRST,

@@ -11,8 +11,8 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import is_nonzero, is_positive

@@ -23,7 +23,7 @@ from mechproof.arithmetic.cover import Box, Boxes, as_box, cover_below
 from mechproof.arithmetic.intervals import Array
 from mechproof.arithmetic.layout import Values
 from mechproof.arithmetic.roots import Bracketed, frame, has_sign
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.record.implicit import MOST_STEPS, LastIterate, Root
 from mechproof.record.parts import find_free
 

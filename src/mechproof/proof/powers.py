@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import has_parts
 

@@ -15,7 +15,7 @@ from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_positive
 
 _TANGENT = sp.Dummy("t", real=True)

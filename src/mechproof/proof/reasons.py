@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof import newton
 from mechproof.proof.definedness import InnerNeed, tell
-from mechproof.proof.domain import Domain
 from mechproof.proof.refutation import Comparison
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.proof.witness_text import LONGEST, clip

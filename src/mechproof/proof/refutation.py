@@ -19,8 +19,8 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain, Point, sizes_of
 from mechproof.proof.counts import choose_counts, is_count
-from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point

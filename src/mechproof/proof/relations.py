@@ -6,10 +6,10 @@ from itertools import product
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof import bisection, inductive_inequalities, newton, taylor
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.cases import decide_by_pieces, write_pieces
-from mechproof.proof.domain import Domain
 from mechproof.proof.inductive_inequalities import holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.signs import is_nonzero, is_shown

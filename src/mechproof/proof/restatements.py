@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.record import (
     Completions,
     Conjunction,

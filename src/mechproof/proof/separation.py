@@ -16,7 +16,7 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 
 RUNG = "separation bound"
 # Work limit: bits of a bound.

@@ -17,6 +17,7 @@ from functools import lru_cache
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.coordinates import (
     Coordinates,
     free_tangents,
@@ -27,7 +28,6 @@ from mechproof.proof.coordinates import (
     write_by_cosines,
     write_by_half_angles,
 )
-from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.relations import Slack, find_slack

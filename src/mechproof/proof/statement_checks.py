@@ -13,9 +13,9 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
 from mechproof.arithmetic import balls
-from mechproof.proof.assumptions import Facts, describe_excess, facts_of, find_excess
-from mechproof.proof.dimensions import DimensionError, Dimensions, infer_common
-from mechproof.proof.domain import Domain
+from mechproof.domains.assumptions import Facts, describe_excess, facts_of, find_excess
+from mechproof.domains.dimensions import DimensionError, Dimensions, infer_common
+from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_shown
 from mechproof.record import (
     Completions,

@@ -18,7 +18,7 @@ from itertools import permutations
 import sympy as sp
 
 from mechproof.arithmetic.ball_evaluation import MOST_TERMS
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_nonnegative
 from mechproof.record.parts import has_parts
 from mechproof.record.substitution import substitute

@@ -11,7 +11,7 @@ from flint import arb, arb_series, fmpq
 
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.arithmetic.series import LONGEST, NAN, TaylorExpression, list_terms, working
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 
 RUNG = "Taylor series with its remainder in balls"
 BITS = 256

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import sympy as sp
 from sympy.concrete.gosper import gosper_term
 
+from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import prepare
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.powers import is_analytic, split_powers
-from mechproof.proof.preparation import prepare
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute

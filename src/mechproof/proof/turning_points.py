@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.proof.continuity import find_break
-from mechproof.proof.domain import Domain
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.record import Slack

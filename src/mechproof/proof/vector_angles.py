@@ -13,8 +13,8 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_positive
 
 RUNG = "arguments of vectors"

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from mechproof.latex.sentences import is_sentence
 from mechproof.proof.anchors import name_anchor
 from mechproof.proof.numbers import describe_number
+from mechproof.sources.text import Place
 from mechproof.tools.notebook import Displayed
 
 
@@ -72,18 +73,6 @@ def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
     """
     name = "paraphrase" if is_sentence(latex) and not is_source else "print"
     return {"print": "", "paraphrase": "", name: latex}
-
-
-@dataclass(frozen=True)
-class Place:
-    """A place in a file; lines and columns are counted from 1."""
-
-    file: str
-    line: int
-    column: int
-
-    def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}"
 
 
 @dataclass(frozen=True)

@@ -12,14 +12,14 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
-from mechproof.proof.dimensions import (
+from mechproof.domains.dimensions import (
     DimensionError,
     Dimensions,
     infer,
     infer_common,
     rescale,
 )
-from mechproof.proof.domain import Domain, Point
+from mechproof.domains.domain import Domain, Point
 from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_point

@@ -7,8 +7,8 @@ import re
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.dimensions import DimensionError, infer_common, is_angle
-from mechproof.proof.domain import Domain, Point, sizes_of
+from mechproof.domains.dimensions import DimensionError, infer_common, is_angle
+from mechproof.domains.domain import Domain, Point, sizes_of
 from mechproof.proof.verdict import Evidence
 
 # Characters of an expression that a reason names.

@@ -8,11 +8,11 @@ from fractions import Fraction
 from inspect import cleandoc
 from typing import Any
 
+from mechproof.ledger.judged import JudgedPaper
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import write_svg
 from mechproof.plot.motion import motion
 from mechproof.proof.anchors import name_anchors
-from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
 from mechproof.report.pages import read_stylesheet, render

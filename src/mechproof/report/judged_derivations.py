@@ -10,8 +10,8 @@ from pathlib import Path
 
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import packaged_directory
+from mechproof.ledger.judged import JudgedPaper
 from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, read_record
-from mechproof.proof.ledger import JudgedPaper
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import tell_proofs
 from mechproof.roundoff.certificate_files import find_certificate

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import sympy as sp
 from markupsafe import Markup
 
+from mechproof.ledger.cards import Card, make_card
+from mechproof.ledger.findings import LedgerFinding
+from mechproof.ledger.judged import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.anchors import find_only_equation, name_anchors, name_equation
-from mechproof.proof.cards import Card, make_card
 from mechproof.proof.comparison_latex import write_latex, write_letter
-from mechproof.proof.findings import LedgerFinding
-from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Left
 from mechproof.record import Equality, Paper, Row, Variable
 from mechproof.record.findings import WEIGHTS

@@ -8,8 +8,8 @@ from types import MappingProxyType
 
 from markupsafe import Markup
 
-from mechproof.proof.ledger import PLAIN
-from mechproof.proof.verdict import Evidence, Judgement, Left, Place, Verdict
+from mechproof.ledger.judged import PLAIN
+from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
@@ -23,6 +23,7 @@ from mechproof.report.phrases import (
     set_reason,
     set_value,
 )
+from mechproof.sources.text import Place
 
 # Evidence beyond so many items is folded away.
 SHOWN = 4

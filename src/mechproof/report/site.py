@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.proof.ledger import AT_HAND, JudgedPaper, Ledger
+from mechproof.ledger.judged import AT_HAND, JudgedPaper, Ledger
 from mechproof.proof.rungs import RUNGS
 from mechproof.report.judged_derivations import (
     JudgedDerivation,

@@ -23,8 +23,8 @@ from mechproof.derivation import (
     load_paper,
     packaged_directory,
 )
+from mechproof.domains.domain import Domain
 from mechproof.mechanisms.facts import check_domain
-from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Equality, Paper, Periodicity, Quantity, Root

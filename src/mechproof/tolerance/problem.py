@@ -21,7 +21,7 @@ from mechproof.tolerance.sizes import Size, check_sizes
 from mechproof.tolerance.subdivision import Search
 
 if TYPE_CHECKING:
-    from mechproof.proof.domain import Domain
+    from mechproof.domains.domain import Domain
     from mechproof.record import Paper, Quantity
 
 
@@ -45,7 +45,7 @@ class Problem:
 
     def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
         from mechproof.arithmetic.slopes import GradientTape
-        from mechproof.proof.domain import Domain
+        from mechproof.domains.domain import Domain
 
         quantity = _find_quantity(paper, name)
         self.running = quantity.arguments[0].symbols[0]

@@ -11,11 +11,11 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain
+from mechproof.domains.set_values import COUNTS
 from mechproof.lab.sampling.zero_sets import Columns, call
 from mechproof.lab.ways import Array
 from mechproof.programs.domain import set_relations
-from mechproof.proof.domain import Domain
-from mechproof.proof.set_values import COUNTS
 from mechproof.record.relations import find_slack, is_comparison
 
 # A computed limit is kept away from by what so many roundings of the arguments move it: nearer,

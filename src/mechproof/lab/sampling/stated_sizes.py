@@ -9,10 +9,10 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from mechproof.domains.domain import Domain
 from mechproof.lab.sampling.region import Region
 from mechproof.lab.sampling.zero_sets import Columns, ZeroSet
 from mechproof.lab.ways import Arguments, Array
-from mechproof.proof.domain import Domain
 from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
 
 # Sizes are drawn so many times smaller and larger than the usual and published ones.

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from mechproof.document.displays import find_displays
-from mechproof.document.text import LocatedText
+from mechproof.sources.displays import find_displays
+from mechproof.sources.text import LocatedText
 
 _COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
 _NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")

@@ -10,11 +10,11 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from mechproof.document.lines import split_lines, walk_signs
-from mechproof.document.macros import expand, find_macros
-from mechproof.document.sources import DocumentError
-from mechproof.document.text import LocatedText
 from mechproof.latex.sentences import find_brace
+from mechproof.sources.files import DocumentError
+from mechproof.sources.lines import split_lines, walk_signs
+from mechproof.sources.macros import expand, find_macros
+from mechproof.sources.text import LocatedText
 
 _BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")

@@ -16,9 +16,9 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.domain import Domain
+from mechproof.domains.domain import Domain
 from mechproof.proof.numbers import describe_number
-from mechproof.proof.verdict import Judgement, Place, Verdict, name_row, tell_print
+from mechproof.proof.verdict import Judgement, Verdict, name_row, tell_print
 from mechproof.record import (
     Check,
     Conjunction,
@@ -32,6 +32,7 @@ from mechproof.record import (
     Weight,
 )
 from mechproof.record.findings import WEIGHTS
+from mechproof.sources.text import Place
 
 WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
 # What a value in radians, millimetres or parts of one is multiplied with.

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from mechproof.document.cells import find_unit
-from mechproof.document.inline import DISPLAY
-from mechproof.document.sources import Source
-from mechproof.document.units import Unit
+from mechproof.nomenclature.cells import find_unit
+from mechproof.nomenclature.inline import DISPLAY
+from mechproof.nomenclature.units import Unit
+from mechproof.sources.files import Source
 
 _NUMBER = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
 # Where the unit behind a number may end: before the word "in", that is no inch.

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from mechproof.document.block import Block
-from mechproof.document.displays import Printed
-from mechproof.document.symbols import Symbols
+from mechproof.nomenclature.block import Block
+from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import Scope
+from mechproof.sources.displays import Printed
 
 _TO = "-"
 

@@ -7,18 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, count, pairwise
 
-from mechproof.document.announcements import NOTHING, Announced
-from mechproof.document.lines import (
+from mechproof.sources.announcements import NOTHING, Announced
+from mechproof.sources.files import DocumentError
+from mechproof.sources.lines import (
     begins_with_sign,
     cut_gaps,
     goes_on,
     join_lines,
     split_lines,
 )
-from mechproof.document.macros import Defined, Macro, expand, find_macros
-from mechproof.document.sources import DocumentError
-from mechproof.document.text import Files, LocatedText, join
-from mechproof.proof.verdict import Place
+from mechproof.sources.macros import Defined, Macro, expand, find_macros
+from mechproof.sources.text import Files, LocatedText, Place, join
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"

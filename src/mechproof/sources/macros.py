@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from mechproof.document.sources import DocumentError
-from mechproof.document.text import LocatedText, join
 from mechproof.latex.sentences import find_brace
+from mechproof.sources.files import DocumentError
+from mechproof.sources.text import LocatedText, join
 
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000

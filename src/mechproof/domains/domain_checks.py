@@ -6,8 +6,8 @@ from functools import cache
 
 import sympy as sp
 
-from mechproof.proof.assumptions import describe_excess, facts_of, find_excess
-from mechproof.proof.set_values import COUNTS
+from mechproof.domains.assumptions import describe_excess, facts_of, find_excess
+from mechproof.domains.set_values import COUNTS
 from mechproof.record import RecordError
 
 

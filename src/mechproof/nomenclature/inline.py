@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.document.cells import Numeral, name_unit, read_numeral
-from mechproof.document.displays import Printed
-from mechproof.document.letters import name_symbol
-from mechproof.document.macros import expand, find_macros
-from mechproof.document.sources import Source
-from mechproof.document.units import ONE, read_unit
+from mechproof.nomenclature.cells import Numeral, name_unit, read_numeral
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.units import ONE, read_unit
+from mechproof.sources.displays import Printed
+from mechproof.sources.files import Source
+from mechproof.sources.macros import expand, find_macros
 
 DISPLAY = re.compile(
     r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{(?P<name>equation|align|gather|multline|eqnarray|tabular)"

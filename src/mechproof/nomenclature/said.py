@@ -10,9 +10,9 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from mechproof.document.letters import name_symbol
-from mechproof.document.sources import Source
-from mechproof.document.units import UnitError, read_unit
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.units import UnitError, read_unit
+from mechproof.sources.files import Source
 
 _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"
 _UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"

@@ -15,7 +15,6 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.document.letters import Collected, find_shapes, is_vector, make_reader, name_symbol
 from mechproof.latex import ReadingError
 from mechproof.latex.tree import (
     Add,
@@ -36,6 +35,13 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
     walk,
+)
+from mechproof.nomenclature.letters import (
+    Collected,
+    find_shapes,
+    is_vector,
+    make_reader,
+    name_symbol,
 )
 
 Shape = tuple[int, int]

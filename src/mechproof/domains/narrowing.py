@@ -14,7 +14,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.proof.set_values import COUNTS, place, radical_inverse
+from mechproof.domains.set_values import COUNTS, place, radical_inverse
 from mechproof.record.relations import find_slack
 
 Values = Mapping[sp.Basic, sp.Expr]

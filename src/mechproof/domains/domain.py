@@ -16,10 +16,15 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.dimensions import dimensions_of
-from mechproof.proof.domain_checks import check_given, check_relation, check_set
-from mechproof.proof.narrowing import Values, leaves_values, search
-from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
+from mechproof.domains.dimensions import dimensions_of
+from mechproof.domains.domain_checks import check_given, check_relation, check_set
+from mechproof.domains.narrowing import Values, leaves_values, search
+from mechproof.domains.set_values import (
+    list_closed_ends,
+    list_special_values,
+    place,
+    radical_inverse,
+)
 from mechproof.record import NUMBER, Dimension, Paper, Part, PublishedSizes, RecordError, Toleranced
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import resolve

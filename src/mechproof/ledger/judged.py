@@ -10,9 +10,9 @@ from dataclasses import asdict, dataclass, field
 from html import escape
 from types import MappingProxyType
 
-from mechproof.proof.cards import make_card
+from mechproof.ledger.cards import make_card
+from mechproof.ledger.findings import LedgerFinding
 from mechproof.proof.equalities import IDENTICAL
-from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper

@@ -10,8 +10,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from mechproof.document.text import Files, LocatedText, join
-from mechproof.proof.verdict import Place
+from mechproof.sources.text import Files, LocatedText, Place, join
 
 STDIN = "-"
 BESIDE = ".letters"

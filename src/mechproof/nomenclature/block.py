@@ -13,9 +13,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 
-from mechproof.document.text import Files, LocatedText
-from mechproof.document.units import spell_unit
-from mechproof.proof.verdict import Place
+from mechproof.nomenclature.units import spell_unit
+from mechproof.sources.text import Files, LocatedText, Place
 
 _SHAPE = re.compile(r"\s\[?(\d+)\s*x\s*(\d+)\]?\s*\Z")
 _MOVED = re.compile(r"(?P<name>\S+)\s+(?P<shape>\d+x\d+)\s*\(\s*(?P<by>[^()]+?)\s*\)\s*\Z")

@@ -9,12 +9,12 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.document.cells import name_unit
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.names import strip_braces
+from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
 REMEDIES = Remedies(

@@ -8,7 +8,17 @@ from dataclasses import dataclass, field
 from itertools import accumulate, chain
 from re import Match, Pattern
 
-from mechproof.proof.verdict import Place
+
+@dataclass(frozen=True)
+class Place:
+    """A place in a file; lines and columns are counted from 1."""
+
+    file: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,13 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.block import Block, Declared
-from mechproof.document.cells import name_unit
-from mechproof.document.letters import REMEDIES, name_symbol
-from mechproof.document.names import (
+from mechproof.latex import Reader
+from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.values import Moving
+from mechproof.nomenclature.block import Block, Declared
+from mechproof.nomenclature.cells import name_unit
+from mechproof.nomenclature.letters import REMEDIES, name_symbol
+from mechproof.nomenclature.names import (
     ORDERS,
     TIME,
     leave_names,
@@ -24,13 +27,10 @@ from mechproof.document.names import (
     say_rate,
     set_otherwise,
 )
-from mechproof.document.relations import narrow, read_relations
-from mechproof.document.units import ONE, UNITS, Unit, UnitError, read_unit, weigh_unit
-from mechproof.latex import Reader
-from mechproof.latex.functions import FUNCTIONS
-from mechproof.latex.values import Moving
-from mechproof.proof.verdict import Place
+from mechproof.nomenclature.relations import narrow, read_relations
+from mechproof.nomenclature.units import ONE, UNITS, Unit, UnitError, read_unit, weigh_unit
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
+from mechproof.sources.text import Place
 
 # The unit behind a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?\{?-?\d\}?)?)+)\s*\Z")

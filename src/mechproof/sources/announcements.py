@@ -9,7 +9,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from mechproof.document.other_subjects import are_opposed, find_sides, tells_of_another
+from mechproof.sources.other_subjects import are_opposed, find_sides, tells_of_another
 
 # Words that tell of another case, not of the two roots of one; words that may tell of either, and
 # how far before a display they are looked for.

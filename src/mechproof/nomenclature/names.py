@@ -11,13 +11,13 @@ from itertools import product
 
 import sympy as sp
 
-from mechproof.document.block import Declared
-from mechproof.document.letters import name_symbol, show_letter
-from mechproof.document.units import read_unit
 from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.names import to_signs
-from mechproof.proof.verdict import Place
+from mechproof.nomenclature.block import Declared
+from mechproof.nomenclature.letters import name_symbol, show_letter
+from mechproof.nomenclature.units import read_unit
 from mechproof.record import Variable
+from mechproof.sources.text import Place
 
 # Derivatives of a letter that have prints of their own.
 ORDERS = (1, 2, 3)
