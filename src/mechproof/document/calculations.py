@@ -10,18 +10,16 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.calculated_sizes import find_span
+from mechproof.document.roles import Sign
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Node
-
-if TYPE_CHECKING:
-    from mechproof.document.roles import Sign
 
 _SLOW = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 Span = tuple[float, float] | None

@@ -26,8 +26,9 @@ from mechproof.document.mentions import (
     refuse_unknown,
     says_constant,
 )
+from mechproof.document.printed_signs import find_roles, give_values
 from mechproof.document.restated_sizes import RestatedSizes
-from mechproof.document.roles import Role, Sign, find_roles, give_values
+from mechproof.document.roles import Role, Sign
 from mechproof.document.seams import make_seams
 from mechproof.document.size_tables import SizeTables
 from mechproof.document.solutions import SIGN, read_signs

@@ -1,0 +1,232 @@
+"""The relation signs of a print, one after the other: what each does, and what it makes known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise, takewhile
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.calculated_sizes import find_span
+from mechproof.document.calculations import add_calculations
+from mechproof.document.known import Known
+from mechproof.document.letters_alone import (
+    LetterAlone,
+    compare_with_known,
+    find_role_of_letter,
+    has_place,
+    is_bare,
+)
+from mechproof.document.roles import EQUAL, Role, Sign, Varied
+from mechproof.latex import ReadingError
+from mechproof.latex.expansion import name_ordinal
+from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_behind
+from mechproof.latex.reader import Print
+from mechproof.latex.sides import list_arcs, turn
+from mechproof.latex.tree import (
+    Approach,
+    At,
+    Chain,
+    Derivation,
+    Extremum,
+    Integration,
+    Letter,
+    Node,
+    walk,
+)
+from mechproof.nomenclature.relations import read_relations
+
+
+def give_values(text: str, known: Known) -> None:
+    """Take relations, k=a/b, as definitions; `ValueError` for what is none."""
+    for relation in read_relations(text, known.symbols.reader()):
+        is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
+        if not (isinstance(relation, sp.Equality) and is_letter):
+            raise ValueError(f"let: {text}: a value is written letter=expression")
+        symbol, value = relation.args
+        if symbol in known.values or symbol in known.settle(value).free_symbols:
+            raise ValueError(f"let: {text}: it has a value already, or is given by itself")
+        known.define(symbol, value, "the block of letters")
+
+
+def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
+    """Return the roles of the signs of a print, in their order; what it defines is known then.
+
+    Raises `ReadingError` for members that cannot be worked out.
+    """
+    signs = []
+    for chain in read.chains:
+        found = [_find_role(name, read, chain, n, known) for n in range(len(chain.relations))]
+        given = [_is_worked_out(node) for node in chain.members]
+        put_in = (*_list_put_in(chain),)
+        found = [
+            replace(
+                sign,
+                worked_out=is_not,
+                printed=_list_letters(nodes),
+                factor=find_factor(nodes),
+                varied=(*put_in, *_list_varied(nodes)),
+            )
+            for sign, is_not, nodes in zip(
+                found, pairwise(given), pairwise(chain.members), strict=True
+            )
+        ]
+        _note_others(name, found, known)
+        signs += add_calculations(read, chain, found, known.symbols.list_exact())
+    for sign in signs:
+        if sign.role is Role.CONSTRAINT:
+            known.constrained.update(*(side.free_symbols for side in sign.sides))
+    for chain in read.chains:
+        known.met.update(_list_letters(chain))
+    return signs
+
+
+def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
+    return frozenset(part.symbol for part in walk(nodes) if isinstance(part, Letter))
+
+
+def _list_varied(nodes: Any) -> Iterator[Varied]:
+    """Yield letters over which parts go, with the letters of what is taken there."""
+    for part in walk(nodes):
+        if isinstance(part, At | Approach | Extremum):
+            yield part.by.symbol, _list_letters(part.term)
+        elif isinstance(part, Derivation) and not part.is_partial:
+            yield part.by.symbol, _list_letters(part.of)
+        elif isinstance(part, Integration) and isinstance(part.differential, Letter):
+            yield part.differential.symbol, _list_letters(part.integrand)
+
+
+def _list_put_in(chain: Chain) -> Iterator[Varied]:
+    """Yield the letters of which the condition of a chain says the value."""
+    said = chain.condition
+    if said is not None and {*said.relations} & {*EQUAL}:
+        members = _list_letters(chain.members)
+        yield from ((one.symbol, members) for one in said.members if isinstance(one, Letter))
+
+
+def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
+    nodes = chain.members[left : left + 2]
+    is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
+    if chain.relations[left] == r"\approx" and find_factor(nodes) and find_factor(nodes[1:]):
+        return _find_role_of_factor(nodes, read, known)
+    if chain.relations[left] not in EQUAL and not is_rounded:
+        units = (name_unit_behind(nodes[0]), name_unit_behind(nodes[1]))
+        limited = (_work_out(read, nodes[0], known), _work_out(read, nodes[1], known))
+        return Sign(Role.RELATION, units=units, limited=limited if any(units) else (None, None))
+    for node in nodes:
+        if isinstance(node, Extremum):
+            _refuse_range(read, chain, node, known)
+            return _find_role_of_extremum(name, read, chain, left, known)
+    try:
+        worked_out = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+        sides = one, other = turn((nodes[0], nodes[1]), worked_out)
+    except ReadingError:
+        if has_place(nodes):
+            # What it is a value of may be printed behind it.
+            return Sign(Role.VALUE)
+        raise
+    _note_arcs(read, nodes, sides, known)
+    for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
+        if is_bare(node):
+            symbol = node.symbol if isinstance(node, Letter) else symbol
+            alone = LetterAlone(name, read, chain, left, node, symbol, value, sides)
+            return find_role_of_letter(alone, known)
+    if has_place(nodes):
+        return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
+    if any(isinstance(node, Derivation) for node in nodes):
+        return Sign(Role.DERIVATIVE, sides=sides)
+    if not left:
+        return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
+    if not (one.free_symbols and other.free_symbols):
+        return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
+    return Sign(Role.STEP, sides=sides)
+
+
+def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> Sign:
+    """Return that a rounded factor is compared; that of a new letter defines nothing."""
+    sides = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+    if not is_bare(nodes[0]):
+        return Sign(Role.STEP, sides=sides)
+    symbol = sides[0]
+    role = compare_with_known(symbol, known) if symbol in known.values else Role.RELATION
+    return Sign(role, symbol, known.printed.get(symbol, ""), sides)
+
+
+def _note_arcs(read: Print, nodes: tuple[Node, ...], sides: tuple[Any, Any], known: Known) -> None:
+    """Note what angles are whose sine, cosine or tangent is printed.
+
+    A number is rounded, and so is what has rounded decimals. What numbers give is of their passage.
+    """
+    exact = known.symbols.list_exact()
+    for function, arc in list_arcs(sides):
+        angle = function.args[0]
+        if arc.free_symbols:
+            known.arcs.setdefault(angle, []).append(arc)
+        elif arc.is_real and not any(is_number(x) or find_span(read, x, exact) for x in nodes):
+            known.angles.setdefault((known.said.passage, angle), []).append((function.func, arc))
+
+
+def _find_role_of_extremum(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
+    """Return that a letter is introduced as the largest or smallest value, which follows."""
+    first, *others = chain.members[left:]
+    if left or not (isinstance(first, Letter) and is_bare(first)) or first.symbol in known.values:
+        return Sign(Role.VALUE)
+    if others[1:]:
+        known.define(first.symbol, _work_out(read, others[1], known), name)
+        return Sign(Role.DEFINITION, first.symbol, name)
+    return Sign(Role.VALUE, first.symbol)
+
+
+def _is_worked_out(node: Node) -> bool:
+    return any(
+        isinstance(part, Derivation)
+        or (isinstance(part, Letter) and isinstance(part.symbol, sp.MatrixSymbol))
+        for part in walk(node)
+    )
+
+
+def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:
+    """Refuse what is said of the letter that moves, besides the set in which it lies."""
+    said = {part.symbol for part in walk(chain.condition) if isinstance(part, Letter)}
+    said |= {symbol for relation in known.symbols.where for symbol in relation.free_symbols}
+    if node.by.symbol in said:
+        raise read.source.refuse(
+            node.by.start,
+            f"a range of {node.by.text} that is not said where it is declared",
+            f"Say it in the block of letters behind {node.by.text}: {{0<{node.by.text}<1}}",
+        )
+
+
+def name_member(number: int, name: str) -> str:
+    """Return how a member of an equation is called, counted from the letter on."""
+    return f"the {name_ordinal(number)} member of {name}"
+
+
+def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
+    """Note the further members of a chain that defines a letter."""
+    if not signs or known.printed.get(signs[0].letter) != name:
+        return
+    letter = signs[0].letter
+    for number, sign in takewhile(lambda one: one[1].role is Role.STEP, enumerate(signs[1:], 3)):
+        value = sign.sides[1]
+        if letter not in known.settle(value, {letter}).free_symbols:
+            known.others.setdefault(letter, []).append((name_member(number, name), value))
+
+
+def _work_out(read: Print, node: Node, known: Known) -> Any:
+    """Return a member, with the values of letters where it cannot be said without them.
+
+    That is what is integrated by a letter on which it depends.
+    """
+    integrals = [part for part in walk(node) if isinstance(part, Integration)]
+    running = {p.symbol for i in integrals for p in walk(i.differential) if isinstance(p, Letter)}
+    moving = {
+        s: v for s, v in known.values.items() if running and known.settle(v).free_symbols & running
+    }
+    matrices = {**known.list_matrices(), **known.entries}
+    try:
+        return read.meaning({**matrices, **moving}).of(node)
+    except ReadingError:
+        return read.meaning({**known.tied, **known.values, **known.entries}).of(node)
