@@ -10,10 +10,11 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.conversions import NEAR, UNFIT
+from mechproof.document.numbers_at_sizes import SINGLE, state_number, tell_missing
 from mechproof.document.numerical_values import OPEN, is_of_units
 from mechproof.document.roles import Sign
 from mechproof.document.scales import RoundedSize, agrees, spread
-from mechproof.document.sizes import SINGLE, Sizes, show, tell_missing
+from mechproof.document.sizes import Sizes, show
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.units import Unit, is_share, read_unit
 from mechproof.record import Equality, PrintedNumber
@@ -76,7 +77,7 @@ def state_result(
     sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes
 ) -> PrintedNumber | Equality | str | None:
     """State that a number is what is calculated, and in its unit what the formula before gives."""
-    plain = sizes.state(sign, own, printed)
+    plain = state_number(sizes, sign, own, printed)
     if not isinstance(plain, PrintedNumber):
         return plain
     if not sign.unit:

@@ -8,11 +8,12 @@ import sympy as sp
 
 from mechproof.document.conversions import NEAR, tell_misfit
 from mechproof.document.known import Known
+from mechproof.document.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.roles import Role, Sign
 from mechproof.document.rounded_factors import is_far
 from mechproof.document.scales import agrees, is_near
-from mechproof.document.sizes import OTHERS, Sizes
+from mechproof.document.sizes import Sizes
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row
 from mechproof.sources.displays import Printed
@@ -48,7 +49,7 @@ class StatedNumbers:
         elif sign.role is Role.NUMBER and sign.formula is not None:
             stated = state_result(sign, own, printed, self.sizes)
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
-            stated = self.sizes.state(sign, own, printed)
+            stated = state_number(self.sizes, sign, own, printed)
         elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
             if misfit := tell_misfit(sign, self.known.symbols):
                 return misfit
@@ -70,7 +71,7 @@ class StatedNumbers:
         """Compare a size with what other prints say of its letter, if they say a number."""
         said = replace(sign, role=Role.NUMBER)
         formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
-        judged = [(one, self.sizes.state(one, own, printed)) for one in formulas]
+        judged = [(one, state_number(self.sizes, one, own, printed)) for one in formulas]
         told = [(one, says) for one, says in judged if isinstance(says, PrintedNumber)]
         for one in sorted(told, key=lambda one: not agrees(one[1])):
             return one

@@ -1,0 +1,253 @@
+"""Numbers of formulas at the sizes of letters: what each says, or why that is not judged.
+
+A number that is not the one at the sizes may have been rounded, or be meant at others.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.conversions import NEAR, UNFIT, convert, differs_by_unit, round_irrational
+from mechproof.document.printed_sizes import PrintedSize
+from mechproof.document.roles import Role, Sign
+from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
+from mechproof.document.sizes import Sizes, show
+from mechproof.nomenclature.cells import Head, Numeral
+from mechproof.nomenclature.units import Unit, read_unit
+from mechproof.record import NUMBER, Equality, PrintedNumber
+from mechproof.sources.displays import Printed
+
+# One digit, or zeros of which nobody knows whether they are digits.
+_FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
+_FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
+SINGLE = "a single value: nothing says for which sizes, or to how many digits"
+OTHERS = "it is not the number at the sizes of"
+_ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
+_BARE_NUMBERS = "the numbers have no unit: in which are they meant?"
+_SAID = "it agrees with {}, but not with its formula, which gives {}"
+_RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
+_BARE = "it holds for the numbers as they stand, but not in the units of their letters"
+
+
+def state_number(
+    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+) -> PrintedNumber | Equality | str | None:
+    """State what a number says: at sizes, or of letters without; or say why nothing is.
+
+    It counts in the unit of the letter `own`, else in that behind it. None is what says of its
+    letters what any equation does.
+    """
+    if not sign.number:
+        return SINGLE
+    if sign.given[1]:
+        return convert(sign, own, at.known.symbols)
+    is_constraint = sign.role is Role.CONSTRAINT
+    letters = at.known.settle(sign.value).free_symbols
+    if is_constraint and not (sign.unit or letters):
+        return round_irrational(sign)
+    is_sum = _is_sum(sign.value)
+    own = at.find_own(sign, own)
+    if (is_constraint or is_sum) and letters - at.list_all().keys():
+        stated = _constrain(at, sign, own)
+        if stated or is_constraint:
+            return stated
+    if is_constraint and not (sign.unit or is_sum) and _FEW_DIGITS.match(sign.number):
+        return None
+    return _round(at, sign, own, printed)
+
+
+def _constrain(at: Sizes, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
+    """State what a number says of letters whose sizes are not all known."""
+    value, number = sign.value, sp.Rational(sign.number)
+    scales, dimension = Scales(at.known.symbols), at.infer(sign.value)
+    if not sign.unit:
+        is_fit = number != 0 and own is not None and _is_sum(value)
+        is_fit &= dimension == at.known.symbols.find_dimension(own)
+        return Equality(value, number, "member") if is_fit else None
+    unit = read_unit(sign.unit)
+    if dimension != unit.dimension or not value.free_symbols <= scales.known.keys():
+        return UNFIT if sign.role is Role.CONSTRAINT else None
+    return Equality(scales.to_si(value) / unit.scale, number, "member")
+
+
+def _round(
+    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+) -> PrintedNumber | Equality | str:
+    """Return what a number says of a formula at the sizes, or why that is not judged."""
+    formulas = _find_formulas(at, sign)
+    if isinstance(formulas, str):
+        return _round_as_said(at, sign, own, printed) or formulas
+    if not isinstance(formulas, list):
+        return formulas
+    value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
+    if unit and value.free_symbols and not at.fits(value, own, unit):
+        return UNFIT
+    read = [*at.read(formulas, own, unit)]
+    exact, anew = at.list_at(printed)
+    stated = [PrintedNumber(sign.number, one.xreplace(exact)) for one in read]
+    renewed = [PrintedNumber(sign.number, one.xreplace(anew)) for one in read]
+    nearest = min(stated, key=_find_distance)
+    is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
+    values = [one.value for one in (*stated, *renewed)]
+    if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
+        return _FEW.format(show(nearest.value))
+    if found := next(filter(agrees, (*stated, *renewed)), None):
+        return found
+    if value.free_symbols and agrees(PrintedNumber(sign.number, value.xreplace(exact))):
+        return _BARE
+    has_letters = bool(value.free_symbols | sign.value.free_symbols)
+    may_excuse = has_letters or (own and unit)
+    excuse = _excuse(at, sign, own, printed, read, nearest) if may_excuse else ""
+    return excuse or _doubt(at, value, unit, printed) or nearest
+
+
+def _round_as_said(
+    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+) -> PrintedNumber | str:
+    """State that a number is that of a formula at sizes that sentences say, if it is."""
+    sizes, unit = at.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
+    settled = (at.known.settle(sign.value), at.known.settle(sign.value, stop=sizes))
+    formulas = [x for x in settled if x != sign.letter and x.free_symbols <= sizes.keys()]
+    if not formulas or (unit and not at.fits(formulas[0], own, unit)):
+        return ""
+    values = [one.xreplace(sizes) for one in at.read(formulas, own, unit)]
+    stated = [PrintedNumber(sign.number, value) for value in values]
+    if _FEW_DIGITS.match(sign.number):
+        stated = [one for one in stated if one.value == sp.Rational(sign.number)]
+    return next(filter(agrees, stated), "")
+
+
+def _find_formulas(at: Sizes, sign: Sign) -> list[sp.Expr] | Equality | str:
+    """Return the formulas of a number at the sizes, or why there are none.
+
+    That a formula is zero says something of letters whose sizes are not known.
+    """
+    declared, sizes = at.known.symbols.usual, at.list_all()
+    value = at.known.settle(sign.value)
+    # A letter that has a size, too, may be meant by either.
+    formulas = [*dict.fromkeys((value, at.known.settle(sign.value, stop=declared)))]
+    missing = value.free_symbols - sizes.keys()
+    if not missing:
+        return formulas
+    formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
+    # A further member of its chain may have no other letters.
+    others = (at.known.settle(x) for _, x in at.known.others.get(sign.value, ()))
+    formulas = formulas or [x for x in others if x.free_symbols <= sizes.keys()]
+    if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
+        return Equality(value, sp.S.Zero, "member")
+    return formulas or tell_missing(missing)
+
+
+def _excuse(
+    at: Sizes,
+    sign: Sign,
+    own: sp.Basic | None,
+    printed: Printed,
+    read: Iterable[sp.Expr],
+    nearest: PrintedNumber,
+) -> str:
+    """Say what may have been meant by a number that is not the one at the sizes."""
+    if names := at.name_restated(at.known.list_used(sign.value), printed):
+        return _RESTATED.format(names)
+    number, sizes = Numeral(sign.number, sp.S.One), at.list_all()
+    if any(is_near(one, number, sizes) for one in read):
+        return NEAR
+    if not sign.value.free_symbols and any(differs_by_unit(one, number) for one in read):
+        return _BARE_NUMBERS
+    if names := _name_rounded(at, sign, own, printed):
+        return _ROUNDED.format(names, show(nearest.value))
+    names = _name_said(at, sign, own, printed)
+    return _SAID.format(names, show(nearest.value)) if names else ""
+
+
+def _doubt(at: Sizes, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
+    """Say why a number may not be meant at the sizes that are printed."""
+    used = at.list_used(value.free_symbols)
+    units = {one.head.unit for one in used.values()}
+    if unit is None and len(units) > 1 and at.infer(value) != NUMBER:
+        return "it has no unit, and the sizes have several"
+    if used and not _are_beside(at, used.values(), printed.group):
+        names = ", ".join(dict.fromkeys(one.name for one in used.values()))
+        return f"{OTHERS} {names}: are these meant, or others?"
+    return ""
+
+
+def _name_rounded(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+    """Return with which numbers before it one agrees, as far as these may have been rounded."""
+    last = at.list_numbers(sign, printed)
+    rounded = {s: one for s, one in last.items() if not _is_exact(at, one)}
+    letters = at.known.settle(sign.value, stop=rounded).free_symbols
+    used = {s: rounded[s] for s in sorted(letters & rounded.keys(), key=str)}
+    given = {s: one.size for s, one in used.items()}
+    if not _is_near_at(at, sign, own, given, used.values()):
+        return ""
+    return ", ".join(f"{s} of {one.name}" for s, one in used.items())
+
+
+def _name_said(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+    """Return which letter has a quantity that a sentence says if a number agrees with it."""
+    known, scales = at.known, Scales(at.known.symbols)
+    letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
+    for letter in sorted(letters - known.symbols.usual.keys(), key=str):
+        for one in at.restated.list_quantities(printed):
+            number = Numeral(one.digits, sp.S.One, one.unit)
+            size = scales.size(Head(letter, str(letter), None), number)
+            is_alike = one.unit.dimension == known.symbols.find_dimension(letter)
+            if is_alike and _is_near_at(at, sign, own, {letter: size}):
+                return f"{letter} = {one.text} in line {one.line}"
+    return ""
+
+
+def _is_near_at(
+    at: Sizes,
+    sign: Sign,
+    own: sp.Basic | None,
+    given: Mapping[sp.Basic, RoundedSize],
+    numbers: Iterable[PrintedSize] = (),
+) -> bool:
+    """Return whether a number may be that of its formula at sizes of letters with a formula."""
+    formula = at.known.settle(sign.value, stop=given)
+    letters, sizes = formula.free_symbols, at.list_all() | {**given}
+    if not (letters & given.keys() and letters <= sizes.keys()):
+        return False
+    unit, number = read_unit(sign.unit) if sign.unit else None, Numeral(sign.number, sp.S.One)
+    read = at.read([formula], own, unit, numbers)
+    return any(is_near(one, number, sizes) for one in read)
+
+
+def _is_exact(at: Sizes, one: PrintedSize) -> bool:
+    """Return whether the number of a letter is that of its formula, without any rounding."""
+    letter, sizes = one.head.symbol, at.list_all()
+    formula = at.known.settle(letter)
+    exact = {s: size.value for s, size in sizes.items()}
+    return formula.free_symbols <= sizes.keys() and one.size.value in [
+        value.xreplace(exact) for value in at.read([formula], letter, None)
+    ]
+
+
+def _are_beside(at: Sizes, used: Iterable[PrintedSize], group: int) -> bool:
+    """Return whether nothing but numbers stands between sizes and the display of a number."""
+    groups = {group, *(one.group for one in used)}
+    return {*range(min(groups) + 1, max(groups))} <= at.numeric
+
+
+def tell_missing(letters: Iterable[sp.Basic]) -> str:
+    """Say which sizes a formula needs that nothing says."""
+    return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
+
+
+def _find_distance(stated: PrintedNumber) -> float:
+    """Return how far a number is from the value that is stated of it."""
+    distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
+    return float(distance) if distance.is_Float else math.inf
+
+
+def _is_sum(value: Any) -> bool:
+    """Return whether a value is a sum of letters, of which each may have a number before it."""
+    terms = sp.Add.make_args(value) if isinstance(value, sp.Add) else ()
+    return bool(terms) and all(term.as_coeff_Mul()[1] in value.free_symbols for term in terms)
