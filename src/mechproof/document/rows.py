@@ -38,6 +38,7 @@ from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
+from mechproof.nomenclature.declarations import declare
 from mechproof.nomenclature.letters import (
     collect_letters,
     drop_transposition,
@@ -49,7 +50,6 @@ from mechproof.nomenclature.letters import (
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.scopes import add_scopes
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.nomenclature.symbols import declare
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper
 from mechproof.sources.commas import join_thousands, mark_decimals

@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.nomenclature.block import read_block
-from mechproof.nomenclature.symbols import declare
+from mechproof.nomenclature.declarations import declare
 from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 from mechproof.sources.displays import Printed, find_displays
 from mechproof.sources.files import read_source
