@@ -5,7 +5,7 @@ A^n = B(n) for n = 1, 2, ... says that B(1) = A and B(n + 1) = B(n)A, and no mor
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import sympy as sp
@@ -25,14 +25,17 @@ def raise_matrix(base: sp.MatrixBase, exponent: sp.Expr) -> sp.MatPow | None:
     return sp.MatPow(base, exponent) if is_count and base.is_square else None
 
 
-def state_power(sides: Sequence[Any], where: Sequence[sp.Basic]) -> Conjunction | None:
-    """Return what an equation with a power on one side says; None where that is not clear."""
+def state_power(sides: Sequence[Any], counts: Collection[sp.Basic]) -> Conjunction | None:
+    """Return what an equation with a power on one side says; None where that is not clear.
+
+    The exponent is any of the whole numbers from 0 or 1 on, as `counts` are.
+    """
     powers = [side for side in sides if isinstance(side, sp.MatPow)]
     values = [side for side in sides if isinstance(side, sp.MatrixBase)]
     if len(powers) != 1 or len(values) != 1:
         return None
     (value,), (base, count) = values, powers[0].args
-    if base.has(count) or value.shape != base.shape or any(one.has(count) for one in where):
+    if base.has(count) or value.shape != base.shape or count not in counts:
         return None
     first = base if count.is_positive else sp.eye(base.rows).as_immutable()
     at_first, later = (

@@ -50,7 +50,7 @@ def _turn_rows(members: Members) -> Members:
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """Return what a sign of a row asserts; `ValueError` where that is not declared."""
     if is_power(members.left) or is_power(members.right):
-        return _state_power(row, sign, members)
+        return _state_power(row, sign, members, reader)
     members = _turn_rows(members)
     if any(isinstance(node, Extremum) for node in members.nodes):
         return _state_extremum(row, sign, members, reader)
@@ -85,9 +85,11 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     return Equality(right, left)
 
 
-def _state_power(row: Row, sign: str, members: Members) -> Statement:
-    where = row.on.where if row.on else ()
-    stated = state_power((members.left, members.right), where) if sign == "=" else None
+def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
+    said = {symbol for one in (row.on.where if row.on else ()) for symbol in one.free_symbols}
+    all_numbers = (sp.S.Naturals, sp.S.Naturals0)
+    free = {v.symbol for v in reader.variables if v.within in all_numbers and v.given is None}
+    stated = state_power((members.left, members.right), free - said) if sign == "=" else None
     if stated is None:
         raise ValueError(
             f"row {row.number!r}: a power of a matrix to a whole number stands alone on one side, "
