@@ -23,6 +23,7 @@ PROVED = [
     (TURN, TURNED, ()),
     (SHEAR, show("1,n", "0,1"), ()),
     (SHEAR, show("1,n", "0,1"), (r"n\ge0",)),
+    (SHEAR, show("1,n", "0,1"), (r"n\ge1",)),
     (show("a,0", "0,b"), show("a^n,0", "0,b^n"), (r"n\ge0",)),
     (show("a,1", "0,a"), show("a^n,na^{n-1}", "0,a^n"), ()),
     (ONES, r"2^{n-1}\cdot" + ONES, ()),
@@ -40,6 +41,8 @@ REFUSED = [
     # A value from some n on or of one n, no value, or a power that does not stand alone.
     (rf"{show('0,1', '0,0')}^n={show('0,0', '0,0')}", (r"n\ge2",)),
     (rf"{SHEAR}^n={show('1,3', '0,1')}", ("n=3",)),
+    (rf"{SHEAR}^n={show('1,m', '0,1')}", ("m=n",)),
+    (rf"{SHEAR}^n={show('1,n', '0,1')}", (r"n\ge3",)),
     (rf"{SHEAR}^n={SHEAR}^n", ()),
     (rf"{SHEAR}^n=1", ()),
     (rf"{SHEAR}^n{SHEAR}={show('1,n+1', '0,1')}", ()),

@@ -25,6 +25,17 @@ def raise_matrix(base: sp.MatrixBase, exponent: sp.Expr) -> sp.MatPow | None:
     return sp.MatPow(base, exponent) if is_count and base.is_square else None
 
 
+def says_from_one_on(relation: sp.Basic) -> bool:
+    """Tell whether a relation says no more of a letter that counts from 1 on than that."""
+    is_lower = isinstance(relation, sp.GreaterThan | sp.StrictGreaterThan)
+    return bool(
+        is_lower
+        and relation.lhs.is_Symbol
+        and relation.lhs.is_positive
+        and relation.rhs == isinstance(relation, sp.GreaterThan)
+    )
+
+
 def state_power(sides: Sequence[Any], counts: Collection[sp.Basic]) -> Conjunction | None:
     """Return what an equation with a power on one side says; None where that is not clear.
 

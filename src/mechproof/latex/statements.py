@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
-from mechproof.latex.matrix_powers import is_power, state_power
+from mechproof.latex.matrix_powers import is_power, says_from_one_on, state_power
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.measures import find_factor
 from mechproof.latex.products import is_matrix
@@ -86,10 +86,15 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 
 def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
-    said = {symbol for one in (row.on.where if row.on else ()) for symbol in one.free_symbols}
+    """State a power of a matrix to a letter of which nothing else is said."""
+    sides = (members.left, members.right)
+    where = [one for one in (row.on.where if row.on else ()) if not says_from_one_on(one)]
+    said = {symbol for one in where for symbol in one.free_symbols}
+    said |= {v.symbol for v in reader.variables if v.given is not None}
     all_numbers = (sp.S.Naturals, sp.S.Naturals0)
-    free = {v.symbol for v in reader.variables if v.within in all_numbers and v.given is None}
-    stated = state_power((members.left, members.right), free - said) if sign == "=" else None
+    free = {v.symbol for v in reader.variables if v.within in all_numbers} - said
+    has_values = any(side.free_symbols & said for side in sides if hasattr(side, "free_symbols"))
+    stated = state_power(sides, free) if sign == "=" and not has_values else None
     if stated is None:
         raise ValueError(
             f"row {row.number!r}: a power of a matrix to a whole number stands alone on one side, "

@@ -6,7 +6,7 @@ What they are is not said: a letter and its derivatives are numbers of which not
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,11 +21,14 @@ from mechproof.record import Variable
 
 # Letters that are functions of one that stands alone in a bracket behind them; of the time all are.
 _FUNCTIONS = (*"fghpqrsuvwyzFGH",)
-# Letters that are seldom constants beside others that depend on something.
-_VARYING = (*"uvwxyz", "varphi", "phi", "theta", "vartheta", "psi")
+# Letters that are mostly constants beside others that depend on something; so with an index.
+_CONSTANT = (*"abcdegiklmnrABCGIJKLMNR", "delta", "lambda", "mu", "pi")
 _RATE = re.compile(
-    r"(?P<primed>[^']+)(?P<primes>'+)|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?.*"
+    r"(?P<primed>[^']+)(?P<primes>'+)"
+    r"|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?(?P<index>.*)"
 )
+# What is done to a derivative as to a constant, although it is none.
+_OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
 _DOTS = (r"\dot", r"\ddot", r"\dddot")
 # Of a letter so many derivatives have symbols; so many are printed of one that depends on another.
 _ORDERS = range(1, 6)
@@ -47,13 +50,23 @@ def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, st
             is_letter = text in _FUNCTIONS or (by == "t" and begins_letter(text))
             if by in RUNNING and is_letter and text not in (*others, *indexed, by):
                 found.setdefault(text, by)
-    by_some = {by for texts in split for *d, by in _list_triples(texts) if d == ["{", "d"]}
-    by_some |= {by for x, by in found.items() if {*list_rates(x, prints)} != {x}}
+    by_some = list_differentials(prints) | {
+        by for x, by in found.items() if {*list_rates(x, prints)} != {x}
+    }
     return {letter: by for letter, by in found.items() if by in by_some}
 
 
-def _list_triples(texts: Sequence[str]) -> Iterator[tuple[str, str, str]]:
-    return zip(texts, texts[1:], texts[2:], strict=False)
+def list_differentials(prints: Iterable[str]) -> set[str]:
+    r"""Return the letters behind a d, by which something is differentiated or integrated.
+
+    A prime behind a bracket is listed, too, and so are signs of other ways to treat a derivative.
+    """
+    texts = [[text for text in _split(latex) if text not in "{}"] for latex in prints]
+    pairs = [pair for one in texts for pair in pairwise(one)]
+    others = {text for one in texts for text in one if text in _OTHERWISE}
+    return (
+        {by for d, by in pairs if d == "d"} | {"'" for pair in pairs if pair == (")", "'")} | others
+    )
 
 
 def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
@@ -89,45 +102,106 @@ class Moving:
     primed: sp.Symbol | None
 
 
-def find_moving(variables: Sequence[Variable], functions: Mapping[str, str]) -> Moving:
+def find_moving(
+    variables: Sequence[Variable], functions: Mapping[str, str], differentials: Collection[str] = ()
+) -> Moving:
     """Return the letters that depend on others: those whose derivatives stand beside them.
 
     One with dots depends on the time, one with primes on x or t, or on the only angle. None does
-    where others may depend on something as well.
+    where others may depend on something as well; `ValueError` if that is asked for then.
     """
     shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
     symbols = {name: v.symbol for name, v in shown.items() if isinstance(v.symbol, sp.Symbol)}
     met = [(v, rate) for v in shown.values() if (rate := _RATE.fullmatch(v.latex[0]))]
     primed = {name_symbol(rate["primed"]) for _, rate in met if rate["primed"]}
     of = {name_symbol(letter): name_symbol(by) for letter, by in functions.items()}
+    by_prime = _find_running(symbols, primed, {*of.values()})
+    steps = _list_steps(met, of, by_prime)
+    for letter, by in ((x, by) for x, (by, _) in steps.items() if by in steps):
+        raise ValueError(
+            f"{letter} depends on {by}, and {by} on another letter: give them values, or print "
+            r"each derivative as a fraction, \frac{d}{dx}(…)"
+        )
+    _refuse_others(steps, met, differentials)
+    letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
+    accented = {name_symbol(v.latex[0]) for v, _ in met}
+    unclear = {x for x in symbols.keys() - accented - {*steps} if not _is_constant(x, primed)}
+    for base, (by, known) in steps.items():
+        # The derivative of one that is nothing else may be a constant.
+        others = sorted(unclear - {by}) or [base] * _is_lone(base, known, symbols, of)
+        if others and {by, "'"} & {*differentials}:
+            raise ValueError(
+                f"{others[0]} may depend on {by} as others do: print its derivatives as well, or "
+                "call it c if it is a constant"
+            )
+        if others:
+            continue
+        unnamed = {n: sp.Symbol(f"{base}^({n})", real=True) for n in _ORDERS}
+        letters[_get(symbols, base)] = _get(symbols, by), tuple({**unnamed, **known}.values())
+    named = symbols.values()
+    rates = (rate for _, own in letters.values() for rate in own if rate not in named)
+    variables = [Variable(rate, str(rate), latex=()) for rate in rates]
+    return Moving(letters, tuple(variables), _get(symbols, by_prime) if by_prime else None)
+
+
+def _find_running(symbols: Collection[str], primed: Collection[str], by: Collection[str]) -> str:
+    """Return the letter by which primes are, empty where that is not clear."""
     angles = ({*map(name_symbol, RUNNING)} - {*"txyz"}) & {*symbols}
-    running = {*of.values()} or {"x", "t"} & {*symbols} - primed or angles or {"x"}
+    alone = {"x"} - {*primed} or {"t"}
+    running = {*by} or {"x", "t"} & {*symbols} - {*primed} or angles or alone
     # An angle beside a letter with a prime may be a constant as well.
     is_clear = len(running) == 1 and not (primed and running <= angles)
-    by_prime = next(iter(running)) if is_clear else ""
+    return next(iter(running)) if is_clear else ""
+
+
+def _list_steps(
+    met: Iterable[tuple[Variable, re.Match[str]]], of: Mapping[str, str], by_prime: str
+) -> dict[str, tuple[str, dict[int, sp.Basic]]]:
+    """Return letters that depend on others, with these and the derivatives that are printed."""
     steps: dict[str, tuple[str, dict[int, sp.Basic]]] = {x: (by, {}) for x, by in of.items()}
     for variable, rate in met:
-        base, by = (
-            name_symbol(rate["primed"] or rate["dotted"]),
-            "t" if rate["dotted"] else by_prime,
-        )
+        base, by = name_symbol(_name_base(rate)), "t" if rate["dotted"] else by_prime
         order = len(rate["primes"] or rate["dots"])
         if by and steps.setdefault(base, (by, {}))[0] == by:
             steps[base][1][order] = variable.symbol
-    letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
-    unclear = {x for x in (*_VARYING, *("fgh" if primed else "")) if x in symbols} - {*steps}
-    for base, (by, known) in steps.items():
-        if unclear - {by}:
-            continue
-        # The derivative of one that is nothing else may be a constant.
-        if len(known) + (base in symbols) < _FEWEST and base not in of:
-            continue
-        others = {n: sp.Symbol(f"{base}^({n})", real=True) for n in _ORDERS}
-        letters[_get(symbols, base)] = _get(symbols, by), tuple({**others, **known}.values())
-    named = symbols.values()
-    rates = (rate for _, own in letters.values() for rate in own if rate not in named)
-    unnamed = tuple(Variable(rate, str(rate), latex=()) for rate in rates)
-    return Moving(letters, unnamed, _get(symbols, by_prime) if by_prime else None)
+    return steps
+
+
+def _refuse_others(
+    moving: Collection[str],
+    met: Sequence[tuple[Variable, re.Match[str]]],
+    differentials: Collection[str],
+) -> None:
+    """Refuse letters that depend on others in integrals, limits and partial derivatives.
+
+    Dots and primes of one print are by different letters, and may be of one that depends on both.
+    """
+    names = sorted({*moving} | {name_symbol(_name_base(rate)) for _, rate in met})
+    if names and (found := sorted({*_OTHERWISE} & {*differentials})):
+        raise ValueError(
+            f"{names[0]} depends on another letter, and {found[0]} stands beside its derivative: "
+            "that is not worked out"
+        )
+    if moving and differentials and len({bool(rate["dots"]) for _, rate in met}) > 1:
+        raise ValueError("derivatives with dots and with primes in one equation: by which letters?")
+
+
+def _name_base(rate: re.Match[str]) -> str:
+    """Return the letter of which something is the derivative, with its index."""
+    return rate["primed"] or rate["dotted"] + rate["index"]
+
+
+def _is_lone(
+    base: str, known: Collection[int], symbols: Collection[str], of: Collection[str]
+) -> bool:
+    """Return whether one derivative is all that is printed of a letter."""
+    return len(known) + (base in symbols) < _FEWEST and base not in of
+
+
+def _is_constant(name: str, primed: Collection[str]) -> bool:
+    """Return whether a letter is mostly a constant; g may be a function beside ones with primes."""
+    stem = name.partition("_")[0]
+    return stem in _CONSTANT and not (primed and stem == "g")
 
 
 def _get(symbols: Mapping[str, sp.Symbol], name: str) -> sp.Symbol:
@@ -141,7 +215,7 @@ def find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
     rates: dict[sp.Basic, sp.Expr] = {}
     for variable in variables:
         rate = _RATE.fullmatch(variable.latex[0])
-        base = given.get(name_symbol(rate["primed"] or rate["dotted"])) if rate else None
+        base = given.get(name_symbol(_name_base(rate))) if rate else None
         if rate and base is not None and variable.given is None:
             value = settle_all(base, values) if rate["dotted"] else values[base]
             derivative = _differentiate(variable.latex[0], value, rate, {*values})

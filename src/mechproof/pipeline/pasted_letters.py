@@ -22,6 +22,7 @@ from mechproof.pipeline.moving_letters import (
     find_functions,
     find_moving,
     find_rates,
+    list_differentials,
     list_rates,
 )
 from mechproof.pipeline.special_letters import (
@@ -95,7 +96,7 @@ def read_letters(pasted: Pasted) -> Letters:
     variables = _declare(pasted, counts, functions)
     symbols = {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
-    moving = find_moving(variables, functions)
+    moving = find_moving(variables, functions, list_differentials(pasted.prints))
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
