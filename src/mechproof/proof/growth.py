@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import lru_cache, reduce
 
 import sympy as sp
 
@@ -102,6 +102,7 @@ def _direction(number: sp.Expr, domain: Domain) -> int | None:
     return sign.direction if sign is not None and sign.strict else None
 
 
+@lru_cache(maxsize=4096)
 def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
     if not node.has(_Y):
         return node
@@ -240,6 +241,7 @@ def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | 
     return sp.log(inner) if _direction(inner, domain) == 1 else None
 
 
+@lru_cache(maxsize=4096)
 def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
     if not node.has(_Y):
         return _constant(node if _direction(node, domain) else None)

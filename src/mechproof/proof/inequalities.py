@@ -32,7 +32,7 @@ HALF_ANGLES = "signs in half-angle tangents"
 ORDERS = "every order of the numbers"
 GAPS = "gaps of linear relations"
 # Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
-_MOST_ROOTS = 6
+_MOST_ROOTS = 4
 _MOST_ORDERED = 3
 _MOST_TERMS = 120
 # Work limit: relations that are said, of which some are chosen.
