@@ -35,11 +35,8 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
         needed = 1 if has_steps(resolved, domain) else min(_MANY, len(points))
         if len(zeros) >= needed:
             at = name_point(zeros[0], domain)
-            told = (
-                f"{factorial} in it has no value"
-                if factorial
-                else (f"it divides by {divisor}, which is zero")
-            )
+            told = f"it divides by {divisor}, which is zero"
+            told = f"{factorial} in it has no value" if factorial else told
             return told + (f" at {at}" if at else "")
     return ""
 

@@ -149,14 +149,15 @@ def _list_roots(value: sp.Expr) -> list[sp.Expr]:
 
 def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
     """Tell whether a number is shown to be positive, or not negative."""
-    if is_shown_there(Slack(value, strict), domain):
+    slack, has_roots = Slack(value, strict), bool(_list_roots(value))
+    if is_shown_there(slack, domain):
         return True
-    if not _list_roots(value) and monotonicity.holds_by_slope(Slack(value, strict), domain):
+    if not has_roots and monotonicity.holds_by_slope(slack, domain):
         return True
     if depth == 0 or is_negative_somewhere(value, domain):
         return False
-    if not _list_roots(value):
-        return binomial_squares.holds_by_squares(Slack(value, strict), domain)
+    if not has_roots:
+        return binomial_squares.holds_by_squares(slack, domain)
     return any(
         _holds_by_root(*parts, strict, domain, depth - 1) for parts in isolate_root(value, domain)
     )

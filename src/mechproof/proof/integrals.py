@@ -73,16 +73,18 @@ def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
 
 def settle_improper(expression: Any, domain: Domain) -> Any:
     """Put the values of improper and iterated integrals in their places, as far as shown."""
-    free = _list_free(expression)
     kinds = (is_improper, _has_power_of_zero, _is_iterated)
-    met = (node for node in free if any(is_one(node) for is_one in kinds))
-    values = ((node, _find_value(node, domain)) for node in met)
-    return expression.xreplace({node: value for node, value in values if value is not None})
+    return _put_values(expression, domain, lambda node: any(is_one(node) for is_one in kinds))
 
 
 def put_values(expression: sp.Expr, domain: Domain) -> sp.Expr:
     """Put the values of integrals in their places, as far as they are shown."""
-    values = ((node, _find_value(node, domain)) for node in _list_free(expression))
+    put_in: sp.Expr = _put_values(expression, domain, lambda node: True)
+    return put_in
+
+
+def _put_values(expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool]) -> Any:
+    values = ((node, _find_value(node, domain)) for node in _list_free(expression) if is_met(node))
     return expression.xreplace({node: value for node, value in values if value is not None})
 
 
