@@ -39,6 +39,14 @@ PAIRS = [
         r"\ddot x_1\ddot x_2",
     ),
     (r"f(x)=x^2\Rightarrow f'(x)=%s", "2x", "3x"),
+    # By the letter by which something is differentiated beside them.
+    (r"\frac{d}{d\varphi}(r\cos\varphi)=%s", r"r'\cos\varphi-r\sin\varphi", r"r'\cos\varphi"),
+    (r"\frac{d}{d\varphi}(rr'\varphi)=%s", r"rr'+(r'^2+rr'')\varphi", "rr'"),
+    (r"\frac{d}{dz}(uv)=%s", "u'v+uv'", "u'v-uv'"),
+    (r"\frac{d}{dt}(x^2u)=%s", "2xx'u+x^2u'", "2xx'u-x^2u'"),
+    # A power to a letter.
+    ("(u^n)'=%s", "nu^{n-1}u'", "nu^{n+1}u'"),
+    ("(u^n)''=%s", "n(n-1)u^{n-2}u'^2+nu^{n-1}u''", "n(n-1)u^{n-2}u'^2"),
 ]
 REFUSED = [
     # Other functions of the letter, or of another one; constants as well as rates; no letter by
@@ -77,6 +85,16 @@ REFUSED = [
     r"\frac{d}{dt}(\alpha\dot\beta)=\alpha\ddot\beta",
     r"\frac{d}{dx}(pf(x))=pf'(x)",
     r"\frac{d}{dt}(\dot x_1\dot x_2)=\ddot x_1\dot x_2",
+    # By another letter than the derivatives beside it are, or by one of several.
+    r"\frac{d}{d\varphi}(r'\varphi)=r'",
+    r"\frac{d}{d\xi}(u'\xi)=u'",
+    r"\frac{d}{ds}(u'vs)=u'v",
+    r"\frac{d}{du}(uu')=u'",
+    r"\frac{d}{dx_1}(x_1u')=u'",
+    r"\frac{d}{dx}(x\dot y)=\dot y",
+    r"\frac{d}{dt}(x^2u)=2xu+x^2u'",
+    r"\frac{d}{d\varphi}(u\cos\varphi)=xu'\cos\varphi-u\sin\varphi",
+    r"\frac{d}{d\alpha}\frac{d}{d\beta}(u\cos\alpha\cos\beta)=-u'\sin\alpha",
 ]
 
 
@@ -97,6 +115,11 @@ def test_what_depends_on_another_letter_is_differentiated(
 def test_what_is_not_said_is_asked_for(latex: str) -> None:
     with pytest.raises((ReadingError, ValueError)):
         judge(latex)
+
+
+def test_what_depends_on_the_letter_is_asked_for() -> None:
+    with pytest.raises(ReadingError, match="Print the derivatives of what depends on it"):
+        judge(r"(\ln u)'=\frac1u")
 
 
 def test_a_letter_that_is_said_to_be_a_factor_is_no_function() -> None:

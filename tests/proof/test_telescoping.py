@@ -203,10 +203,14 @@ def test_a_factor_that_is_zero_for_a_count_hides_no_product() -> None:
 
 
 def test_powers_are_split_by_their_exponents() -> None:
+    y = sp.Symbol("y", real=True)
     assert sp.simplify(split_powers(x ** (n + 1) - x * x**n)) == 0
     assert sp.simplify(split_powers(4**n - (2**n) ** 2)) == 0
     assert sp.simplify(split_powers((-x) ** n - (-1) ** n * x**n)) == 0
     assert sp.simplify(split_powers((-1) ** n - 1)) != 0
+    assert sp.simplify(split_powers(x ** (y + 1) - x * x**y)) == 0
+    assert sp.simplify(split_powers(x ** (y + 1) - x**y)) != 0
+    assert sp.simplify(split_powers(x ** (y / 2 + n) - x**n * x ** (y / 2))) == 0
 
 
 @pytest.mark.parametrize(

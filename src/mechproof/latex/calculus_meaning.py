@@ -136,10 +136,12 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
     is_unknown &= not (node.is_partial and _moves_by_rates(meaning, value, variable))
     if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
+        latex = meaning.source.latex[node.start : node.end]
+        beside = "Print the derivatives of what depends on it: u' beside u."
         raise meaning.source.refuse(
             node.of.start,
             f"{variable} does not stand in what is differentiated: does it depend on it?",
-            meaning.remedies.name.format(meaning.source.latex[node.start : node.end]),
+            beside if latex.endswith("'") else meaning.remedies.name.format(latex),
         )
     if any(depends_on & part.free_symbols for part in value.atoms(*UNSMOOTH)):
         raise meaning.source.refuse(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from functools import partial
 from itertools import count, pairwise
 from typing import Any
 
@@ -84,7 +85,14 @@ def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
             total += value.diff(one) * derivative
         if steps and steps[-1] in value.free_symbols:
             raise ValueError(f"no symbol is declared for the derivative of {steps[-1]} by {by}")
-    return total
+    # SymPy writes x^(a - 1) as x^a/x, which has no value at zero for any a.
+    return total.replace(_is_power_product, partial(sp.powsimp, combine="exp"))
+
+
+def _is_power_product(node: sp.Basic) -> bool:
+    return isinstance(node, sp.Mul) and any(
+        isinstance(factor, sp.Pow) and factor.exp.free_symbols for factor in node.args
+    )
 
 
 def is_root(part: sp.Expr) -> bool:

@@ -59,14 +59,20 @@ def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, st
 def list_differentials(prints: Iterable[str]) -> set[str]:
     r"""Return the letters behind a d, by which something is differentiated or integrated.
 
-    A prime behind a bracket is listed, too, and so are signs of other ways to treat a derivative.
+    Those above a line are left out, and x_1 is x_. A prime behind a bracket is listed, too, and so
+    are signs of other ways to treat a derivative.
     """
     texts = [[text for text in _split(latex) if text not in "{}"] for latex in prints]
-    pairs = [pair for one in texts for pair in pairwise(one)]
-    others = {text for one in texts for text in one if text in _OTHERWISE}
-    return (
-        {by for d, by in pairs if d == "d"} | {"'" for pair in pairs if pair == (")", "'")} | others
-    )
+    found = {text for one in texts for text in one if text in _OTHERWISE}
+    for one in texts:
+        for place, (d, by) in enumerate(pairwise(one)):
+            mark = "".join(one[place + 2 : place + 3])
+            is_above = one[max(place - 1, 0)] == r"\frac" or mark == "/"
+            if (d, by) == (")", "'"):
+                found.add(by)
+            elif d == "d" and begins_letter(by) and not is_above:
+                found.add(by + "_" * (mark == "_"))
+    return found
 
 
 def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
@@ -115,7 +121,9 @@ def find_moving(
     met = [(v, rate) for v in shown.values() if (rate := _RATE.fullmatch(v.latex[0]))]
     primed = {name_symbol(rate["primed"]) for _, rate in met if rate["primed"]}
     of = {name_symbol(letter): name_symbol(by) for letter, by in functions.items()}
-    by_prime = _find_running(symbols, primed, {*of.values()})
+    below = {*map(name_symbol, {*differentials} - {*_OTHERWISE, "'"})}
+    plain = {by for by in below if not by.endswith("_")}
+    by_prime = _find_running(symbols, primed, {*of.values()}, plain)
     steps = _list_steps(met, of, by_prime)
     for letter, by in ((x, by) for x, (by, _) in steps.items() if by in steps):
         raise ValueError(
@@ -123,13 +131,19 @@ def find_moving(
             r"each derivative as a fraction, \frac{d}{dx}(…)"
         )
     _refuse_others(steps, met, differentials)
+    stray = below - {by for by, _ in steps.values()}
+    if met and stray:
+        raise ValueError(
+            f"{met[0][0].latex[0]} beside a derivative by {min(stray).strip('_')}: print each "
+            r"derivative as a fraction, \frac{d}{dx}(…)"
+        )
     letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
     accented = {name_symbol(v.latex[0]) for v, _ in met}
     unclear = {x for x in symbols.keys() - accented - {*steps} if not _is_constant(x, primed)}
     for base, (by, known) in steps.items():
         # The derivative of one that is nothing else may be a constant.
         others = sorted(unclear - {by}) or [base] * _is_lone(base, known, symbols, of)
-        if others and {by, "'"} & {*differentials}:
+        if others and (by in below or "'" in differentials):
             raise ValueError(
                 f"{others[0]} may depend on {by} as others do: print its derivatives as well, or "
                 "call it c if it is a constant"
@@ -144,13 +158,19 @@ def find_moving(
     return Moving(letters, tuple(variables), _get(symbols, by_prime) if by_prime else None)
 
 
-def _find_running(symbols: Collection[str], primed: Collection[str], by: Collection[str]) -> str:
-    """Return the letter by which primes are, empty where that is not clear."""
+def _find_running(
+    symbols: Collection[str], primed: Collection[str], by: Collection[str], named: Collection[str]
+) -> str:
+    """Return the letter by which primes are, empty where that is not clear.
+
+    So is an angle by which something is differentiated: that is `named`.
+    """
     angles = ({*map(name_symbol, RUNNING)} - {*"txyz"}) & {*symbols}
     alone = {"x"} - {*primed} or {"t"}
-    running = {*by} or {"x", "t"} & {*symbols} - {*primed} or angles or alone
+    printed = {"x", "t"} & {*symbols, *named}
+    running = {*by} or (printed or {*named}) - {*primed} or angles or alone
     # An angle beside a letter with a prime may be a constant as well.
-    is_clear = len(running) == 1 and not (primed and running <= angles)
+    is_clear = len(running) == 1 and not (primed and running <= angles - {*named})
     return next(iter(running)) if is_clear else ""
 
 

@@ -30,7 +30,7 @@ def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
 
 
 def split_powers(expression: sp.Expr) -> sp.Expr:
-    """Write b**(k*n + m), n a whole number, by powers of b**n, wherever b is not zero.
+    """Write b**(k*n + m + a), n a whole number, by b**n and b**a, wherever b is not zero.
 
     Where it is zero both sides of an identity go on as they are near it: b is zero on no interval,
     and nothing jumps there.
@@ -39,7 +39,7 @@ def split_powers(expression: sp.Expr) -> sp.Expr:
         return expression
     names: dict[tuple[sp.Expr, sp.Expr], sp.Symbol] = {}
     return expression.replace(
-        lambda node: isinstance(node, sp.Pow) and _is_count(node.exp) and is_analytic(node.base),
+        lambda node: isinstance(node, sp.Pow) and not node.exp.is_number and is_analytic(node.base),
         lambda node: _split_power(node.base, node.exp, names),
     )
 
@@ -52,18 +52,15 @@ def is_analytic(expression: sp.Expr) -> bool:
     )
 
 
-def _is_count(exponent: sp.Expr) -> bool:
-    return not exponent.is_Integer and bool(exponent.is_integer)
-
-
 def _split_power(
     base: sp.Expr, exponent: sp.Expr, names: dict[tuple[sp.Expr, sp.Expr], sp.Symbol]
 ) -> sp.Expr:
-    result = sp.S.One
+    result, kept = sp.S.One, sp.S.Zero
     for term in sp.Add.make_args(sp.expand(exponent)):
         times, rest = term.as_coeff_Mul(rational=True)
-        if not times.is_Integer:
-            return sp.Pow(base, exponent)
+        if not (times.is_Integer and rest.is_integer):
+            kept += term
+            continue
         for factor, power in _list_factors(base):
             if rest == 1:
                 result *= factor ** (power * times)
@@ -72,7 +69,7 @@ def _split_power(
             else:
                 name = names.setdefault((factor, rest), sp.Dummy("power", real=True))
                 result *= name ** (power * times)
-    return result
+    return result * sp.Pow(base, kept)
 
 
 def _list_factors(base: sp.Expr) -> list[tuple[sp.Expr, int]]:
