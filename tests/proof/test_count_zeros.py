@@ -69,3 +69,30 @@ def test_a_parameter_that_runs_may_be_divided_by() -> None:
 def test_a_binomial_over_a_number_is_a_polynomial(binomial: str, value: str) -> None:
     assert judge(f"{binomial}={value}") is Verdict.PROVED
     assert judge(f"{binomial}={value}+1") is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("latex", "where", "said"),
+    [
+        (r"\frac{n!}{(n-1)!}=n", (r"n\ge0",), "1/factorial(n - 1) is zero at n = 0"),
+        (r"\frac{n!}{(n-2)!}=n(n-1)", (), "1/factorial(n - 2) is zero at n = 1"),
+        (
+            r"\begin{pmatrix}a&1\\0&a\end{pmatrix}^n="
+            r"\begin{pmatrix}a^n&na^{n-1}\\0&a^n\end{pmatrix}",
+            (r"n\ge0",),
+            "For the first number 1/a must have a value.",
+        ),
+    ],
+)
+def test_it_is_said_where_a_quotient_is_no_number_or_zero(
+    latex: str, where: tuple[str, ...], said: str
+) -> None:
+    (judgement,) = judge_pasted(Pasted(latex, where=where, natural=("n",))).judgements
+    assert judgement.verdict is Verdict.PROVED
+    assert said in judgement.reason
+
+
+@pytest.mark.parametrize("latex", [r"\frac{n!}{(n-1)!}=n", r"\frac{(n+2)!}{n!}=(n+1)(n+2)"])
+def test_where_a_quotient_has_a_value_nothing_is_said(latex: str) -> None:
+    (judgement,) = judge_pasted(Pasted(latex, natural=("n",))).judgements
+    assert judgement.reason == "both sides agree wherever they are defined"

@@ -27,6 +27,7 @@ from mechproof.record import (
     Part,
     Row,
     Statement,
+    ValueWhere,
 )
 
 _DOUBLE = (r"\pm", r"\mp", "±", "∓")
@@ -188,7 +189,7 @@ def _expand(row: Row, place: _Place, number: str) -> Row:
     says, text, note, divisors = row.says, "", row.note, row.divisors
     if says is None:
         (says, divisors), text = _state(row, place), _describe(row, place)
-        note = " ".join(filter(None, (*_find_unused(place), note)))
+        note = " ".join(filter(None, (*_find_unused(place), *_find_needed(says), note)))
     corrected = row.corrected and _read_correction(row.corrected, row, place)
     empty: dict[str, Any] = {"derived": {}, "substituted": {}, "residual": None, "defines": ()}
     on = _narrow(row, place)
@@ -228,6 +229,13 @@ def _find_unused(place: _Place) -> Iterator[str]:
             letters = {p.symbol for p in walk(part.term) if isinstance(p, Letter)}
             if part.index.symbol not in letters:
                 yield f"The index {part.index.symbol} of a {part.name} is not in its term."
+
+
+def _find_needed(says: Statement) -> Iterator[str]:
+    """Say what must have a value for the first n, although it cancels then."""
+    for part in says.parts if isinstance(says, Conjunction) else ():
+        for node in part.printed.atoms(ValueWhere) if isinstance(part, Equality) else ():
+            yield f"For the first number {node.args[1]} must have a value."
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:

@@ -6,11 +6,12 @@ A^n = B(n) for n = 1, 2, ... says that B(1) = A and B(n + 1) = B(n)A, and no mor
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from functools import reduce
 from typing import Any
 
 import sympy as sp
 
-from mechproof.record import Conjunction, Equality
+from mechproof.record import Conjunction, Equality, ValueWhere, list_divisors
 from mechproof.record.substitution import substitute
 
 
@@ -49,10 +50,16 @@ def state_power(sides: Sequence[Any], counts: Collection[sp.Basic]) -> Conjuncti
     if base.has(count) or value.shape != base.shape or count not in counts:
         return None
     first = base if count.is_positive else sp.eye(base.rows).as_immutable()
-    at_first, later = (
-        value.applyfunc(lambda entry, to=to: substitute(entry, {count: to}))
-        for to in (sp.Integer(bool(count.is_positive)), count + 1)
-    )
+    number = sp.Integer(bool(count.is_positive))
+    at_first = value.applyfunc(lambda entry: _put_in(entry, count, number))
+    later = value.applyfunc(lambda entry: substitute(entry, {count: count + 1}))
     return Conjunction(
         (Equality(at_first, first, "member"), Equality(later, value * base, "member"))
     )
+
+
+def _put_in(entry: sp.Expr, count: sp.Basic, number: sp.Integer) -> sp.Expr:
+    """Put in a number; what then cancels and may have no value, as in n*a^(n - 1), is kept."""
+    found = substitute(entry, {count: number})
+    powers = (substitute(power, {count: number}) for power in entry.atoms(sp.Pow))
+    return reduce(ValueWhere, (p for p in powers if list_divisors(p) and not found.has(p)), found)

@@ -302,13 +302,15 @@ def _find_rung(field: Field, difference: sp.Expr) -> str | None:
 
 def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
-    field = Field(domain)
+    field, difference = Field(domain), left - right
+    # SymPy works long at products without end, even to order terms by their values.
+    is_long = has_parts(difference, sp.Product)
     try:
-        # SymPy works long at products without end.
-        if not has_parts(left - right, sp.Product):
-            field.vanishes(left - right)
+        if not is_long:
+            field.vanishes(difference)
     except (UnknownSignError, NotImplementedError) as error:
         return str(error)
     except sp.PolynomialError:
         pass
-    return field.hindrance or f"that {left - right} is zero is not shown"
+    shown = sp.sstr(difference, order="none" if is_long else None)
+    return field.hindrance or f"that {shown} is zero is not shown"

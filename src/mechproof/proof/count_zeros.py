@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain, Point
 from mechproof.proof.counts import is_count
-from mechproof.proof.refutation import find_unlike_at, points_for
+from mechproof.proof.refutation import find_unlike_at, name_point, points_for
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors
 from mechproof.record.parts import find_free, find_parts
@@ -31,6 +31,14 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
     divisors = _list_divisors(sides, domain)
     zeros = (point for divisor in divisors for point in list_zeros(divisor, domain))
     return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in zeros)), "")
+
+
+def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
+    """Say where a factorial below a line is that of a negative number, empty for nowhere."""
+    divisors = {divisor for side in sides for divisor in list_divisors(side)}
+    below = sorted((d for d in divisors if isinstance(d, sp.factorial)), key=sp.default_sort_key)
+    met = ((one, zero) for one in below for zero in list_zeros(one.args[0] + 1, domain))
+    return next((f"1/{one} is zero at {name_point(zero, domain)}" for one, zero in met), "")
 
 
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:

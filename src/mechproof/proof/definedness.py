@@ -14,7 +14,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.half_angles import is_shown_there
-from mechproof.proof.signs import find_sign, is_nonzero, is_shown
+from mechproof.proof.signs import find_sign, is_nonzero, is_positive, is_shown
 from mechproof.proof.sums import canonicalise
 from mechproof.record import (
     DerivativeWhere,
@@ -132,7 +132,9 @@ def list_needed(expression: sp.Basic) -> list[Slack]:
 def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:
     """Return the part of a domain on which needs are met, None where there is none."""
     for number, strict in needs:
-        relation = sp.Gt(number, 0) if strict else sp.Ge(number, 0)
+        factors = sp.Mul.make_args(sp.factor(number))
+        rest = sp.Mul(*(factor for factor in factors if not is_positive(factor, domain)))
+        relation = sp.Gt(rest, 0) if strict else sp.Ge(rest, 0)
         if relation == sp.true:
             continue
         part = narrow(domain, relation)

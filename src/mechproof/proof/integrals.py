@@ -32,6 +32,7 @@ RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.
 _LARGEST = 60
 _MOST_ZEROS = 12
+_NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 # Points at which sides are compared first, and the bits of their balls.
 _TRIED = 2
 _PRECISION = (64,)
@@ -46,7 +47,8 @@ def decide_by_antiderivative(
     if not integrals or _are_seen_to_differ(sides, domain):
         return None
     values = {integral: _find_value(integral, domain) for integral in integrals}
-    turned = {integral: _turn(integral) for integral, value in values.items() if value is None}
+    others = [node for node, value in values.items() if value is None and len(values) > 1]
+    turned = {integral: _turn(integral) for integral in others}
     known = {integral: value for integral, value in values.items() if value is not None}
     known |= {integral: other for integral, other in turned.items() if other != integral}
     if not known:
@@ -263,10 +265,20 @@ def _find_end(
     """Return the value that an antiderivative comes to at an end, None if it is not shown."""
     if end.is_finite:
         near = sp.Interval(run.start, run.end, end != run.start, end != run.end)
+        value = candidate.subs(variable, end)
         if find_break(candidate, variable, domain.with_set(variable, near)) is None:
-            return candidate.subs(variable, end)
+            return value
+        if not _is_singular(value):
+            # Of what other letters are is too little said.
+            return None
     limit = find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
     return None if limit is None or limit.is_infinite else limit
+
+
+def _is_singular(value: sp.Expr) -> bool:
+    """Tell whether what is put in gives no number, or a power of zero."""
+    powers = value.atoms(sp.Pow)
+    return value.has(*_NO_NUMBERS) or any(power.base == 0 for power in powers)
 
 
 def _find_value_by_signs(

@@ -15,7 +15,7 @@ from mechproof.domains.preparation import take_values
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
-from mechproof.proof.count_zeros import find_count_without_value
+from mechproof.proof.count_zeros import find_count_without_value, tell_zero_quotients
 from mechproof.proof.definedness import (
     list_needed,
     list_unshown,
@@ -176,7 +176,8 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
         unsaid = f"; what is not said: {needed}" if needed else ""
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"
-    return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
+    said = filter(None, (f"both sides agree {where}", tell_zero_quotients(sides, domain)))
+    return Answer(Verdict.PROVED, rung, "; ".join(said))
 
 
 def _find_break(
