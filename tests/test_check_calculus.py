@@ -109,6 +109,7 @@ NOT_PROVED = [
     (r"\lim_{n\to\infty}(a-n)!\cdot2^{-n}=0", (r"a,n\in\mathbb N",)),
     (r"\lim_{n\to\infty}\frac{\sqrt{a-n}}{\sqrt{a-n}}\cdot2^{-n}=0", (r"n\in\mathbb N",)),
     (r"\prod_{n=0}^\infty\frac nn=1", ()),
+    (r"\int_a^b\frac{dx}x=\ln\left|\frac ba\right|", ("a<0", "b>0")),
     (r"\prod_{k=1}^\infty\frac{2k-1}{2k}=1", ()),
     (r"\lim_{x\to0}\frac{\sin(nx)}{nx}=1", (r"n\ge0", r"n\in\mathbb N")),
     (r"\lim_{x\to0}\frac{\sin(ax)}{ax}=1", ()),

@@ -11,6 +11,9 @@ from mechproof.proof.verdict import Verdict
 TRIANGLE = ("a<b+c", "b<c+a", "c<a+b")
 COUNT = (r"n\in\mathbb N",)
 PROVED = [
+    # Numbers that are said not to be equal.
+    ("x^2+y^2>2xy", (r"x\ne y",)),
+    ("(x-y)^2(y-z)^2>0", (r"x\ne y", r"y\ne z")),
     # Cauchy and Schwarz, and the sides of a triangle.
     (r"|\mathbf a\cdot\mathbf b|\le|\mathbf a||\mathbf b|", ()),
     (r"|\mathbf a\times\mathbf b|\le|\mathbf a||\mathbf b|", ()),
@@ -37,6 +40,11 @@ PROVED = [
     (r"\sqrt x-\sqrt a<\frac{x-a}{2\sqrt a}", ("x>a>0",)),
 ]
 NOT_PROVED = [
+    # Others are said not to be equal, or that is not enough.
+    ("x^2+y^2>2xy", (r"x\ne-y",)),
+    ("x^2+y^2>2xy", (r"x\ne0",)),
+    ("x^2+y^2>2xy+10^{-9}", (r"x\ne y",)),
+    ("(x-y)^2(x-z)^2>0", (r"x\ne y", r"y\ne z")),
     (r"|\mathbf a\cdot\mathbf b|<|\mathbf a||\mathbf b|", ()),
     (r"|\mathbf a+\mathbf b|<|\mathbf a|+|\mathbf b|", ()),
     (r"|\mathbf a+\mathbf b|\le|\mathbf a|", ()),

@@ -24,11 +24,10 @@ from mechproof.proof.integral_recurrences import decide_by_parts
 from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, split_powers
-from mechproof.proof.refutation import compare
+from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument
-from mechproof.record.exactness import RecordError
 from mechproof.record.parts import has_parts
 from mechproof.record.substitution import write_steps
 
@@ -51,8 +50,7 @@ _FIRST = (
     decide_by_logarithms,
     decide_by_induction,
 )
-# A look at what is likely to be false: of numbers, which are soon computed, a better one.
-_POINTS, _PRECISIONS, _PRECISIONS_OF_NUMBERS = 2, (64,), (64, 2048)
+_SLOW = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 _LAST = (decide_by_inverse, decide_by_telescoping)
 
 
@@ -67,26 +65,14 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     if found := decide_from_zero(sides, domain, prove_equal):
         return found
     found = next(filter(None, (rung(*sides, domain) for rung in _FIRST)), None)
-    if not found and _differ(sides, domain):
+    is_slow = any(has_parts(side, *_SLOW) for side in sides)
+    if not found and not is_slow and are_seen_to_differ(sides, domain):
         return None
     found = found or decide_by_antiderivative(*sides, domain, prove_equal)
     found = found or decide_by_parts(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)
     return found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
-
-
-def _differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Return whether sides differ at one of the first points: what takes long need not be tried."""
-    if any(has_parts(side, sp.Integral, sp.Sum, sp.Product, sp.Limit) for side in sides):
-        return False
-    # Of a domain in which no point is found nothing is known yet.
-    with suppress(RecordError):
-        one, other = sides
-        has_letters = one.free_symbols or other.free_symbols
-        precisions = _PRECISIONS if has_letters else _PRECISIONS_OF_NUMBERS
-        return compare(one, other, domain, _POINTS, precisions).counterexample is not None
-    return False
 
 
 def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:

@@ -8,7 +8,6 @@ An improper integral has the value of the limits at its ends, where these are sh
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import suppress
 from itertools import pairwise
 from typing import Any
 
@@ -23,7 +22,7 @@ from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.proposed_antiderivatives import propose
-from mechproof.proof.refutation import compare
+from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.signs import is_nonzero
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
@@ -33,9 +32,6 @@ RUNG = "antiderivative"
 _LARGEST = 60
 _MOST_ZEROS = 12
 _NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
-# Points at which sides are compared first, and the bits of their balls.
-_TRIED = 2
-_PRECISION = (64,)
 
 
 def decide_by_antiderivative(
@@ -44,7 +40,7 @@ def decide_by_antiderivative(
     """Return the rungs if left = right is proved with the values of integrals, else None."""
     sides = (domain.resolve(left), domain.resolve(right))
     integrals = _list_free(*sides)
-    if not integrals or _are_seen_to_differ(sides, domain):
+    if not integrals or are_seen_to_differ(sides, domain):
         return None
     values = {integral: _find_value(integral, domain) for integral in integrals}
     others = [node for node, value in values.items() if value is None and len(values) > 1]
@@ -64,13 +60,6 @@ def _turn(integral: sp.Integral) -> sp.Integral:
         return integral
     other = integral.function.subs(variable, sp.Add(*ends) - variable)
     return min((integral, sp.Integral(other, *integral.limits)), key=sp.default_sort_key)
-
-
-def _are_seen_to_differ(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> bool:
-    """Compare sides at a few points, which takes less than to look for antiderivatives."""
-    with suppress(NotImplementedError):
-        return compare(*sides, domain, _TRIED, _PRECISION).counterexample is not None
-    return False
 
 
 def settle_improper(expression: Any, domain: Domain) -> Any:

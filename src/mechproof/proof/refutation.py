@@ -32,6 +32,8 @@ POINTS = 40
 # Where a point takes long, and where it takes long to find that there is no value.
 FEW, FEWEST = 10, 4
 PRECISIONS = (64, 192, 512)
+# A look at what is likely to be false: of numbers, which are soon computed, a better one.
+_FIRST_POINTS, _FIRST_PRECISIONS, _PRECISIONS_OF_NUMBERS = 2, (64,), (64, 2048)
 # How many choices of counts.
 _CHOICES = 3
 _MORE_CHOICES = 14
@@ -92,6 +94,17 @@ def compare(
     # How far apart large numbers may be tells nothing.
     shown = balls.show(widest, 3) if widest < 1 else ""
     return Comparison(None, agreeing, undecided, shown, undefined)
+
+
+def are_seen_to_differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
+    """Return whether sides differ at one of the first points: what takes long need not be tried."""
+    one, other = sides
+    is_number = not any(side.free_symbols or side.has(sp.Integral) for side in sides)
+    precisions = _PRECISIONS_OF_NUMBERS if is_number else _FIRST_PRECISIONS
+    # Of a domain in which no point is found nothing is known yet.
+    with suppress(RecordError, NotImplementedError):
+        return compare(one, other, domain, _FIRST_POINTS, precisions).counterexample is not None
+    return False
 
 
 def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:

@@ -152,7 +152,9 @@ def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
 
 def is_positive(expression: sp.Expr, domain: Domain) -> bool:
     """Tell whether an expression is proved to be positive on the domain."""
-    return find_sign(expression, domain) == StrictSign(1, True)
+    sign = find_sign(expression, domain)
+    has_direction = sign is not None and sign.direction > 0
+    return has_direction and (_is_strict(sign) or _is_said_nonzero(expression, domain))
 
 
 def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
@@ -163,8 +165,11 @@ def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
 
 def is_nonzero(expression: sp.Expr, domain: Domain) -> bool:
     """Tell whether an expression is proved to have no zero on the domain: by its signs, or said."""
-    if _is_strict(find_sign(expression, domain)):
-        return True
+    return _is_strict(find_sign(expression, domain)) or _is_said_nonzero(expression, domain)
+
+
+def _is_said_nonzero(expression: sp.Expr, domain: Domain) -> bool:
+    """Tell whether each factor is said not to be zero, or has a sign."""
     said = [r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Unequality)]
     if not said or expression.count_ops() > _MOST_FACTORED:
         return False
