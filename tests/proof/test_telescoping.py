@@ -53,6 +53,21 @@ TABLES = {
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{2n}",
             "",
         ),
+        (
+            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n",
+            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n+n-1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^nk\binom nk^2=\frac n2\binom{2n}n",
+            r"\sum_{k=0}^nk\binom nk^2=\frac12\binom{2n}n",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n\binom{2k}k\binom{2n-2k}{n-k}=4^n",
+            r"\sum_{k=0}^n\binom{2k}k\binom{2n-2k}{n-k}=2^{n+1}",
+            "",
+        ),
     ),
     endless_sums.RUNG: (
         (

@@ -35,7 +35,7 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
 def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
     """Say where a factorial below a line is that of a negative number, empty for nowhere."""
-    divisors = {divisor for side in sides for divisor in list_divisors(side)}
+    divisors = {d for side in sides for d in list_divisors(side) if find_free(d) <= find_free(side)}
     below = sorted((d for d in divisors if isinstance(d, sp.factorial)), key=sp.default_sort_key)
     met = ((one, zero) for one in below for zero in list_zeros(one.args[0] + 1, domain))
     return next((f"1/{one} is zero at {name_point(zero, domain)}" for one, zero in met), "")

@@ -1,9 +1,9 @@
 """Rung: a sum whose terms hold n, by a pair of Wilf and Zeilberger (1990).
 
 With F(n, k) the term and g(n) the growth of the value, F(n + 1, k) - g(n)*F(n, k) is shown to be
-G(n, k + 1) - G(n, k), G = R*F with a fraction R. SymPy proposes R by Gosper's algorithm; what
-counts is that the identity holds as one of fractions, that R has no pole and no factorial is one
-of a negative number where k runs, and that what is left at the ends vanishes.
+G(n, k + 1) - G(n, k), G = R*F with a fraction R. A form of R is solved for; what counts is that
+the identity holds as one of fractions, that R has no pole and no factorial is one of a negative
+number where k runs, and that what is left at the ends vanishes.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import sympy as sp
-from sympy.concrete.gosper import gosper_term
 
 from mechproof.domains.domain import Domain
 from mechproof.domains.preparation import prepare
@@ -22,8 +21,9 @@ from mechproof.proof.signs import is_nonzero
 from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
 
-# Work limit: so many factorials in a term.
-_MOST_FACTORIALS = 4
+# Work limits: factorials in a term, and coefficients of a polynomial.
+_MOST_FACTORIALS = 6
+_MOST_UNKNOWN = 4
 RUNG = "Wilf-Zeilberger pair"
 
 
@@ -118,12 +118,25 @@ def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
 
 def _find_part(step: sp.Expr, term: sp.Expr, k: sp.Symbol, domain: Domain) -> sp.Expr | None:
     """Return R for which step*term is shown to be the difference of R*term, None for none."""
-    proposed = gosper_term(step * term, k) if step != 0 else sp.S.Zero
     growth = reduce_quotient(term.subs(k, k + 1) / term)
-    if proposed is None or growth is None:
+    part = None if growth is None else _solve(step, growth, k)
+    if growth is None or part is None:
         return None
-    part = sp.cancel(sp.together(proposed * step))
     return part if decide_equal(part.subs(k, k + 1) * growth - part, step, domain) else None
+
+
+def _solve(step: sp.Expr, growth: sp.Expr, k: sp.Symbol) -> sp.Expr | None:
+    """Solve for R = v(k - 1)*P/w, P a polynomial, v and w what growth and step are divided by.
+
+    That is faster than Gosper's algorithm where factors are squares.
+    """
+    unknown = sp.symbols(f"c:{_MOST_UNKNOWN}", cls=sp.Dummy)
+    form = sp.denom(growth).subs(k, k - 1) / sp.denom(step)
+    form *= sp.Add(*(c * k**power for power, c in enumerate(unknown)))
+    rest = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - step))
+    found = next(iter(sp.linsolve(sp.Poly(rest, k).coeffs(), unknown)), None)
+    values = {} if found is None else dict(zip(unknown, found, strict=True))
+    return form.xreplace(values).subs(dict.fromkeys(unknown, 0)) if values else None
 
 
 def is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain: Domain) -> bool:
