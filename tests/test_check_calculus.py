@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from mechproof.latex import ReadingError
 from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
@@ -76,6 +77,13 @@ PAIRS = [
         (),
     ),
 ]
+FACTORIALS = [
+    ("7!!=%s", "105", "5040"),
+    ("(2n)!!=%s", "2^nn!", "2^{n+1}n!"),
+    ("(2n-1)!!=%s", r"\frac{(2n)!}{2^nn!}", r"\frac{(2n)!}{2^{n-1}n!}"),
+    (r"\frac{(2n+1)!}{(2n)!!}=%s", "(2n+1)!!", "(2n-1)!!"),
+    (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
+]
 NOT_PROVED = [
     # A divisor that may be zero, or negative.
     (r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=\frac{2\pi}{\sqrt{a^2-b^2}}", (r"a\ge|b|",)),
@@ -122,12 +130,18 @@ NOT_PROVED = [
     ("(n-1)!-(n-1)!=0", (r"n\ge0",)),
     (r"\frac{(n-k)!}{(n-k)!}=1", ()),
     (r"\sum_{k=1}^n((k-2)!-(k-2)!)=0", ()),
+    ("(2n-4)!-(2n-4)!=0", (r"n\in\mathbb N",)),
+    ("(20-3n)!-(20-3n)!=0", (r"n\in\mathbb N",)),
+    ("(2n-4)!!-(2n-4)!!=0", (r"n\in\mathbb N",)),
+    ("(2n-5)!!-(2n-5)!!=0", (r"n\in\mathbb N",)),
+    (r"\binom{n-2}k-\binom{n-2}k=0", (r"n,k\in\mathbb N",)),
 ]
 PROVED = [
     (r"\int_0^\infty x^{n-2}e^{-x}dx=(n-2)!", (r"n\ge2",)),
     ("(n-2)!-(n-2)!=0", (r"n\ge2",)),
     (r"\frac{(n-k)!}{(n-k)!}=1", ("k<n",)),
     (r"\frac{(n+2)!}{(n+2)!}=1", ()),
+    ("(2n-4)!-(2n-4)!=0", (r"n\in\mathbb N", r"n\ge2")),
 ]
 
 
@@ -142,6 +156,18 @@ def test_a_value_is_proved_and_no_other(
     true, wrong = values
     assert judge(latex % true, where) == {Verdict.PROVED}
     assert Verdict.PROVED not in judge(latex % wrong, where)
+
+
+@pytest.mark.parametrize(("latex", "true", "wrong"), FACTORIALS)
+def test_factorials_are_read(latex: str, true: str, wrong: str) -> None:
+    assert judge(latex % true, (r"n\in\mathbb N",)) == {Verdict.PROVED}
+    assert Verdict.PROVED not in judge(latex % wrong, (r"n\in\mathbb N",))
+
+
+@pytest.mark.parametrize("latex", ["n!!=1", "n!!!=1"])
+def test_a_double_factorial_is_that_of_an_even_or_of_an_odd_number(latex: str) -> None:
+    with pytest.raises(ReadingError):
+        judge(latex)
 
 
 @pytest.mark.parametrize(("latex", "where"), PROVED)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from mechproof.latex.errors import MeaningError
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tree import (
     Approach,
@@ -166,13 +167,12 @@ def _take_side(parser: Parser) -> str:
 
 
 def _read_factorial(parser: Parser, atom: Node) -> Node:
-    """Read the factorial of a letter, a number or a bracket."""
+    """Read the factorial, n!, or double factorial, n!!, of a letter, a number or a bracket."""
     sign = parser.take("!")
+    make = _make_double_factorial if parser.skip("!") else _make_factorial
     if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):
         raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
-    return Call(
-        PrintedFunction("factorial", _make_factorial), (atom,), start=atom.start, end=parser.end
-    )
+    return Call(PrintedFunction("factorial", make), (atom,), start=atom.start, end=parser.end)
 
 
 def read_binomial(parser: Parser) -> Node:
@@ -189,6 +189,15 @@ def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
             return sp.Mul(*(whole - n for n in range(count))) / sp.factorial(count)
     above, *below = map(_make_factorial, (whole, part, whole - part))
     return above / sp.Mul(*below)
+
+
+def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
+    """Return 2*4*...*argument or 1*3*...*argument; `MeaningError` where it is not clear which."""
+    for half in (argument / 2, (argument + 1) / 2):
+        if half.is_integer:
+            product = 2**half * _make_factorial(half)
+            return product if 2 * half == argument else _make_factorial(2 * half) / product
+    raise MeaningError(f"a factorial of what? {argument} may be even or odd")
 
 
 def _make_factorial(argument: sp.Expr) -> sp.Expr:

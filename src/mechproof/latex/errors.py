@@ -22,6 +22,10 @@ class ReadingError(ValueError):
         return "\n".join([*lines, f"  {self.remedy}"] if self.remedy else lines)
 
 
+class MeaningError(TypeError):
+    """What a part of a print cannot mean, in words for its reader."""
+
+
 @dataclass(frozen=True)
 class Remedies:
     """How that can be declared which a print does not say; {0} is what is printed."""

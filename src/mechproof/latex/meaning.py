@@ -21,7 +21,7 @@ from mechproof.latex.calculus_meaning import (
     list_lost,
 )
 from mechproof.latex.dotted import give_dotted
-from mechproof.latex.errors import PrintedText, ReadingError, Remedies
+from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
 from mechproof.latex.functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.matrix_meaning import (
@@ -145,7 +145,8 @@ class Meaning:
         except ReadingError:
             raise
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
-            raise self.source.refuse(node.start, _UNFIT) from error
+            told = str(error) if isinstance(error, MeaningError) else _UNFIT
+            raise self.source.refuse(node.start, told) from error
         # SymPy would work such a power out, for some matrices with those parameters only.
         if self._raised > raised and not isinstance(node, Power | Bracket):
             raise self.source.refuse(node.start, _UNFIT)
@@ -267,10 +268,11 @@ class Meaning:
         if make in QUOTIENTS and has_counts(settle_all(arguments[0], self.values)):
             make = QUOTIENTS[make]
         value = make(*arguments)
-        if isinstance(value, sp.factorial) and not value.args[0].is_nonnegative:
-            self._divide_by(1 / value, value)
-        elif isinstance(value, sp.Expr):
-            for divisor in list_divisors(value):
+        if isinstance(value, sp.Expr):
+            below = list_divisors(value)
+            above = value.atoms(sp.factorial) - {*below}
+            poles = [1 / one for one in above if not one.args[0].is_nonnegative]
+            for divisor in (*below, *poles):
                 self._divide_by(divisor, value)
         return value ** self.of(node.exponent) if node.exponent else value
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain, Point
-from mechproof.proof.count_zeros import list_zeros
+from mechproof.proof.count_zeros import list_ends, list_zeros
 from mechproof.proof.counts import has_steps
 from mechproof.proof.refutation import name_point, points_for, put_exactly
 
@@ -30,8 +30,8 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
         points = list(islice(points_for((resolved,), domain, _TRIED), _TRIED))
         zeros = [point for point in points if _is_zero(resolved, point)]
         factorial = 1 / divisor if isinstance(1 / divisor, sp.factorial) else None
-        solved = domain.resolve(factorial.args[0] + 1) if factorial else resolved
-        zeros += islice(list_zeros(solved, domain), 1)
+        solved = map(domain.resolve, list_ends(factorial)) if factorial else [resolved]
+        zeros += islice((zero for one in solved for zero in list_zeros(one, domain)), 1)
         needed = 1 if has_steps(resolved, domain) else min(_MANY, len(points))
         if len(zeros) >= needed:
             at = name_point(zeros[0], domain)

@@ -19,6 +19,8 @@ from mechproof.record.parts import find_free, find_parts
 
 # At so many values of the other letters.
 _TRIED = 3
+# Work limit: steps in which the number of a factorial comes to be negative.
+_MOST_STEPS = 12
 
 
 def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
@@ -37,7 +39,7 @@ def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
     """Say where a factorial below a line is that of a negative number, empty for nowhere."""
     divisors = {d for side in sides for d in list_divisors(side) if find_free(d) <= find_free(side)}
     below = sorted((d for d in divisors if isinstance(d, sp.factorial)), key=sp.default_sort_key)
-    met = ((one, zero) for one in below for zero in list_zeros(one.args[0] + 1, domain))
+    met = ((one, zero) for one in below for x in list_ends(one) for zero in list_zeros(x, domain))
     return next((f"1/{one} is zero at {name_point(zero, domain)}" for one, zero in met), "")
 
 
@@ -46,12 +48,22 @@ def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr
     below = {divisor for side in sides for divisor in list_divisors(side)}
     # Below a line that of a negative number is no pole: its quotient is zero there.
     above = {f for side in sides for f in find_parts(side, sp.factorial)} - below
-    factorials = {factorial.args[0] + 1 for factorial in above}
-    for divisor in sorted(below | factorials, key=sp.default_sort_key):
+    ends = {end for factorial in above for end in list_ends(factorial)}
+    for divisor in sorted(below | ends, key=sp.default_sort_key):
         shown = divisor.args[0] - 1 if isinstance(divisor, sp.log) else divisor
         counts = any(is_count(s, domain) for s in find_free(shown))
         if counts and not is_nonzero(shown, domain):
             yield shown
+
+
+def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
+    """List what is zero where a factorial is the first of a negative number: (2n)! has steps of 2.
+
+    What a count is multiplied by says of how many.
+    """
+    (number,) = factorial.args
+    steps = [abs(c) for c in number.as_coefficients_dict().values() if c.is_Integer]
+    return [number + k for k in range(1, 1 + min(max(steps, default=1), _MOST_STEPS))]
 
 
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
