@@ -58,7 +58,9 @@ def _read_line(parser: Parser) -> tuple[Chain, ...]:
     parts = [ChainPart(_read_chain(parser))]
     while parser.text:
         if parser.skip(",", ";"):
-            parser.brackets = _brackets_among_factors(parts[-1].chain.members[-1])
+            last = parts[-1].chain.members[-1]
+            factors = last.factors if isinstance(last, Product) else (last,)
+            parser.brackets = tuple(one for one in factors if isinstance(one, Bracket))
         elif not (parser.text in (WIDE, *IF, r"\forall") or conditions.is_bracketed(parser)):
             raise _refuse_rest(parser)
         parts += _read_parts(parser)
@@ -134,11 +136,6 @@ def _read_bracketed(parser: Parser) -> list[ChainPart]:
         chain = read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
         parts.append(ChainPart(chain, said=True))
     return parts
-
-
-def _brackets_among_factors(member: Node) -> tuple[Bracket, ...]:
-    factors = member.factors if isinstance(member, Product) else (member,)
-    return tuple(factor for factor in factors if isinstance(factor, Bracket))
 
 
 def _read_chain(parser: Parser) -> Chain:

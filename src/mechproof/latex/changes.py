@@ -122,15 +122,12 @@ def _open(part: Fragment, place: int, held: tuple[Marked, ...]) -> Marked:
 def _write(parts: Sequence[Marked], style: Style, *, within: bool = False) -> str:
     """Write parts that stand in what is changed, or in what is kept."""
     texts = []
-    for (changed, is_parting), run in groupby(parts, key=_find_state):
+    kinds = groupby(parts, key=lambda one: (one.changed, one.part.pieces[0] in PARTING))
+    for (changed, is_parting), run in kinds:
         text = join(_write_part(marked, style) for marked in run)
         wrap = style.change if changed else style.keep
         texts.append(text if is_parting or changed is within else wrap(text))
     return join(texts)
-
-
-def _find_state(marked: Marked) -> tuple[bool, bool]:
-    return marked.changed, marked.part.pieces[0] in PARTING
 
 
 def _write_part(marked: Marked, style: Style) -> str:

@@ -96,13 +96,9 @@ def _find_runs(first: Sequence[sp.Expr], last: sp.Expr) -> Iterator[tuple[sp.Sym
     for count in sorted((s for s in last.free_symbols if s.is_integer), key=str):
         for behind in range(1, _MOST):
             used = 0
-            while used < min(len(first), behind) and _is_same(
-                first[-1 - used], last.subs(count, behind - 1 - used)
-            ):
+            while used < min(len(first), behind):
+                if sp.expand(first[-1 - used] - last.subs(count, behind - 1 - used)) != 0:
+                    break
                 used += 1
             if used >= _FEWEST:
                 yield count, behind - used, used
-
-
-def _is_same(one: sp.Expr, other: sp.Expr) -> bool:
-    return bool(sp.expand(one - other) == 0)

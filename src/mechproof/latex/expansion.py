@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -104,7 +103,8 @@ def _list_sides(says: Statement) -> Sequence[sp.Basic]:
 
 def _read_signs(row: Row, reader: Reader, upper: int) -> tuple[Row, ...]:
     read = reader.parse(row.printed_latex, row.number, upper)
-    places = list(_find_signs(read))
+    signs = [(chain, left) for chain in read.chains for left in range(len(chain.members) - 1)]
+    places = [_Place(read, chain, left) for chain, left in signs]
     if any(not chain.relations for chain in read.chains):
         raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
     if surplus := sorted(row.links.keys() - set(range(1, len(places) + 1))):
@@ -149,12 +149,6 @@ class _Place:
         one, other = self.nodes
         condition = f" if {write(self.chain.condition)}" if self.chain.condition else ""
         return f"{write(one)} {write_sign(self.sign)} {write(other)}{condition}"
-
-
-def _find_signs(read: Print) -> Iterator[_Place]:
-    for chain in read.chains:
-        for left, _ in pairwise(range(len(chain.members))):
-            yield _Place(read, chain, left)
 
 
 def _number(row: Row, number: int, count: int, only_equal: bool) -> str:

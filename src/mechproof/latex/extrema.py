@@ -82,7 +82,8 @@ def state_extremum(
         mean, amplitude = wave
         extreme = mean + amplitude if node.name == "max" else mean - amplitude
         return Conjunction((Equality(bound, extreme, "member"),))
-    numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(_list_letters(term, bound))}
+    letters = sorted(term.free_symbols | bound.free_symbols, key=str)
+    numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(letters)}
     for place in _list_places(term, by, within):
         there = term.xreplace({by: place})
         difference = (there - settle_all(bound, values)).xreplace(numbers).evalf()
@@ -121,10 +122,6 @@ def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
     (speed,) = speeds
     amplitude = sp.sqrt(a**2 + b**2)
     return mean, amplitude if speed.is_nonzero else ValueWhere(amplitude, 1 / speed)
-
-
-def _list_letters(*sides: Any) -> list[sp.Basic]:
-    return sorted({letter for side in sides for letter in side.free_symbols}, key=str)
 
 
 def _list_places(term: sp.Expr, by: sp.Basic, within: sp.Set) -> list[sp.Expr]:

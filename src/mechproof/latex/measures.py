@@ -84,12 +84,13 @@ def _find_end(parser: Parser) -> int:
     """Return the place behind the signs of a unit that end a member, else where it begins."""
     place, has_unit = parser.place, False
     while place < len(parser.tokens) and parser.tokens[place].text not in _ENDS:
+        text, before = parser.tokens[place].text, parser.tokens[place - 1].text
         is_unit = _is_upright(parser, place)
-        is_joint = parser.tokens[place].text in _BETWEEN or _is_micro(parser, place)
+        is_joint = text in _BETWEEN or _is_micro(parser, place)
         # Elsewhere it takes off another number.
-        if parser.tokens[place].text == "-" and parser.tokens[place - 1].text not in ("^", "{"):
+        if text == "-" and before not in ("^", "{"):
             return parser.place
-        if not (is_unit or is_joint or _is_power(parser, place)):
+        if not (is_unit or is_joint or (text.isdigit() and before in ("{", "-"))):
             return parser.place
         has_unit, place = has_unit or is_unit, place + 1
     return place if has_unit else parser.place
@@ -182,10 +183,6 @@ def _is_micro(parser: Parser, place: int) -> bool:
     r"""Return whether a \mu stands before a unit."""
     is_mu = parser.tokens[place].text == r"\mu"
     return is_mu and place + 1 < len(parser.tokens) and _is_upright(parser, place + 1)
-
-
-def _is_power(parser: Parser, place: int) -> bool:
-    return parser.tokens[place].text.isdigit() and parser.tokens[place - 1].text in ("{", "-")
 
 
 def put_units(chain: Chain, weigh: Callable[[str], sp.Expr | None]) -> Chain:

@@ -46,7 +46,8 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
     follows = parser.tokens[parser.place + 1 : parser.place + 2]
     if parser.text == "," and not in_list and follows and is_digit(follows[0].text):
         close = follows[0].start == parser.end + 1 and parser.start == parser.end
-        if close and not _is_along_axis(parser.source.latex, start):
+        along = _ALONG_AXIS.finditer(parser.source.latex)
+        if close and not any(one.start() < start < one.end() for one in along):
             raise parser.refuse(
                 "a comma between digits: a decimal comma or a list?",
                 "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
@@ -73,10 +74,6 @@ def _is_grouped(parser: Parser, start: int) -> bool:
     r"""Return whether the gap here parts thousands: 60\,000."""
     grouped = _THOUSANDS.match(parser.source.latex, start)
     return grouped is not None and parser.start < grouped.end()
-
-
-def _is_along_axis(latex: str, place: int) -> bool:
-    return any(m.start() < place < m.end() for m in _ALONG_AXIS.finditer(latex))
 
 
 def is_number_fraction(parser: Parser) -> bool:

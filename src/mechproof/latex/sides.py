@@ -67,14 +67,10 @@ def says_nothing(left: Any, right: Any) -> bool:
     unknown = [side.has(sp.MatrixSymbol) for side in sides]
     if not any(unknown) or (all(unknown) and left.is_Matrix == right.is_Matrix):
         return False
-    entries = [_list_entries(name_entries(side)) for side in sides]
+    entries = [[*side] if is_matrix(side) else [side] for side in map(name_entries, sides)]
     if len(entries[0]) != len(entries[1]):
         return True
     return any(sp.expand(one - other) != 0 for one, other in zip(*entries, strict=True))
-
-
-def _list_entries(side: Any) -> list[sp.Expr]:
-    return list(side) if is_matrix(side) else [side]
 
 
 def is_opposite(difference: Any, residual: Any) -> bool:

@@ -147,10 +147,6 @@ def _root(node: Radical) -> str:
     return f"root({inside}, {write(node.degree)})" if node.degree else f"sqrt({inside})"
 
 
-def _table(node: Table) -> str:
-    return "[" + "; ".join(", ".join(map(write, row)) for row in node.rows) + "]"
-
-
 def _excerpt(node: Excerpt) -> str:
     limits = [":" if r is None else "..".join(map(str, dict.fromkeys(r))) for r in node.ranges]
     return f"{_closed(node.of)}[rows {limits[0]}, columns {', '.join(limits[1:]) or ':'}]"
@@ -192,7 +188,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Approach: _approach,
     Extremum: lambda node: f"{node.name}[{write(node.by)}]({write(strip(node.term))})",
     At: lambda node: f"({write(node.term)} at {write(node.by)} = {write(node.point)})",
-    Table: _table,
+    Table: lambda node: f"[{'; '.join(', '.join(map(write, row)) for row in node.rows)}]",
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",
     Excerpt: _excerpt,
     Transposed: lambda node: f"{_closed(node.of)}^T",

@@ -200,8 +200,9 @@ def bound_one(
     found, at = (worst.error, worst.at) if worst else (0.0, {})
     if found > largest.bound:
         resting = " and ".join(program.assumptions)
+        place = ", ".join(f"{name} = {value}" for name, value in at.items())
         raise ArithmeticError(
-            f"{bounding.name}: off by {found} at {_tell_point(at)}, where {largest.bound} is "
+            f"{bounding.name}: off by {found} at {place}, where {largest.bound} is "
             f"proved as long as {resting}"
         )
     return ProvedBound(
@@ -216,10 +217,6 @@ def bound_one(
         program.assumptions,
         "" if largest.open is None else _tell_part(program, largest.open),
     )
-
-
-def _tell_point(at: Mapping[str, Fraction]) -> str:
-    return ", ".join(f"{name} = {value}" for name, value in at.items())
 
 
 def _tell_part(program: BoxedProgram, box: Box) -> str:

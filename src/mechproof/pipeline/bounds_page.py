@@ -110,7 +110,8 @@ def _write_table(head: str, rows: Sequence[Compared]) -> Iterator[str]:
         run = _write_ratio(row.proved / min(others)) if others else "-"
         told = f"{cited[0]:.3g} ({cited[1]})" if cited else "-"
         share = _write_ratio(row.proved / cited[0]) if cited else "-"
-        bounds = (_write(b) for b in (row.proved, row.found, row.gappa, row.fptaylor))
+        found = (row.proved, row.found, row.gappa, row.fptaylor)
+        bounds = ("-" if bound is None else f"{bound:.4g}" for bound in found)
         yield f"| {row.name} | {' | '.join(bounds)} | {run} | {told} | {share} |"
     yield ""
     yield _count(rows)
@@ -128,10 +129,6 @@ def _count(rows: Sequence[Compared]) -> str:
         f"{NEAR_CITED} of the best. Gappa proves {sum(r <= NEAR for r in also)} within {NEAR} of "
         "ours."
     )
-
-
-def _write(bound: float | None) -> str:
-    return "-" if bound is None else f"{bound:.4g}"
 
 
 def _write_ratio(ratio: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable
+from itertools import chain, count
 
 EQUATION = re.compile(r"\((\w+)\)(?=$|[,\s])")
 
@@ -27,7 +28,8 @@ def name_anchors(numbers: Iterable[str]) -> dict[str, str]:
     for number in numbers:
         taken = set(found.values())
         name = name_anchor(number)
-        found[number] = next(n for n in _count_up(name) if n not in taken)
+        names = chain([name], (f"{name}-{n}" for n in count(2)))
+        found[number] = next(n for n in names if n not in taken)
     return found
 
 
@@ -51,8 +53,3 @@ def slugify(text: str) -> str:
     """Keep letters of any script and digits in lower case, and hyphens between."""
     plain = unicodedata.normalize("NFKC", text).replace("'", "").casefold()
     return re.sub(r"[\W_]+", "-", plain).strip("-")
-
-
-def _count_up(name: str) -> Iterable[str]:
-    yield name
-    yield from (f"{name}-{n}" for n in range(2, 10_000))

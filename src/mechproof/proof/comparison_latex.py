@@ -243,10 +243,6 @@ def _is_decimal(number: sp.Rational) -> bool:
     return bool(number.q > 5 and number.q % 5 == 0 and 10**_PLACES % number.q == 0)
 
 
-def _write_decimal(number: sp.Rational) -> str:
-    return f"{Decimal(int(number.p)) / Decimal(int(number.q)):f}"
-
-
 def _split_product(product: sp.Mul) -> tuple[sp.Expr, ...]:
     """Split off what stands before a product, a decimal, or behind it: an integral or cases."""
     number, rest = product.as_coeff_Mul()
@@ -287,7 +283,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
             first, second, _, end = map(self._print, part.args)
             return rf"I_{{{end}}}\left({first}, {second}\right)"
         if isinstance(part, sp.Rational) and _is_decimal(part):
-            return _write_decimal(part)
+            return f"{Decimal(int(part.p)) / Decimal(int(part.q)):f}"
         turned = _turn(part) if isinstance(part, sp.Mul) else part
         if isinstance(turned, sp.Mul) and (pieces := _split_product(turned)):
             return " ".join(map(self._print, pieces))

@@ -158,12 +158,8 @@ def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domai
     parts = (node for side in sides for node in list_partial(domain.resolve(side)))
     if not all(map(list_needs, parts)):
         return False
-    first, *others = map(_drop_implied, needs)
+    first, *others = ([n for n in own if n.strict or (n.value, True) not in own] for own in needs)
     return all(_covers(o, first, domain) and _covers(first, o, domain) for o in others)
-
-
-def _drop_implied(needs: list[Slack]) -> list[Slack]:
-    return [need for need in needs if need.strict or (need.value, True) not in needs]
 
 
 def _covers(needs: list[Slack], others: list[Slack], domain: Domain) -> bool:

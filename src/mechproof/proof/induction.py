@@ -31,7 +31,8 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
     """Return the rung if left = right is proved by induction over a count, else None."""
     difference = _sum_inside(domain.resolve(left - right), domain)
     for count in sorted(_list_counts(difference), key=str):
-        if _begins(difference, count, domain) and _grows(difference, count, domain):
+        first = write_out(substitute(difference, {count: sp.S.One}))
+        if _vanishes(first, domain) and _grows(difference, count, domain):
             return RUNG
     return None
 
@@ -119,10 +120,6 @@ def _change(total: ExprWithLimits, count: sp.Symbol) -> sp.Expr:
         return total.limits[0][0]
     steps = (base ** sp.expand(e.subs(count, count + 1) - e) for base, e in factors)
     return sp.Mul(*steps)
-
-
-def _begins(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
-    return _vanishes(write_out(substitute(difference, {count: sp.S.One})), domain)
 
 
 def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:

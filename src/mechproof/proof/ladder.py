@@ -299,15 +299,6 @@ def _describe(completion: Completion, answer: Answer) -> Evidence:
     return Evidence(what, first.at, first.printed, first.rebuilt)
 
 
-def _define(statement: Definition, domain: Domain) -> Answer:
-    reason = "introduces a symbol; dimensions and bound symbols agree"
-    return Answer(Verdict.DEFINITION, "definition", reason)
-
-
-def _refuse(statement: Unwritten, domain: Domain) -> Answer:
-    return Answer(Verdict.UNDECIDED, "none", statement.reason)
-
-
 _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     Equality: _decide_equality,
     Distinct: _decide_distinct,
@@ -315,11 +306,13 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     PrintedNumber: lambda statement, domain: decide_number(
         statement, domain.resolve(statement.value)
     ),
-    Definition: _define,
+    Definition: lambda statement, domain: Answer(
+        Verdict.DEFINITION, "definition", "introduces a symbol; dimensions and bound symbols agree"
+    ),
     Conjunction: _decide_conjunction,
     Completions: _decide_completions,
     NotCheckable: lambda statement, domain: Answer(
         Verdict.NOT_CHECKABLE, UNCOMPARED, f"not checkable: {statement.lacks}"
     ),
-    Unwritten: _refuse,
+    Unwritten: lambda statement, domain: Answer(Verdict.UNDECIDED, "none", statement.reason),
 }

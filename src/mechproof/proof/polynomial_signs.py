@@ -57,7 +57,9 @@ def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> StrictSig
     if expression.atoms(sp.Function):
         return None
     expression = _name_positive_powers(expression, coordinates)
-    roots = {node: sp.Dummy("root", nonnegative=True) for node in _square_roots(expression)}
+    powers = {p for p in expression.atoms(sp.Pow) if p.exp == sp.S.Half and p.free_symbols}
+    found = sorted(powers, key=sp.default_sort_key)
+    roots = {node: sp.Dummy("root", nonnegative=True) for node in found}
     expression = expression.subs(roots)
     if not expression.is_polynomial(*expression.free_symbols):
         return None
@@ -90,11 +92,6 @@ def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.E
     }
     coordinates.positive |= set(named.values())
     return expression.xreplace(named)
-
-
-def _square_roots(expression: sp.Expr) -> list[sp.Expr]:
-    powers = [p for p in expression.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
-    return sorted((p for p in powers if p.free_symbols), key=sp.default_sort_key)
 
 
 def _sign_of_polynomial(

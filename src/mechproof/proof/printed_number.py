@@ -27,14 +27,9 @@ def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
         distance, allowed = abs(value - printed), half_place
     evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
     if distance <= allowed:
-        return Answer(Verdict.PROVED, RUNG, f"recomputed {_plain(ball)}", (evidence,))
+        return Answer(Verdict.PROVED, RUNG, f"recomputed {show_plainly(ball)[0]}", (evidence,))
     if distance > allowed:
         recomputed, _ = show_plainly(ball, given)
         reason = f"recomputed {recomputed}, printed {statement.printed}"
         return Answer(Verdict.REFUTED, RUNG, reason, (evidence,))
     return Answer(Verdict.UNDECIDED, RUNG, "the ball meets the rounding boundary", (evidence,))
-
-
-def _plain(ball: balls.Ball) -> str:
-    (text,) = show_plainly(ball)
-    return text

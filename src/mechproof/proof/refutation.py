@@ -111,7 +111,7 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
     """Return a point at which the relation is certainly false, if one is found."""
     for point in points_for((relation,), domain, count, thorough=count == POINTS):
         if balls.truth(put_exactly(relation, point), point, 256) is False:
-            first, second, *_ = [s for r in _relations(relation) for s in r.args]
+            first, second, *_ = min(relation.atoms(Relational), key=str).args
             left, right = (
                 balls.evaluate(put_exactly(s, point), point, 256) for s in (first, second)
             )
@@ -314,7 +314,3 @@ def _name_relation(relation: sp.Basic) -> str:
 def name_point(point: Point, domain: Domain) -> str:
     """Write the values of letters at a point."""
     return ", ".join(f"{name} = {value}" for name, value in show_point(point, domain).items())
-
-
-def _relations(relation: sp.Basic) -> list[sp.Basic]:
-    return sorted(relation.atoms(sp.core.relational.Relational), key=str)

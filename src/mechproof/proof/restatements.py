@@ -49,7 +49,9 @@ def _check(what: str, says: Statement, row: Row, domain: Domain, shown: Iterable
     if any(own & _resolve(_sides(part), domain) for part in telling):
         return
     letters = _letters(row.statement, domain)
-    if _is_in_words(row) and (not letters or letters & _letters(says, domain)):
+    rest, words = _WORDS.subn("", row.printed_latex)
+    is_in_words = words > 0 and not _SIGN.search(rest)
+    if is_in_words and (not letters or letters & _letters(says, domain)):
         return
     raise RecordError(f"{what}: no side of it is one of the row, so it is about something else")
 
@@ -69,11 +71,6 @@ def _is_void(part: Statement, ours: set[sp.Basic], domain: Domain) -> bool:
         return False
     is_ours = part.rebuilt_from != "member" and bool(ours & _resolve([part.rebuilt], domain))
     return not is_ours and not isinstance(part.rebuilt, sp.MatrixBase)
-
-
-def _is_in_words(row: Row) -> bool:
-    rest, words = _WORDS.subn("", row.printed_latex)
-    return words > 0 and not _SIGN.search(rest)
 
 
 def _letters(says: Statement, domain: Domain) -> set[sp.Basic]:

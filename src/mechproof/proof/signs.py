@@ -204,14 +204,10 @@ def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> StrictSign | No
         return None
     sign = _sign_in_coordinates(expression, domain)
     for symbol, end in _closed_right_ends(expression, domain) if sign else []:
-        at_end = _find_sign_with_ends(expression.subs(symbol, end), _fix(domain, symbol, end))
+        there = replace(domain, where=tuple(r.subs(symbol, end) for r in domain.where))
+        at_end = _find_sign_with_ends(expression.subs(symbol, end), there)
         sign = _weaker(sign, at_end)
     return sign
-
-
-def _fix(domain: Domain, symbol: sp.Basic, value: sp.Expr) -> Domain:
-    where = tuple(relation.subs(symbol, value) for relation in domain.where)
-    return Domain(domain.within, where, domain.given)
 
 
 def _weaker(one: StrictSign | None, other: StrictSign | None) -> StrictSign | None:
@@ -240,15 +236,12 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
         changed = changed.xreplace(coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
             break
-    if any(_may_hide_sign(base, coordinates) for base in _list_radicands(expression)):
+    radicands = {p.base for p in expression.atoms(sp.Pow) if not p.exp.is_integer}
+    if any(_may_hide_sign(base, coordinates) for base in radicands):
         return None
     changed = name_absolute_values(changed, coordinates)
     sign = _sign_by_half_angles(changed, coordinates)
     return sign if sign else sign_of_quotient(write_by_cosines(changed)[0], coordinates)
-
-
-def _list_radicands(expression: sp.Expr) -> set[sp.Expr]:
-    return {power.base for power in expression.atoms(sp.Pow) if not power.exp.is_integer}
 
 
 def _may_hide_sign(radicand: sp.Expr, coordinates: Coordinates) -> bool:
@@ -289,17 +282,12 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
     where = domain.set_of(large)
     if not large.is_Symbol or small.has(large) or where.sup != sp.oo:
         return
-    if where.inf != -sp.oo and (low := find_sign(small - where.inf, _without(domain))) is None:
-        return
-    if where.inf != -sp.oo and low is not None and low.direction < 0:
+    low = where.inf == -sp.oo or find_sign(small - where.inf, replace(domain, where=()))
+    if low is None or (isinstance(low, StrictSign) and low.direction < 0):
         return
     gap = sp.Dummy(f"gap_{large}", nonnegative=True)
     (coordinates.positive if slack.strict else coordinates.nonnegative).add(gap)
     coordinates.replacement[large] = small + gap
-
-
-def _without(domain: Domain) -> Domain:
-    return Domain(domain.within, (), domain.given)
 
 
 def _name_positive_cosines(

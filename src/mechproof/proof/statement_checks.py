@@ -55,7 +55,8 @@ def check_statement(
     prints, ours = _sides(statement, printed)
     for name, side in prints + ours:
         _check_size(name, side)
-        _check_functions(name, side)
+        if undefined := sorted(map(str, find_parts(side, AppliedUndef))):
+            raise RecordError(f"{name}: the function of {undefined[0]} is defined nowhere")
         _check_bound(name, side, domain)
         _check_names(name, side, known, domain, may_be_unknown=(name, side) in prints)
     if isinstance(statement, Holds) and printed:
@@ -101,11 +102,6 @@ def _check_size(name: str, side: sp.Basic) -> None:
             raise NotImplementedError(
                 f"{name}: an exponent is not below {LARGEST_EXPONENT} in amount"
             )
-
-
-def _check_functions(name: str, side: sp.Basic) -> None:
-    if undefined := sorted(map(str, find_parts(side, AppliedUndef))):
-        raise RecordError(f"{name}: the function of {undefined[0]} is defined nowhere")
 
 
 def _check_names(

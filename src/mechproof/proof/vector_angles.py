@@ -28,7 +28,8 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     parted = [
         term.as_coeff_Mul(rational=True) for term in sp.Add.make_args(domain.resolve(left - right))
     ]
-    if all(node == sp.pi or _is_angle_of_number(node) for _, node in parted):
+    angles = (node for _, node in parted if node != sp.pi)
+    if all(isinstance(one, sp.atan | sp.atan2) and not one.free_symbols for one in angles):
         return RUNG if _is_nothing(parted, domain) else None
     sizes = {abs(factor) for factor, _ in parted}
     is_sum = all(isinstance(node, sp.atan | sp.atan2) for _, node in parted)
@@ -44,10 +45,6 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     for sign, node in others:
         product = _multiply(product, _vector(node), -sign / factor)
     return RUNG if _same_direction(_vector(alone), product, domain) else None
-
-
-def _is_angle_of_number(node: sp.Expr) -> bool:
-    return isinstance(node, sp.atan | sp.atan2) and not node.free_symbols
 
 
 def _is_nothing(parted: list[tuple[sp.Rational, sp.Expr]], domain: Domain) -> bool:

@@ -19,7 +19,7 @@ from mechproof.domains.dimensions import (
     infer_common,
     rescale,
 )
-from mechproof.domains.domain import Domain, Point
+from mechproof.domains.domain import Domain
 from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_point
@@ -117,7 +117,8 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
     symbols = {*known, *domain.within, *domain.given}
     declared = {getattr(s, "label", s) for s in symbols} | symbols
     functions = {node.args[0] for node in find_parts(printed, FunctionWithoutArgument)}
-    unbound = sorted(map(str, find_free(printed) - _indexed(printed) - declared - functions))
+    indexed = find_parts(printed, sp.Indexed)
+    unbound = sorted(map(str, find_free(printed) - indexed - declared - functions))
     if not unbound:
         return None
     names = ", ".join(unbound)
@@ -127,10 +128,6 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
         f"{names} has no value there: bound by no sum and no quantity of the paper",
         witness,
     )
-
-
-def _indexed(printed: sp.Basic) -> set[sp.Basic]:
-    return find_parts(printed, sp.Indexed)
 
 
 def _find_mixture(
@@ -182,15 +179,12 @@ def _changes_of_units(
         power = getattr(_dimension(other, known), unit)
         back = balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
         with suppress(NotImplementedError):
-            for point, pair in product(_points(printed, domain), pairs):
+            points = points_for((printed,), domain, POINTS, thorough=True)
+            for point, pair in product(points, pairs):
                 before, after = (balls.evaluate(put_exactly(e, point), point) for e in pair)
                 values = [before, after / back]
                 if all(v.is_finite() for v in values) and not values[0].overlaps(values[1]):
                     yield _show_change(unit, show_point(point, domain), values)
-
-
-def _points(printed: sp.Basic, domain: Domain) -> Iterator[Point]:
-    return points_for((printed,), domain, POINTS, thorough=True)
 
 
 def _terms(printed: sp.Basic) -> list[sp.Expr]:
