@@ -9,6 +9,8 @@ import pytest
 import sympy as sp
 
 from mechproof.domains.domain import Domain
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.cases import decide_by_pieces, narrow
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
@@ -116,3 +118,21 @@ def test_the_part_of_a_condition() -> None:
     assert part(sp.pi * x >= 1) == sp.Interval(1 / sp.pi, 3)
     assert part(x > 4) is None
     assert narrow(DOMAIN, x < y) == replace(DOMAIN, where=(x < y,))
+
+
+@pytest.mark.parametrize(
+    ("latex", "true", "wrong"),
+    [
+        (r"\sgn(xy)=%s", r"\sgn(x)\sgn(y)", r"\sgn(x)+\sgn(y)"),
+        (r"\sgn(xyz)=%s", r"\sgn(x)\sgn(y)\sgn(z)", r"\sgn(x)\sgn(y)"),
+        (r"\sgn(x)=\begin{cases}1&x>0\\%s&x=0\\-1&x<0\end{cases}", "0", "1"),
+        (r"x^2-2x=\begin{cases}x^2-2x&x\ne3\\%s&x=3\end{cases}", "3", "4"),
+        (r"\max(x,y)=\begin{cases}x&x>y\\%s&x=y\\y&x<y\end{cases}", "y", "x+1"),
+        (r"\sgn(x)=\begin{cases}1&x>0\\0&x=%s\\-1&x<0\end{cases}", "0", "1"),
+    ],
+)
+def test_signs_and_single_values_are_taken_case_by_case(latex: str, true: str, wrong: str) -> None:
+    for value, is_true in ((true, True), (wrong, False)):
+        printed = (latex % value).replace(r"\sgn", r"\operatorname{sgn}")
+        (found,) = judge_pasted(Pasted(printed)).judgements
+        assert (found.verdict is Verdict.PROVED) is is_true

@@ -101,6 +101,9 @@ def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
     """Write one by pieces; where they join the seam may belong to either."""
     if isinstance(node, sp.sign):
         (number,) = node.args
+        if number.is_Mul:
+            signs = sp.Mul(*map(sp.sign, number.args))
+            return signs.replace(sp.sign, lambda factor: _write_pieces(sp.sign(factor), poles))
         if number.could_extract_minus_sign():
             return -_write_pieces(sp.sign(-number), poles)
         above = 1 if number in poles else sp.Piecewise((0, sp.Le(number, 0)), (1, True))
@@ -140,14 +143,12 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 def narrow(domain: Domain, relation: Relational) -> Domain | None:
     """Return the part of a domain on which a relation holds, None for nothing.
 
-    What is no inequality narrows nothing, what is not solved is a relation of the part. Of a part
-    that is left it is not said that it has a point.
+    What is not solved is a relation of the part; an equation then narrows nothing. Of a part that
+    is left it is not said that it has a point.
     """
     relation = domain.resolve(relation)
     if relation == sp.false:
         return None
-    if find_slack(relation) is None:
-        return domain
     symbols = relation.free_symbols
     if len(symbols) == 1 and symbols <= domain.within.keys():
         (symbol,) = symbols
@@ -158,6 +159,8 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
                 return None
             if isinstance(narrowed, sp.Interval | sp.FiniteSet):
                 return replace(domain, within={**domain.within, symbol: narrowed})
+    if isinstance(relation, sp.Eq) or not isinstance(relation, Relational):
+        return domain
     if any(_contradicts(relation, other, domain) for other in domain.where):
         return None
     return replace(domain, where=(*domain.where, relation))
@@ -179,12 +182,9 @@ def _contradicts(relation: Relational, other: sp.Basic, domain: Domain) -> bool:
     ratio = sp.cancel(two.value / one.value)
     if not (ratio.is_number and ratio.is_negative):
         return False
-    apart = (r for r in domain.where if isinstance(r, sp.Ne))
-    return one.strict or two.strict or any(_is_multiple(r, one.value) for r in apart)
-
-
-def _is_multiple(apart: sp.Ne, value: sp.Expr) -> bool:
-    return bool(sp.cancel((apart.lhs - apart.rhs) / value).is_number)
+    apart = (r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Ne))
+    is_apart = any(sp.cancel(number / one.value).is_number for number in apart)
+    return one.strict or two.strict or is_apart
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
