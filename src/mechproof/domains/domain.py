@@ -20,6 +20,7 @@ from mechproof.domains.dimensions import dimensions_of
 from mechproof.domains.domain_checks import check_given, check_relation, check_set
 from mechproof.domains.narrowing import Values, leaves_values, search
 from mechproof.domains.set_values import (
+    contains,
     list_closed_ends,
     list_special_values,
     place,
@@ -119,7 +120,7 @@ class Domain:
     def allows(self, point: Point) -> bool:
         """Return whether no set and no relation that the point decides excludes it."""
         relations = [r for r in self.where if find_free(r) <= point.keys()]
-        inside = (self.set_of(s).contains(v) != sp.false for s, v in point.items())
+        inside = (contains(self.set_of(s), v) != sp.false for s, v in point.items())
         return all(inside) and _allowed(relations, point)
 
     def is_interior(self, point: Point) -> bool:
@@ -197,7 +198,7 @@ class Domain:
     def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
         """Yield unlike round angles for the angles among the symbols; nothing for none of them."""
         free = sorted((s for s in symbols if self.dimension_of(s).is_angle), key=str)
-        inside = {s: [a for a in _ROUND_ANGLES if self.set_of(s).contains(a)] for s in free}
+        inside = {s: [a for a in _ROUND_ANGLES if contains(self.set_of(s), a)] for s in free}
         allowed = [(s, values) for s, values in inside.items() if values]
         for turn in range(max((len(values) for _, values in allowed), default=1)):
             yield {s: values[(turn + k) % len(values)] for k, (s, values) in enumerate(allowed)}
@@ -239,7 +240,7 @@ class Domain:
             {**inside, s: value}
             for s in inside
             for value in landmarks
-            if self.set_of(s).contains(value) == sp.true
+            if contains(self.set_of(s), value) == sp.true
         ]
         longest = max(map(len, found.values()), default=0)
         joint = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 
 import sympy as sp
 
@@ -15,6 +15,12 @@ _SPECIAL = tuple(
 )
 
 
+@lru_cache(maxsize=4096)
+def contains(where: sp.Set, value: sp.Expr) -> sp.Basic:
+    """Return what SymPy says; the same special values are asked for at every point of every row."""
+    return where.contains(value)
+
+
 @cache
 def list_special_values(where: sp.Set) -> tuple[sp.Expr, ...]:
     """List values where formulas fail that hold at ordinary points; all of a finite set."""
@@ -22,7 +28,7 @@ def list_special_values(where: sp.Set) -> tuple[sp.Expr, ...]:
         return tuple(where.args)
     ends = list_closed_ends(where)
     values = dict.fromkeys((sp.S.Zero, *_SPECIAL, *ends))
-    return tuple(value for value in values if where.contains(value) == sp.true)
+    return tuple(value for value in values if contains(where, value) == sp.true)
 
 
 def radical_inverse(step: int, base: int) -> sp.Rational:
