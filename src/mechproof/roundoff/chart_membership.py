@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import cache, reduce
 from operator import and_, or_
 from typing import Any
 
@@ -62,13 +62,13 @@ def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
 
 
 def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
-    drawn = {symbol: sp.Dummy(str(symbol)) for symbol in chart.arguments}
+    drawn = {symbol: _draw(symbol) for symbol in chart.arguments}
     # What is no coordinate's is one number.
     fixed = {symbol: value for symbol, value in chart.arguments.items() if value.is_number}
     equations = [v - drawn[symbol] for symbol, v in chart.arguments.items() if symbol not in fixed]
     if chart.rest is not None:
         equations.append(chart.rest + 2 * sp.pi * TURNS - chart.angle)
-    found = sp.solve(equations, list(chart.within), dict=True)
+    found = _solve(tuple(equations), tuple(chart.within))
     if len(found) > 1:
         found = [place for place in found if _is_at_middle(chart, drawn, place)]
     if len(found) != 1 or found[0].keys() != chart.within.keys():
@@ -80,6 +80,24 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     return lower_steps(
         inputs, frozenset(), tuple(inputs.values()), _count_turns(chart, place), gaps
     )
+
+
+@cache
+def _draw(symbol: sp.Basic) -> sp.Dummy:
+    """Return what stands for the value of an argument, the same in all charts."""
+    return sp.Dummy(str(symbol))
+
+
+@cache
+def _solve(
+    equations: tuple[sp.Expr, ...], coordinates: tuple[sp.Symbol, ...]
+) -> Sequence[Mapping[sp.Symbol, sp.Expr]]:
+    """Solve equations, once for all kernels with these charts.
+
+    Solutions of other signs of roots are not left out here: that takes SymPy as long again.
+    """
+    found: list[dict[sp.Symbol, sp.Expr]] = sp.solve(equations, coordinates, dict=True, check=False)
+    return found
 
 
 def _is_at_middle(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -232,12 +232,18 @@ def add_up(
     for step in straight.steps:
         given = [values.get(o) if isinstance(o, str) else sp.Rational(o) for o in step.operands]
         if step.kind in POLYNOMIAL and all(value is not None for value in given):
-            value = sp.factor(SYMBOLIC[step.kind](*given))
+            value = _factor(SYMBOLIC[step.kind](*given))
             if step.kind in ("add", "subtract"):
                 sums[step.result] = value
             if step.ulps == EXACT:
                 values[step.result] = value
     return sums
+
+
+@cache
+def _factor(value: sp.Expr) -> sp.Expr:
+    """Factor a sum; the ways of computing a form have the same ones."""
+    return sp.factor(value)
 
 
 def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
