@@ -8,6 +8,7 @@ from twins import check_twins, judge, list_rows
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
+from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
@@ -38,11 +39,11 @@ TABLES = {
             "a>0, b>0, c>0",
         ),
     ),
+    CASES: ((r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),),
     SQUARES: (
         (r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),
         (r"|\sin x|\le|x|", r"|\sin x|<|x|", ""),
         (r"|\sin2x|\le2|\sin x|", r"|\sin2x|\le\frac{19}{10}|\sin x|", ""),
-        (r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),
         (
             r"\sqrt{(a+c)^2+(b+d)^2}\le\sqrt{a^2+b^2}+\sqrt{c^2+d^2}",
             r"\sqrt{(a+c)^2+(b+d)^2}\le\sqrt{a^2+b^2}+\sqrt{c^2-d^2}",

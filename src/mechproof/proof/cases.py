@@ -14,8 +14,10 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.domains.domain import Domain
+from mechproof.domains.narrowing import leaves_values
+from mechproof.domains.set_values import list_closed_ends
 from mechproof.proof.sums import write_out
-from mechproof.record.parts import find_bound
+from mechproof.record.parts import find_bound, find_free
 from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
 
@@ -24,7 +26,7 @@ Sides = tuple[sp.Expr, sp.Expr]
 Prove = Callable[..., str | None]
 RUNG = "case by case"
 # Work limit: so many moduli, or numbers of which the largest is meant.
-_MOST_WRITTEN = 4
+_MOST_WRITTEN = 5
 _IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
@@ -71,6 +73,26 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
         for parts, part in (
             (at_zero, _fix(domain, zero)),
             ((substitute(side, {count: later}) for side in sides), from_one),
+        )
+    )
+
+
+def decide_from_zero_base(sides: Sides, domain: Domain, prove: Prove) -> str | None:
+    """Prove sides equal where the base of a power is zero, and where it is positive."""
+    bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.free_symbols}
+    free = {symbol for base in bases for symbol in base.free_symbols}
+    tied = {symbol for relation in domain.where for symbol in relation.free_symbols}
+    ended = [s for s in free - tied if 0 in list_closed_ends(domain.set_of(s))]
+    if not ended:
+        return None
+    symbol = min(ended, key=str)
+    values = domain.set_of(symbol)
+    zero = {symbol: sp.S.Zero}
+    return _join(
+        prove(*parts, part)
+        for parts, part in (
+            ((substitute(side, zero) for side in sides), _fix(domain, zero)),
+            (sides, domain.with_set(symbol, values - sp.FiniteSet(0))),
         )
     )
 
@@ -161,9 +183,11 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
                 return replace(domain, within={**domain.within, symbol: narrowed})
     if isinstance(relation, sp.Eq) or not isinstance(relation, Relational):
         return domain
+    where = (*domain.where, relation)
+    sets = {symbol: domain.set_of(symbol) for one in where for symbol in find_free(one)}
     if any(_contradicts(relation, other, domain) for other in domain.where):
         return None
-    return replace(domain, where=(*domain.where, relation))
+    return replace(domain, where=where) if leaves_values(sets, where, {}) else None
 
 
 def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:
@@ -188,12 +212,13 @@ def _contradicts(relation: Relational, other: sp.Basic, domain: Domain) -> bool:
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
-    """Collect the conditions of pieces in symbols that are bound nowhere."""
+    """Collect the conditions of pieces in symbols that are bound nowhere, the innermost first."""
     pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
     free = {symbol for side in sides for symbol in side.free_symbols}
     bound = {symbol for side in sides for symbol in find_bound(side)}
     conditions = {c for piece in pieces for _, cond in piece.args for c in cond.atoms(Relational)}
-    return {c.canonical for c in conditions if c.free_symbols <= free - bound}
+    plain = (c for c in conditions if not c.has(sp.Piecewise))
+    return {c.canonical for c in plain if c.free_symbols <= free - bound}
 
 
 def _assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:

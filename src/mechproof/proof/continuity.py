@@ -11,7 +11,7 @@ from mechproof.record import Slack, list_needs
 
 _POLES = 4
 _EVERYWHERE = (
-    *(sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc),
+    *(sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc, sp.Si),
     *(sp.sinh, sp.cosh, sp.tanh, sp.asinh),
 )
 _WHERE_DEFINED = (sp.log, sp.asin, sp.acos, sp.atanh, sp.acosh)

@@ -124,9 +124,10 @@ def _has_values_between(node: sp.Basic) -> bool:
 
 
 def list_needed(expression: sp.Basic) -> list[Slack]:
-    """List what functions need to have values whose derivatives are said to have them there."""
+    """List what functions need to have values about a place, and with them derivatives there."""
     nodes = sorted(expression.atoms(DerivativeWhere), key=sp.default_sort_key)
-    return list(dict.fromkeys(need for node in nodes for need in list_necessary(node.args[1])))
+    needs = (need.value for node in nodes for need in list_necessary(node.args[1]))
+    return [Slack(value, True) for value in dict.fromkeys(needs)]
 
 
 def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:

@@ -15,6 +15,7 @@ from mechproof.proof.cases import (
     decide_by_pieces,
     decide_by_values,
     decide_from_zero,
+    decide_from_zero_base,
     list_poles,
     write_pieces,
 )
@@ -71,6 +72,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     found = found or decide_by_antiderivative(*sides, domain, prove_equal)
     found = found or decide_by_parts(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
+    found = found or decide_from_zero_base(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)
     return found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
 

@@ -40,13 +40,18 @@ def decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> A
     return Answer(verdicts[holds], RUNG, f"{sign.join(plain)}{told}", (evidence,))
 
 
+def write_value(value: sp.Expr) -> str:
+    """Return a value in words where it is infinite."""
+    return str(value).replace("oo", "infinity")
+
+
 def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
     """Decide where SymPy says that a side has no value, or that one is infinite; None elsewhere."""
     if any(side.has(sp.nan, sp.zoo) for side in sides):
         return Answer(Verdict.UNDECIDED, "none", "a side has no value for what is given")
     if not any(side in (sp.oo, -sp.oo) for side in sides):
         return None
-    printed, rebuilt = (str(side).replace("oo", "infinity") for side in sides)
+    printed, rebuilt = map(write_value, sides)
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, RUNG, f"both sides are {printed}")
     if not all(side.is_extended_real for side in sides):

@@ -28,6 +28,7 @@ _ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
     sp.exp: (sp.S.Zero, sp.oo),
     sp.tanh: (-sp.S.One, sp.S.One),
     sp.erf: (-sp.S.One, sp.S.One),
+    sp.Si: (-_HALF_PI, _HALF_PI),
     sp.asinh: (-sp.oo, sp.oo),
     sp.sinh: (-sp.oo, sp.oo),
     sp.cosh: (sp.oo, sp.oo),
@@ -35,7 +36,13 @@ _ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
 }
 _UNREAD = (sp.nan, sp.zoo, sp.Piecewise, sp.Integral, sp.Sum, sp.Product, sp.Limit)
 _CONTINUOUS = (*_ENDS, sp.sin, sp.cos, sp.asin, sp.acos)
-_BOUNDED = (sp.sin, sp.cos, sp.atan, sp.tanh, sp.asin, sp.acos, sp.erf)
+_BOUNDED = (sp.sin, sp.cos, sp.atan, sp.tanh, sp.asin, sp.acos, sp.erf, sp.Si)
+# What they are off one by is like this where their argument is small.
+_LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
+    sp.exp: lambda u: u,
+    sp.cosh: lambda u: u**2 / 2,
+    sp.cos: lambda u: -(u**2) / 2,
+}
 # Those that are like their argument where it is small.
 _LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
 
@@ -164,11 +171,24 @@ def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
     factor = (_join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
     if isinstance(factor, sp.log):
         small = sp.expand(factor.args[0] - 1)
+    elif isinstance(factor, sp.Add):
+        return _write_difference(factor, domain, depth)
     elif isinstance(factor, _LIKE_ARGUMENT):
         (small,) = factor.args
     else:
         return factor
     return small if _find(small, domain, depth) == 0 else factor
+
+
+def _write_difference(sum_: sp.Add, domain: Domain, depth: int) -> sp.Expr:
+    """Write a multiple of e^u - 1 or 1 - cos u as what it is like where u goes to 0."""
+    number, terms = sum_.as_coeff_add()
+    scale, function = terms[0].as_coeff_Mul()
+    if len(terms) > 1 or scale != -number or type(function) not in _LIKE_ONE:
+        return sum_
+    (u,) = function.args
+    like = scale * _LIKE_ONE[type(function)](u)
+    return like if _find(u, domain, depth) == 0 else sum_
 
 
 def _settle(order: _Order, domain: Domain) -> sp.Expr | None:
@@ -193,12 +213,21 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
     order = _find_order(node, domain, depth)
     if order is not None:
         return _settle(order, domain)
+    finite = [limit for limit in limits if limit is not None and not limit.is_infinite]
+    if finite and (rest := _find(_leave_out_finite(node, limits), domain, depth)) is not None:
+        return sp.Add(*finite, rest)
     for rewrite in _REWRITES:
         other = rewrite(node)
         found = None if other in (None, node) else _find(other, domain, depth - _REWRITTEN)
         if found is not None:
             return found
     return None
+
+
+def _leave_out_finite(node: sp.Add, limits: Sequence[sp.Expr | None]) -> sp.Expr:
+    """Return the terms that have no limit, or an infinite one."""
+    pairs = zip(node.args, limits, strict=True)
+    return sp.Add(*(term for term, limit in pairs if limit is None or limit.is_infinite))
 
 
 def _join_logarithms(node: sp.Add) -> sp.Expr | None:

@@ -2,12 +2,13 @@
 
 SymPy only proposes the antiderivative. It counts if its derivative is proved to be the integrand
 inside the limits and both are continuous up to them: the fundamental theorem of calculus.
-An improper integral has the value of the limits at its ends, where these are shown.
+An improper integral has the value of the limits at its ends, where these are shown, and of the
+pieces between numbers at which the integrand is divided by zero; it may be infinite.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -42,7 +43,7 @@ def decide_by_antiderivative(
     integrals = _list_free(*sides)
     if not integrals or are_seen_to_differ(sides, domain):
         return None
-    values = {integral: _find_value(integral, domain) for integral in integrals}
+    values = {integral: _find_finite(integral, domain) for integral in integrals}
     others = [node for node, value in values.items() if value is None and len(values) > 1]
     turned = {integral: _turn(integral) for integral in others}
     known = {integral: value for integral, value in values.items() if value is not None}
@@ -75,8 +76,12 @@ def put_values(expression: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _put_values(expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool]) -> Any:
-    values = ((node, _find_value(node, domain)) for node in _list_free(expression) if is_met(node))
-    return expression.xreplace({node: value for node, value in values if value is not None})
+    """Put values in their places; an infinite one where it stands alone."""
+    values = {node: _find_value(node, domain) for node in _list_free(expression) if is_met(node)}
+    if (alone := values.get(expression)) is not None:
+        return alone
+    finite = {node: v for node, v in values.items() if v is not None and not v.is_infinite}
+    return expression.xreplace(finite)
 
 
 def _list_free(*sides: Any) -> list[sp.Integral]:
@@ -87,15 +92,28 @@ def _list_free(*sides: Any) -> list[sp.Integral]:
 
 
 def is_improper(integral: sp.Integral) -> bool:
-    """Tell whether a limit is infinite or the integrand seen to have no value there."""
+    """Tell whether a limit is infinite, or the integrand has no value there or between them."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return False
     factors = sp.Mul.make_args(integral.function)
     there = (factor.subs(variable, limit) for limit in limits for factor in factors)
-    return any(limit.is_infinite for limit in limits) or any(
-        value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there
+    return (
+        any(limit.is_infinite for limit in limits)
+        or any(value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there)
+        or bool(_list_poles(integral.function, variable, *limits))
     )
+
+
+def _list_poles(
+    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
+) -> list[sp.Expr]:
+    """List numbers between the limits at which the integrand is divided by zero."""
+    below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
+    bases = [factor.as_base_exp()[0] for factor in below]
+    bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
+    poles = {zero for base in bases for zero in _list_zeros(base, variable, lower, upper)}
+    return sorted(poles, key=sp.N)
 
 
 def _has_power_of_zero(integral: sp.Integral) -> bool:
@@ -111,6 +129,11 @@ def _has_power_of_zero(integral: sp.Integral) -> bool:
 def _is_iterated(integral: sp.Integral) -> bool:
     """Tell whether an integral is one of integrals."""
     return len(integral.limits) > 1 or integral.function.has(sp.Integral)
+
+
+def _find_finite(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    value = _find_value(integral, domain)
+    return None if value is None or value.is_infinite else value
 
 
 def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -131,8 +154,26 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         found = _find_value_by_signs(written, variable, lower, upper, domain)
         if found is not None or written == integrand:
             return found
-    found = _find_by_antiderivative(integrand, variable, lower, upper, domain)
+    found = _find_between_poles(integrand, variable, lower, upper, domain)
     return _find_from_both_ends(integral, domain) if found is None else found
+
+
+def _find_between_poles(
+    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
+) -> sp.Expr | None:
+    """Return the sum of the integrals between numbers at which the integrand has no value."""
+    ends = [lower, *_list_poles(integrand, variable, lower, upper), upper]
+    parts = [_find_by_antiderivative(integrand, variable, *one, domain) for one in pairwise(ends)]
+    return _add_up(parts)
+
+
+def _add_up(parts: Sequence[sp.Expr | None]) -> sp.Expr | None:
+    """Return a sum, which may be infinite; None where that has no value or a part is not known."""
+    known = [part for part in parts if part is not None]
+    endless = {part for part in known if part.is_infinite}
+    if len(known) < len(parts) or len(endless) > 1:
+        return None
+    return endless.pop() if endless else sp.Add(*known)
 
 
 def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -181,7 +222,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     slope = sp.diff(place, variable)
     integrand = substitute(integrand, {variable: place}) * slope
     inside = domain.with_set(variable, run)
-    values = {node: _find_value(node, inside) for node in _list_free(integrand)}
+    values = {node: _find_finite(node, inside) for node in _list_free(integrand)}
     if not values or None in values.values():
         return None
     limits = (variable, run.start, run.end)
@@ -228,8 +269,9 @@ def _find_by_antiderivative(
         if decide_equal(*sides) is None and decide_by_logarithms(*sides) is None:
             continue
         low, high = (_find_end(moved, variable, end, run, domain) for end in (run.start, run.end))
-        if low is not None and high is not None:
-            return high - low
+        value = None if low is None or high is None else _add_up([high, -low])
+        if value is not None and not value.has(sp.Si):
+            return value
     return None
 
 
@@ -260,8 +302,7 @@ def _find_end(
         if not _is_singular(value):
             # Of what other letters are is too little said.
             return None
-    limit = find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
-    return None if limit is None or limit.is_infinite else limit
+    return find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
 
 
 def _is_singular(value: sp.Expr) -> bool:
@@ -285,7 +326,7 @@ def _find_value_by_signs(
         if sign is None:
             return None
         part = integrand.xreplace({modulus: sign.direction * inner})
-        value = _find_value(sp.Integral(part, (variable, start, end)), domain)
+        value = _find_finite(sp.Integral(part, (variable, start, end)), domain)
         if value is None:
             return None
         total += value
@@ -299,6 +340,8 @@ def _list_zeros(
 
     Where one is missed, no sign is shown beside it.
     """
+    if not (lower.is_number and upper.is_number):
+        return []
     inside = sp.Interval.open(lower, upper)
     found: list[sp.Expr] = []
     if inner.is_polynomial(variable) and inner.free_symbols == {variable}:

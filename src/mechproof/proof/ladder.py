@@ -30,7 +30,7 @@ from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_s
 from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
-from mechproof.proof.limits import settle_limits
+from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_missing_limit
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.reasons import (
     WORST_FIRST,
@@ -116,6 +116,8 @@ def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answe
     if found := settle_by_parts(printed, rebuilt, domain, prove_equal):
         answer = _decide_sides(found.printed, found.rebuilt, domain)
         return replace(answer, rung=f"{found.rung}, {answer.rung}")
+    if told := tell_missing_limit((printed, rebuilt), domain):
+        return Answer(Verdict.REFUTED, FROM_SIDES, told, (Evidence(told),))
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):

@@ -13,12 +13,15 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.coordinates import BY_SINES
+from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import list_partial
 from mechproof.record.parts import find_parts
 
+FROM_SIDES = "limits from both sides"
 _MOST_DERIVATIVES = 6
 _ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan)
 
@@ -40,13 +43,21 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body = sum_up(body, variable, domain) if point == sp.oo else body
     # Of a whole number n the sine of n*pi is zero, as that of pi/n is not.
     running = sp.Dummy(variable.name, real=True)
-    run = body.xreplace({variable: running})
+    run = _write_by_sines(body.xreplace({variable: running}))
     value = _find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
         value = _find_of_sequence(body, variable, domain)
     if value is not None:
         return value
     return _find_from_sides(run, running, point, str(direction), domain)
+
+
+def _write_by_sines(body: sp.Expr) -> sp.Expr:
+    """Write functions that have poles as quotients, whose parts are smooth."""
+    return body.replace(
+        lambda node: isinstance(node, sp.tan | sp.cot | sp.sec | sp.csc),
+        lambda node: BY_SINES[type(node)](sp.sin(node.args[0]), sp.cos(node.args[0])),
+    )
 
 
 def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
@@ -78,18 +89,57 @@ def _find_from_sides(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
 ) -> sp.Expr | None:
     """Return the one limit that is shown from every side that is meant and has values."""
-    sides = (1, -1) if direction == "+-" and point.is_finite else (-1 if direction == "-" else 1,)
-    defined = {side: is_defined_near(body, variable, point, side, domain) for side in sides}
-    if None in defined.values() or True not in defined.values():
+    found = _list_from_sides(body, variable, point, direction, domain)
+    if not found:
         return None
-    first, *others = (
-        find_limit(body, variable, point, side, domain) for side in sides if defined[side]
-    )
-    if first is None or None in others:
-        return None
+    first, *others = found
     if first.is_infinite:
         return first if {*others} <= {first} else None
     return first if all(decide_equal(first, other, domain) for other in others) else None
+
+
+def _list_from_sides(
+    body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
+) -> list[sp.Expr]:
+    """List the limits from the sides that are meant and have values; none if one is not shown."""
+    meant = (1, -1) if direction == "+-" and point.is_finite else (-1 if direction == "-" else 1,)
+    sides = [side for side in meant if _may_come(variable, point, side, domain)]
+    defined = {side: is_defined_near(body, variable, point, side, domain) for side in sides}
+    if None in defined.values():
+        return []
+    limits = (find_limit(body, variable, point, side, domain) for side in sides if defined[side])
+    found = [limit for limit in limits if limit is not None]
+    return found if len(found) == sum(map(bool, defined.values())) else []
+
+
+def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) -> bool:
+    """Tell whether a variable may have values on a side of a point.
+
+    What is said of the letter by which it is printed is said of it.
+    """
+    name = variable.name.removesuffix("_")
+    sets = [where for symbol, where in domain.within.items() if str(symbol) == name]
+    ends = (where.sup - point if side > 0 else point - where.inf for where in sets)
+    return not any(end.is_nonpositive for end in ends)
+
+
+def tell_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:
+    """Say why one side is a limit that there is not, if that is shown."""
+    alone = [side for side in sides if isinstance(side, sp.Limit)]
+    told = _tell_unlike(alone[0], domain) if len(alone) == 1 else ""
+    return f"{told}: there is no limit" if told else ""
+
+
+def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
+    """Say what the limits from both sides are where they differ and one of them is a number."""
+    body, variable, point, direction = limit.args
+    found = _list_from_sides(_write_by_sines(body), variable, point, str(direction), domain)
+    if len(found) < 2 or all(one.is_infinite for one in found):
+        return ""
+    above, below = found
+    is_unlike = above.is_infinite or below.is_infinite or is_nonzero(above - below, domain)
+    shown = f"the limit from above is {write_value(above)}, from below {write_value(below)}"
+    return shown if is_unlike else ""
 
 
 def _find_smooth(

@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.coordinates import HYPERBOLIC
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import has_parts
 
@@ -98,8 +99,13 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
         return _write_exponential(node.args[0])
     if not isinstance(node, sp.Pow) or node.exp.is_Rational:
         return node
-    logarithm = _take_logarithm(node.base, domain)
+    logarithm = _take_logarithm(_write_sum_of_exponentials(node.base), domain)
     return node if logarithm is None else _write_exponential(node.exp * logarithm)
+
+
+def _write_sum_of_exponentials(base: sp.Expr) -> sp.Expr:
+    """Write hyperbolic functions by exponentials, as cosh x + sinh x is one."""
+    return sp.expand(base.rewrite(sp.exp)) if base.has(*HYPERBOLIC) else base
 
 
 def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 import sympy as sp
+from sympy.integrals.heurisch import heurisch
 from sympy.integrals.manualintegrate import manualintegrate
 from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
@@ -55,7 +56,7 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
-    for propose in (*by_others, _propose_by_fractions):
+    for propose in (*by_others, _propose_by_fractions, _propose_in_parallel):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
 
@@ -152,6 +153,22 @@ def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[s
         yield from _list_pieces(found)
     if integrand.free_symbols == {variable}:
         yield ratint(integrand, variable, real=True)
+
+
+def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate by what the integrand is made of, put up with unknown factors (Bronstein 2005).
+
+    Beside an exponential of a square stands an error function, beside a wave that is divided by the
+    variable a sine integral.
+    """
+    written = TR8(integrand) if integrand.has(sp.sin, sp.cos) else integrand
+    slopes = [-node.args[0] / variable**2 for node in integrand.atoms(sp.exp)]
+    hints = [sp.erf(sp.sqrt(a) * variable) for a in slopes if not a.has(variable)]
+    if sp.fraction(sp.together(integrand))[1].has(variable):
+        hints += [sp.Si(wave.args[0]) for wave in written.atoms(sp.sin, sp.cos)]
+    found = heurisch(sp.expand(written), variable, hints=hints)
+    if found is not None and not found.has(sp.Integral):
+        yield from _list_pieces(found)
 
 
 def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:

@@ -68,6 +68,7 @@ RUNGS = {
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
+    "limits from both sides": "the limits from above and from below differ, so there is none",
     "recomputation": "a printed number is the exact value rounded to its last place, or is not",
     "separating balls": "at one exact point the enclosures of both sides have nothing in common",
     "enclosure": "no proof is found; the enclosures of both sides meet at every point tried",

@@ -1,0 +1,90 @@
+"""Pasted improper integrals and limits from both sides, with what has no value."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.proof.verdict import Verdict
+
+# The print with a place for the value, the true value, a wrong one, and what is said.
+PAIRS = [
+    # By error functions and sine integrals, and by what the integrand is made of.
+    (r"\int_0^\infty x^2e^{-x^2}dx=%s", r"\frac{\sqrt\pi}4", r"\frac{\sqrt\pi}2", ()),
+    (
+        r"\int_0^\infty x^4e^{-ax^2}dx=%s",
+        r"\frac{3\sqrt\pi}{8a^2\sqrt a}",
+        r"\frac{3\sqrt\pi}{4a^2\sqrt a}",
+        ("a>0",),
+    ),
+    (r"\int_0^\infty\frac{\sin x}xdx=%s", r"\frac\pi2", r"\pi", ()),
+    (r"\int_{-\infty}^\infty\frac{\sin x}xdx=%s", r"\pi", r"\frac\pi2", ()),
+    (r"\int_0^\infty\frac{\sin ax}xdx=%s", r"\frac\pi2", r"\frac\pi{2a}", ("a>0",)),
+    (r"\int_0^\infty\frac{\sin^2x}{x^2}dx=%s", r"\frac\pi2", r"\pi", ()),
+    (r"\int_0^1\arcsin^2x\,dx=%s", r"\frac{\pi^2}4-2", r"\frac{\pi^2}4+2", ()),
+    (
+        r"\int\sqrt{a^2-x^2}\,dx=\frac x2\sqrt{a^2-x^2}%s\frac{a^2}2\arcsin\frac xa+C",
+        "+",
+        "-",
+        ("a>0",),
+    ),
+    # Between poles and beyond, where the integral has a value, a finite one or not.
+    (r"\int_1^\infty\frac{dx}x=%s", r"\infty", "5", ()),
+    (r"\int_{-1}^1\frac{dx}{x^2}=%s", r"\infty", "-2", ()),
+    (r"\int_0^{\frac\pi2}\tan x\,dx=%s", r"\infty", "0", ()),
+    (r"\int_0^1x^{-p}dx=%s", r"\infty", "1", ("p>1",)),
+    (r"\int_{-1}^1\frac{dx}{\sqrt{|x|}}=%s", "4", "2", ()),
+    (r"\int_0^3\frac{dx}{\sqrt[3]{(x-1)^2}}=%s", r"3(1+\sqrt[3]2)", r"3(1-\sqrt[3]2)", ()),
+    # Limits by sines and cosines, and where the sides differ.
+    (r"\lim_{x\to\frac\pi2}\left(\frac\pi2-x\right)\tan x=%s", "1", "-1", ()),
+    (r"\lim_{x\to0}x\cot x=%s", "1", "0", ()),
+    (r"\lim_{x\to0}\frac{\sec x-1}{x^2}=%s", r"\frac12", "1", ()),
+    (r"\lim_{x\to0^+}\frac{|x|}x=%s", "1", "-1", ()),
+    (r"\lim_{x\to0}\frac{|x|}x=%s", "1", "-1", ("x>0",)),
+    # Where a base is zero, and where it is positive.
+    (r"\sqrt[m]{\sqrt[n]a}=%s", r"\sqrt[mn]a", r"\sqrt[m+n]a", (r"a\ge0", r"m,n\in\mathbb N")),
+    (r"(\cosh x+\sinh x)^n=%s", r"\cosh nx+\sinh nx", r"\cosh nx-\sinh nx", (r"n\in\mathbb N",)),
+    (r"|a+b|+|a-b|=%s", r"2\max(|a|,|b|)", r"2\min(|a|,|b|)", ()),
+]
+WITHOUT_LIMIT = [
+    r"\lim_{x\to0}\frac{|x|}x=1",
+    r"\lim_{x\to0}\frac{\sqrt{x^2}}x=1",
+    r"\lim_{x\to0}e^{\frac1x}=0",
+    r"\lim_{x\to0}\arctan\frac1x=\frac\pi2",
+]
+# Of what is infinite with both signs, or not shown to be, nothing is said.
+OPEN = [
+    (r"\int_{-1}^1\frac{dx}x=0", ()),
+    (r"\int_{-\infty}^\infty x\,dx=0", ()),
+    (r"\int_{-\infty}^\infty\sin x\,dx=0", ()),
+    (r"\int_0^1\left(\frac1x-\frac1{1-x}\right)dx=0", ()),
+    (r"\int_0^1x^{-p}dx=\infty", ("p>0",)),
+    (r"2+\int_0^1\frac{dx}x=5", ()),
+    (r"\int_0^1\frac{dx}x-\int_0^1\frac{dx}x=0", ()),
+    (r"\int_0^\infty\frac{\cos x}xdx=0", ()),
+    (r"\lim_{x\to0}\frac1x=\infty", ()),
+]
+
+
+def judge(latex: str, where: tuple[str, ...] = ()) -> Verdict:
+    (found,) = judge_pasted(Pasted(latex, where=where)).judgements
+    return found.verdict
+
+
+@pytest.mark.parametrize(("latex", "true", "wrong", "where"), PAIRS, ids=[p[0] for p in PAIRS])
+def test_a_value_is_proved_and_another_refuted(
+    latex: str, true: str, wrong: str, where: tuple[str, ...]
+) -> None:
+    assert judge(latex % true, where) is Verdict.PROVED
+    assert judge(latex % wrong, where) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("latex", WITHOUT_LIMIT)
+def test_a_limit_that_differs_from_side_to_side_is_none(latex: str) -> None:
+    assert judge(latex) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(("latex", "where"), OPEN)
+def test_what_has_no_value_stays_open(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) is Verdict.UNDECIDED
