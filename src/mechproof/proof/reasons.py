@@ -52,7 +52,8 @@ def report_unproved(comparison: Comparison, why: str) -> Answer:
         within = f" within {comparison.widest}" if comparison.widest else ""
         told.append(f"both sides agree{within} at {points}")
     if undecided:
-        told.append(f"{undecided} point{'s' if undecided > 1 else ''} could not be decided")
+        points = f"at {undecided} of the exact points " if agreeing or undecided > 1 else ""
+        told.append(f"{points}a side could not be enclosed closely enough")
     verdict = Verdict.ENCLOSED if agreeing and not undecided else Verdict.UNDECIDED
     return Answer(verdict, "enclosure", "; ".join(told))
 
