@@ -211,6 +211,15 @@ CASES = {
         [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
         ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
     ),
+    "tangents of one angle": (
+        [
+            r"\tan\psi=\frac{\tan\alpha}k",
+            r"\tan\psi=\frac{\tan\beta}m",
+            r"\tan\beta=\frac mk\tan\alpha",
+            r"\tan\beta=\frac km\tan\alpha",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
     "a trace": (
         [
             r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",

@@ -61,13 +61,28 @@ def find_combination(
     total = residual.count_ops() + sum(one.count_ops() for one in constraints)
     if total > LARGEST:
         return None
-    (above, below), *others = map(_to_fraction, (residual, *constraints))
+    tangents = _name_tangents((residual, *constraints))
+    found = _find_multipliers(residual, constraints, {}, domain)
+    if found is None and tangents:
+        found = _find_multipliers(residual, constraints, tangents, domain)
+    return found
+
+
+def _find_multipliers(
+    residual: sp.Expr,
+    constraints: Sequence[sp.Expr],
+    tangents: Mapping[sp.Expr, sp.Expr],
+    domain: Domain,
+) -> tuple[sp.Expr, ...] | None:
+    """Return multipliers as `find_combination` does, with these symbols for tangents."""
+    plain = (one.xreplace(tangents) for one in (residual, *constraints))
+    (above, below), *others = map(_to_fraction, plain)
     names = _name_functions((above, *(one for one, _ in others)))
     polynomials = [e.xreplace(names) for e in (above, *(one for one, _ in others))]
     found = _combine(polynomials[0], polynomials[1:], [*_circles(names)])
     if found is None:
         return None
-    back = {name: function for function, name in names.items()}
+    back = {name: function for function, name in {**names, **tangents}.items()}
     multipliers = tuple(
         sp.cancel(multiplier.xreplace(back) * own_below / below)
         for multiplier, (_, own_below) in zip(found, others, strict=True)
@@ -249,6 +264,14 @@ def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 def _divide_tangents(expression: sp.Expr) -> sp.Expr:
     return expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
+
+
+def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    """Return a symbol for each tangent of an angle whose sine and cosine stand nowhere."""
+    angles = {f.args[0] for e in expressions for f in e.atoms(sp.sin, sp.cos)}
+    met = {tangent for e in expressions for tangent in e.atoms(sp.tan)}
+    alone = sorted((one for one in met if one.args[0] not in angles), key=str)
+    return {one: sp.Dummy(f"tan{n}") for n, one in enumerate(alone)}
 
 
 def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
