@@ -43,6 +43,15 @@ PAIRS = [
     (r"\lim_{x\to0}\frac{\sec x-1}{x^2}=%s", r"\frac12", "1", ()),
     (r"\lim_{x\to0^+}\frac{|x|}x=%s", "1", "-1", ()),
     (r"\lim_{x\to0}\frac{|x|}x=%s", "1", "-1", ("x>0",)),
+    # Sums that come to integrals.
+    (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+k}=%s", r"\ln2", r"\ln3", ()),
+    (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),
+    (
+        r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+ak}=%s",
+        r"\frac{\ln(1+a)}a",
+        r"\ln(1+a)",
+        ("a>0",),
+    ),
     # Where a base is zero, and where it is positive.
     (r"\sqrt[m]{\sqrt[n]a}=%s", r"\sqrt[mn]a", r"\sqrt[m+n]a", (r"a\ge0", r"m,n\in\mathbb N")),
     (r"(\cosh x+\sinh x)^n=%s", r"\cosh nx+\sinh nx", r"\cosh nx-\sinh nx", (r"n\in\mathbb N",)),
@@ -65,6 +74,9 @@ OPEN = [
     (r"\int_0^1\frac{dx}x-\int_0^1\frac{dx}x=0", ()),
     (r"\int_0^\infty\frac{\cos x}xdx=0", ()),
     (r"\lim_{x\to0}\frac1x=\infty", ()),
+    (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-k}=0", ()),
+    (r"\lim_{n\to\infty}\sum_{k=1}^{2n}\frac1{n+k}=\ln2", ()),
+    (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-ak}=-\frac{\ln(1-a)}a", ("a>0",)),
 ]
 
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import BY_SINES
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
@@ -65,10 +66,16 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
 
     The sign of what comes to 0 may alternate.
     """
+    factor, total = body.as_independent(sp.Sum)
+    if isinstance(total, sp.Sum):
+        body = total.func(factor * total.function, *total.limits)
     if isinstance(body, sp.Sum | sp.Product) and len(body.limits) == 1:
         k, first, last = body.limits[0]
-        is_plain = not (last - n).has(n) and not first.has(n) and not body.function.has(n)
-        return body.func(body.function, (k, first, sp.oo)) if is_plain else None
+        if (last - n).has(n) or first.has(n):
+            return None
+        if not body.function.has(n):
+            return body.func(body.function, (k, first, sp.oo))
+        return _find_riemann(body, n, domain) if isinstance(body, sp.Sum) else None
     sizes = [f for f in sp.Mul.make_args(body) if f.as_base_exp()[0] != -1]
     size = sp.Mul(*sizes)
     if size != body and find_limit(size, n, sp.oo, -1, domain) == 0:
@@ -83,6 +90,19 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
     limit = find_limit(quotient, n, sp.oo, -1, domain)
     is_less = limit is not None and limit.is_finite and is_positive(1 - limit**2, domain)
     return sp.S.Zero if is_less else None
+
+
+def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
+    """Return the integral from 0 to 1 of f for the sum of f(k/n)/n, f being continuous there."""
+    k, first, last = total.limits[0]
+    x = sp.Dummy("x", real=True)
+    between, whole = sp.symbols("x n", cls=sp.Dummy, positive=True)
+    term = total.function.subs(k, n * between).subs(n, whole)
+    f = sp.simplify(whole * term).subs(between, x)
+    inside = domain.with_set(x, sp.Interval(0, 1))
+    if f.has(whole) or first not in (0, 1) or last - n not in (0, -1) or find_break(f, x, inside):
+        return None
+    return sp.Integral(f, (x, 0, 1))
 
 
 def _find_from_sides(
