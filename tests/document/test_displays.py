@@ -113,6 +113,10 @@ DISPLAYS = {
         r"\DeclareMathOperator{\inv}{inv}" + E % r"\inv a=b",
         [("(1)", r"\operatorname{inv} a=b")],
     ),
+    "a unit": (
+        r"\DeclareSIUnit[mode=text]{\rev}{rpm}\DeclareSIUnit\turn{r}" + E % r"n=\SI{3}{\rev}",
+        [("(1)", r"n=\SI{3}{rpm}")],
+    ),
     "macros are known from where they stand on": (
         r"\newcommand\w{x}" + E % r"a=\w" + r"\renewcommand\w{y}" + E % r"a=\w",
         [("(1)", "a=x"), ("(2)", "a=y")],

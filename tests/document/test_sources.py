@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -146,6 +147,8 @@ UNITS = {
     "kg·m^{2}": Dimension(length=2, mass=1),
     "V/A": Dimension(length=2, mass=1, time=-3, current=-2),
     "N m/A": Dimension(length=2, mass=1, time=-2, current=-1),
+    "Ns/m": Dimension(mass=1, time=-1),
+    "N m^{-3/2}": Dimension(length=Fraction(-1, 2), mass=1, time=-2),
     "J/(mol K)": Dimension(length=2, mass=1, time=-2, temperature=-1, amount=-1),
 }
 # Both have one dimension.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 
 import sympy as sp
 
@@ -21,7 +22,7 @@ class Unit:
     def __mul__(self, other: Unit) -> Unit:
         return Unit(self.dimension * other.dimension, self.scale * other.scale)
 
-    def __pow__(self, power: int) -> Unit:
+    def __pow__(self, power: int | Fraction) -> Unit:
         return Unit(self.dimension**power, self.scale**power)
 
     def __truediv__(self, other: Unit) -> Unit:
@@ -65,6 +66,7 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     _AMOUNT: _list_multiples("mol", "mk"),
     NUMBER / _TIME: _list_multiples("Hz", "kMG"),
     _FORCE: _list_multiples("N", "mkM"),
+    _FORCE * _TIME: {"Ns": _TEN**0, "kNs": _TEN**3},
     _FORCE * LENGTH: {
         **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3, **_list_multiples("J", "mkMG")},
         **{"kWh": 36 * _TEN**5, "Wh": sp.Integer(3600)},
@@ -118,7 +120,9 @@ _JOINED = (
     *("per", "mu", "textmu"),
 )
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
-_FACTOR = re.compile(r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+)\}?)?\s*")
+_FACTOR = re.compile(
+    r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+(?:/\d+)?)\}?)?\s*"
+)
 # What a bracket divides by, W/(m K), and a dot between units, kN.m.
 _BELOW = re.compile(r"/\s*\(([^()/]*)\)")
 _DOT = re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])")
@@ -179,7 +183,8 @@ def read_unit(text: str) -> Unit:
         if factor is None or factor["unit"] not in _BASE:
             wrong = factor["unit"] if factor else text[place:]
             raise UnitError(f"the unit {wrong!r} of [{text}] is not known")
-        power = int(factor["power"] or 1)
+        said = factor["power"] or "1"
+        power = Fraction(said) if "/" in said else int(said)
         found *= _BASE[factor["unit"]] ** (-power if sign == "/" else power)
         between = _SIGN.match(text, factor.end())
         sign, place = (between[1], between.end()) if between else ("", len(text))

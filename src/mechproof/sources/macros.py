@@ -1,4 +1,4 @@
-r"""What \newcommand, \def and \DeclareMathOperator define, put in the place of its calls."""
+r"""What \newcommand, \def and others define, put in the place of its calls."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.sources.text import LocatedText, join
 MOST_CALLS = 10_000
 _COMMAND = re.compile(r"\\[A-Za-z@]+")
 _DEFINING = re.compile(
-    r"\\(?:(?:re)?new|provide)command\*?\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
+    r"\\(?:(?:(?:re)?new|provide)command\*?|DeclareSIUnit(?:\s*\[[^]]*\])?)\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
     r"|\\DeclareMathOperator(\*?)\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
     r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
 )
