@@ -167,7 +167,6 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
         "accused_rows",
         "constrained_rows",
         "doubted_definitions",
-        "special_values",
     )
     for module in ("pipeline.pasted", *(f"document.{room}" for room in rooms)):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

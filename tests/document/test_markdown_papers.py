@@ -87,9 +87,10 @@ PAPERS = {
     "struck out, boxed": (r"$$u=v-\cancel{w}+\cancel{w}$$ $$\boxed{u\triangleq3v}$$", "", [D, R]),
     "a letter that counts": (
         r"$$q=t+2k\pi,\ k\in\mathbb{Z}$$ $$\sin(u+2k\pi)=\sin u\text{ for }k\in\mathbb{Z}$$"
-        r"$$\sin(u+k\pi)=\sin u,\ k,m\in\mathbb{Z}$$ $$x=y,\ x\in\mathbb{N}$$",
-        ANGLES + "\nidentity display 3",
-        [D, P, R, UNREAD],
+        r"$$\sin(u+k\pi)=\sin u,\ k,m\in\mathbb{Z}$$ $$x=y,\ x\in\mathbb{N}$$"
+        r"$$\cos(u+2k\pi)=\cos u\quad(k\in\mathbb Z)$$ $$\cos(u+k\pi)=\cos u\quad(k\in\mathbb Z)$$",
+        ANGLES + "\nidentity display 3, display 6",
+        [D, P, R, UNREAD, P, R],
     ),
     "an inverse function by declaration": (
         r"$$q=\tan^{-1}\frac ab$$ $$q=\arctan\frac ba$$ $$t=\cos^{-1}\frac ab$$",

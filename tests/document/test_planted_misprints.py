@@ -465,6 +465,37 @@ def test_the_rest_tells_whether_a_definition_or_what_it_contradicts_is_wrong(
     assert [row.name for row in rows if "contradict each other" in row.reason] == contested
 
 
+# A loop, what follows from it, and another print of the same angle between them.
+ROOT_OF_ROD = r"\cos\beta=\sqrt{1-\frac{r^2}{l^2}\sin^2\alpha}"
+WRONG_ROOT = ROOT_OF_ROD.replace(r"\sin", r"\cos")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("equations", "refuted", "contested"),
+    [
+        ((ROD, r"\sin\beta=\frac rl\cos\alpha", ROOT_OF_ROD), ["(2)"], []),
+        ((ROD, r"\sin\beta=\frac rl\sin\alpha", ROOT_OF_ROD), [], []),
+        # Nothing else tells which it is, or what follows comes of what is printed last.
+        ((r"\sin\beta=\frac rl\cos\alpha", ROOT_OF_ROD), [], ["(1)", "(2)"]),
+        (
+            (SLIDER, ROD, WRONG_ROOT, r"x=r\cos\alpha+\sqrt{l^2-r^2\cos^2\alpha}"),
+            [],
+            ["(2)", "(3)"],
+        ),
+    ],
+)
+def test_what_follows_from_the_first_of_two_prints_tells_which_is_wrong(
+    equations: tuple[str, ...], refuted: list[str], contested: list[str]
+) -> None:
+    block = "%% mechproof\n%% r ; l ; x : lengths {r>0}\n%% where l>r\n%% \\alpha : angle\n"
+    block += "%% \\beta : angle {-\\pi/2<\\beta<\\pi/2}\n%% end\n"
+    shown = [f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations]
+    rows = check("paper.tex", "".join([block, *shown])).rows
+    assert [row.name for row in rows if row.outcome == "REFUTED"] == refuted
+    assert [row.name for row in rows if "contradict each other" in row.reason] == contested
+
+
 def test_what_cancels_in_what_gives_a_letter_is_no_definition() -> None:
     speeds = (r"w_3=\frac{w_1+w_2}2", r"u=\frac{w_1-w_2}k")
     assert judge((*speeds, r"w_2=w_3-\frac{uk}2")).outcome == "PROVED"

@@ -379,8 +379,9 @@ HELD = r"With the ring held ($n_2=0$), the ratio becomes"
         ),
         ("Then", r"i=\frac{n_1}{n_3}=1-i_0,\qquad n_2=0", "PROVED"),
         ("Then", r"i=\frac{n_1}{n_3}=1+i_0,\qquad n_2=0", "REFUTED"),
-        # It is a constraint there, too.
-        (HELD, r"i=\frac{n_1}{n_3}=1+\frac{z_2}{z_1}", "not judged"),
+        # It follows from the constraint there.
+        (HELD, r"i=\frac{n_1}{n_3}=1+\frac{z_2}{z_1}", "PROVED"),
+        (HELD, r"i=\frac{n_1}{n_3}=1-\frac{z_2}{z_1}", "not judged"),
         # It holds in general, and is not said of this.
         (HELD, r"i=1-i_0=\frac{n_2-n_1}{n_2-n_3}", "PROVED"),
     ],

@@ -12,7 +12,7 @@ from mechproof.document.applicable_constraints import (
 )
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.consequences import FOLLOWING, GIVEN
-from mechproof.document.constrained_rows import connect, is_constraint, is_proof
+from mechproof.document.constrained_rows import connect, is_constraint, is_proof, list_following
 from mechproof.document.doubted_definitions import leaves_free
 from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
 from mechproof.document.judging import Key
@@ -31,7 +31,8 @@ def find_misprints(
     """Judge what may be a constraint or a misprint.
 
     One that shows only beside another print that may itself be wrong, or be meant for another
-    case, contradicts that print: neither is refuted. That it may be meant for another case is ruled
+    case, contradicts that print: neither is refuted, unless that print comes first and what
+    follows from it alone accuses the other, too. That it may be meant for another case is ruled
     out where it comes first and further rows follow from it, and not without it.
     """
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
@@ -51,9 +52,18 @@ def find_misprints(
         if (other in accused and n in asked[other]) or _may_be_special(tasks, n, other)
     }
     rivals = [pair for pair in beside if pair in certain or tasks[pair[1]].is_excused]
-    without = [(n, tuple(o for o in asked[n] if o != other)) for n, other in rivals]
+    without = []
+    for n, other in rivals:
+        kept = [o for o in asked[n] if o != other]
+        if other < n and other in accused and not _may_be_special(tasks, n, other):
+            kept += [m for m in list_following(other, tasks, rows) if m not in (n, *kept)]
+        without.append((n, tuple(kept)))
     still = _accuse(key, without, limit)
     pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    # What only one accuses that is wrong without it is not accused.
+    cleared = {n for n, other in pairs if (other, n) in {rivals[place] for place in still}}
+    accused = {n: one for n, one in accused.items() if n not in cleared}
+    pairs = [pair for pair in pairs if pair[0] in accused]
     excused = {(n, other) for n, other in pairs if other < n} - certain
     needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
     pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
@@ -84,7 +94,9 @@ def _ask_definitions(
     to be changed if further rows follow from what it contradicts.
     """
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
-    later = [(n, m) for n, m in later if _restates(tasks[n], tasks[m])]
+    # A definition of one of its letters by all others is about the same.
+    printed = [list_printed(task) for task in tasks]
+    later = [(n, m) for n, m in later if printed[m] == printed[n] and defines(tasks[m], printed[n])]
     needed = _find_needed(key, tasks, rows, {n for n, _ in later}, limit)
     wrong = {
         m: n
@@ -98,12 +110,6 @@ def _ask_definitions(
         if is_turned(one, tasks[n]) and defines(one, list_used(tasks[n], tasks))
     ]
     return [(n, m) for n, m in later if m not in wrong] + turned, wrong
-
-
-def _restates(task: Task, other: Task) -> bool:
-    """Return whether a row is about the same letters as the definition of one of them."""
-    letters = list_printed(task)
-    return defines(other, letters) and list_printed(other) == letters
 
 
 def _accuse(

@@ -7,11 +7,13 @@ first print.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from mechproof.document.tasks import Task
+from mechproof.latex.values import settle_all
 from mechproof.record import Definition
 
 
@@ -21,6 +23,24 @@ def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) ->
     before = [g for g in given if g < number and may_hold_for(tasks[g], task)]
     before = [g for g in before if not is_left(tasks[g], task)]
     return _leave_out_restated(before, tasks)
+
+
+def state_at(given: Sequence[Task], task: Task) -> Iterator[Task]:
+    """Yield constraints at the values of letters that are said of a row.
+
+    What is said under a condition that is none of the row is left out.
+    """
+    for one in given:
+        if one.residual is not None and _list_conditions(one) <= _list_conditions(task):
+            rests = (sp.sympify(rest) for rest in (one.residual, *one.rates))
+            residual, *rates = (settle_all(rest, task.at) for rest in rests)
+            if not residual.has(sp.nan, sp.zoo, sp.oo) and sp.expand(residual) != 0:
+                yield replace(one, residual=residual, rates=tuple(rates))
+
+
+def _list_conditions(task: Task) -> set[object]:
+    on, said = task.row.on, {sp.Eq(*one, evaluate=False) for one in task.at.items()}
+    return {*said, *on.where, *on.within.items()} if on else {*said}
 
 
 def is_turned(one: Task, other: Task) -> bool:
@@ -94,8 +114,5 @@ def is_plain(task: Task) -> bool:
     is_printed = isinstance(one, sp.Expr) and isinstance(other, sp.Expr)
     above, _ = sp.fraction(sp.together(one - other if is_printed else task.residual))
     factors = (f.as_base_exp()[0] for f in sp.Mul.make_args(sp.factor_terms(above)))
-    return all(_is_term(term) for factor in factors for term in sp.Add.make_args(factor))
-
-
-def _is_term(term: sp.Expr) -> bool:
-    return bool(term.as_coeff_Mul()[1].is_Symbol or term.is_number)
+    terms = (term for factor in factors for term in sp.Add.make_args(factor))
+    return all(term.as_coeff_Mul()[1].is_Symbol or term.is_number for term in terms)

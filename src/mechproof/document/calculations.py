@@ -43,7 +43,8 @@ def _find_spans(
     right = [None, *(sign.sides[1] for sign in signs)]
     sides = [one if other is None else other for one, other in zip(left, right, strict=True)]
     for node, side, other in zip(chain.members, sides, [None, *sides[:-1]], strict=True):
-        is_same = _is_calculated(side) and _is_calculated(other) and _are_equal(side, other)
+        is_same = _is_calculated(side) and _is_calculated(other)
+        is_same = is_same and balls.evaluate(side - other, {}).contains(0)
         if not (is_same and last is None):
             last = find_span(read, node, exact) if _is_calculated(side) else None
         yield last
@@ -56,10 +57,6 @@ def _is_calculated(side: Any) -> bool:
     with suppress(NotImplementedError):
         return bool(balls.evaluate(side, {}).is_finite())
     return False
-
-
-def _are_equal(one: sp.Expr, other: sp.Expr) -> bool:
-    return bool(balls.evaluate(one - other, {}).contains(0))
 
 
 def _add_calculation(

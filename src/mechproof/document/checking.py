@@ -36,6 +36,7 @@ from mechproof.document.judging import (
     Key,
     judge_members,
     judge_row,
+    judge_special,
     leave_out,
     name_equation,
     opened,
@@ -43,12 +44,11 @@ from mechproof.document.judging import (
 from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
 from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
-from mechproof.document.special_values import compare_specially
 from mechproof.document.tasks import Task
 from mechproof.document.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.ledger.findings import list_findings
 from mechproof.ledger.judged import JudgedPaper
-from mechproof.proof.verdict import Left, Verdict
+from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equation, Paper, Row
 from mechproof.record.statements import list_parts
 from mechproof.sources.files import read_source
@@ -160,7 +160,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
         rows |= dict(support_steps(tasks, rows))
-        rows |= dict(compare_specially(key, tasks, rows, limit))
+        rows |= dict(_compare_specially(key, tasks, rows, limit))
         rows |= dict(solve_constraints(key, tasks, rows, limit))
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
@@ -232,3 +232,29 @@ def _compare_members(
     for place, answer in run_tasks(judge_members, numbers, limit=limit):
         number = numbers[place][1]
         yield number, make_row(tasks[number], answer)
+
+
+def _compare_specially(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge again at the values that words beside it say what is not shown to hold in general.
+
+    "With the ring held ($n_3=0$) the ratio is" says at which value a row is meant. What differs
+    there, too, is refuted if both sides have the same letters then, as identities have.
+    """
+    asked = [(key, n) for n, task in enumerate(tasks) if _is_special(task, rows[n])]
+    for place, answer in run_tasks(judge_special, asked, limit=limit):
+        number = asked[place][1]
+        task = tasks[number]
+        if not (isinstance(answer, Judgement) and task.special):
+            continue
+        is_misprint = answer.verdict is Verdict.REFUTED and task.special.asserts
+        if answer.verdict is Verdict.PROVED or (is_misprint and task.sign.role in COMPARED):
+            yield number, make_row(task, answer)
+
+
+def _is_special(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row is open, and says something else at what is said beside it."""
+    verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
+    is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
+    return bool(is_open) and task.special is not None and task.special.row.says != task.row.says

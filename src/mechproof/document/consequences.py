@@ -58,9 +58,8 @@ def list_letters(task: Task) -> set[sp.Basic]:
 
 def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
     """Return that a row follows from several constraints, or from the derivative of some."""
-    alone = [other for other in others if other.row.on is None and other.residual is not None]
-    given = {other.row.number: other.residual for other in alone}
-    for known in (given, *_list_rates(task, alone)):
+    given = {other.row.number: other.residual for other in others}
+    for known in (given, *_list_rates(task, others)):
         multipliers = find_combination(task.residual, list(known.values()), domain)
         used = {n: m for n, m in zip(known, multipliers or (), strict=False) if m != 0}
         divisors = list_factors_below(task.residual)
@@ -68,7 +67,7 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
             parts = ", plus ".join(f"{name} times {m}" for name, m in used.items())
             reason = f"follows from constraints, taken as given: left - right is {parts}"
             return Verdict.PROVED, COMBINATION, reason
-    return _put_in(task, alone, domain)
+    return _put_in(task, others, domain)
 
 
 def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:

@@ -65,14 +65,23 @@ def support_steps(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Take a step of a chain for a constraint if further rows follow from it."""
-    judged = [row for row in rows.values() if row.judgement and row.judgement.rung in FOLLOWING]
     for n, task in enumerate(tasks):
         alone = rows[n].judgement
         if not (alone and alone.rung == GIVEN and task.sign.role is Role.STEP and binds(task)):
             continue
-        if names := ", ".join(row.name for row in judged if task.row.number in row.reason):
+        if names := ", ".join(rows[m].name for m in list_following(n, tasks, rows)):
             reason = f"a constraint, taken as given, with which {names} was shown to follow"
             yield n, make_row(task, replace(alone, rung=SUPPORTED, reason=reason))
+
+
+def list_following(
+    number: int, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[int]:
+    """Yield the rows that follow from a row, as they say."""
+    for n, row in rows.items():
+        is_shown = row.judgement is not None and row.judgement.rung in FOLLOWING
+        if is_shown and tasks[number].row.number in row.reason:
+            yield n
 
 
 def _list_alike(task: Task, given: Sequence[Task]) -> str:
@@ -150,9 +159,13 @@ def doubt_by_premises(
     for n in [n for n, found in judged if found and found.rung in FOLLOWING]:
         given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
         doubted = [g for g in given if g in refuted | contested]
-        doubted = [g for g in doubted if _may_be_used(tasks[g], rows[n])]
+        # What follows from a step of a chain says so.
+        said = [g for g in doubted if tasks[g].row.number in rows[n].reason]
+        doubted = [g for g in doubted if g in said or tasks[g].sign.role is not Role.STEP]
         # What is proved itself may be so by these.
-        certain = tuple(g for g in given if _may_be_given(tasks[g], rows[g]))
+        # What follows by its square says which root is meant.
+        squares = {g for g in given if (row := rows[g].judgement) and row.rung == SQUARE}
+        certain = tuple(g for g in given if g in squares or is_constraint(tasks[g], rows[g]))
         rivals = {g: _list_denied(n, g, defining, tasks, rows) for g in doubted if g in contested}
         chosen = {(*certain, g): denied for g, denied in rivals.items()}
         chosen = chosen or ({certain: frozenset()} if doubted else {})
@@ -179,11 +192,6 @@ def _list_denied(
     return frozenset(one.sign.letter for one in denied if one.sign.letter is not None)
 
 
-def _may_be_used(given: Task, row: CheckedRow) -> bool:
-    """Return whether a row may follow from a constraint; of a step of a chain it says so."""
-    return given.sign.role is not Role.STEP or given.row.number in row.reason
-
-
 def is_proof(found: object) -> bool:
     """Return whether a row was shown to follow."""
     return isinstance(found, Judgement) and found.verdict is Verdict.PROVED
@@ -206,12 +214,6 @@ def is_constraint(task: Task, row: CheckedRow) -> bool:
 
 def _may_be_constraint(task: Task, row: CheckedRow) -> bool:
     return row.outcome == Verdict.DEFINITION.value and binds(task)
-
-
-def _may_be_given(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is a constraint, or follows by its square and says which root is."""
-    is_square = row.judgement is not None and row.judgement.rung == SQUARE
-    return is_square or is_constraint(task, row)
 
 
 def binds(task: Task) -> bool:

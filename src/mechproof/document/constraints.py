@@ -257,13 +257,10 @@ def _find_shared(polynomial: sp.Expr) -> sp.Expr:
 
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    plain = _divide_tangents(sp.expand_trig(take_values(expression)))
+    plain = sp.expand_trig(take_values(expression))
+    plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
     above, below = sp.fraction(sp.together(plain))
     return sp.expand(above), below
-
-
-def _divide_tangents(expression: sp.Expr) -> sp.Expr:
-    return expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
 
 
 def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:

@@ -293,12 +293,8 @@ def _find_functions(
 
 def _is_motion(letter: str, shapes: Mapping[str, tuple[int, int]]) -> bool:
     """Return whether a number x(t) has the name of a matrix x."""
-    is_number = name_symbol(letter) not in shapes and not is_vector(letter)
-    return (
-        is_number
-        and bool(_DEPENDS.match(letter))
-        and name_symbol(_strip_arguments(letter)) in shapes
-    )
+    is_matrix = name_symbol(letter) in shapes or is_vector(letter) or not _DEPENDS.match(letter)
+    return not is_matrix and name_symbol(_strip_arguments(letter)) in shapes
 
 
 def _strip_arguments(letter: str) -> str:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from mechproof.document.applicable_constraints import state_at
 from mechproof.document.consequences import find_consequence
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
@@ -97,7 +98,7 @@ def _settle(expression: sp.Expr, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
 def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement | str:
     """Judge an entry of a row beside others, or say why not."""
     names = ", ".join(task.follows)
-    given = [other for other in given if sp.expand(other.residual) != 0]
+    given = [*state_at(given, task)]
     if not given:
         return f"{names}: no equation between letters is read there"
     consequence = find_consequence(task, given)

@@ -11,7 +11,6 @@ import sympy as sp
 
 from mechproof.document.consequences import GIVEN
 from mechproof.document.following import judge_following
-from mechproof.document.layouts import TRANSPOSED, holds_transposed
 from mechproof.document.misprints import FEW
 from mechproof.document.roles import Role
 from mechproof.document.rounded_factors import judge_factor
@@ -49,6 +48,10 @@ LIMIT = 60.0
 WITH_DEFINITIONS = " with what defines its letters"
 # What is said of a member that a row differs from.
 UNLIKE = ", which has the same letters: one is wrong, or of another case"
+TRANSPOSED = (
+    "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
+    "letter?"
+)
 # Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
@@ -141,7 +144,7 @@ def _judge_alone(task: Task) -> Judgement | str:
         return judge_signs(task, found)
     if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
         return judge_factor(task)
-    if found.verdict is Verdict.REFUTED and holds_transposed(task):
+    if found.verdict is Verdict.REFUTED and _holds_transposed(task):
         return TRANSPOSED
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
         return "the pieces differ where they meet: a jump, or a misprint?"
@@ -169,9 +172,25 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
         return turned
     if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
-        beside = "" if _is_false_alone(task) else WITH_DEFINITIONS
+        is_apart = _decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False)))
+        beside = WITH_DEFINITIONS if is_apart is False else ""
         return replace(found, reason=f"it is never true{beside}: {found.reason}")
     return _take_as_given(task, found)
+
+
+def _holds_transposed(task: Task) -> bool:
+    """Return whether a matrix of derivatives is printed in the other layout.
+
+    Of derivatives by a vector each row is of one entry, or by one letter.
+    """
+    says = task.row.says
+    if r"\partial" not in task.row.printed_latex or not isinstance(says, Equality):
+        return False
+    one, other = says.printed, says.rebuilt
+    if not all(isinstance(side, sp.MatrixBase | sp.MatrixExpr) for side in (one, other)):
+        return False
+    turned = replace(task.row, says=Equality(one.T, other, "member"))
+    return one.shape == other.shape[::-1] and judge(turned, task.paper).verdict is Verdict.PROVED
 
 
 def _is_nowhere_true(task: Task) -> bool:
@@ -187,11 +206,6 @@ def _is_nowhere_true(task: Task) -> bool:
     if isinstance(says, Holds):
         return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
     return False
-
-
-def _is_false_alone(task: Task) -> bool:
-    """Return whether a row is true nowhere, whatever defines its letters."""
-    return _decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False))) is not False
 
 
 def holds_alone(task: Task) -> bool:
@@ -243,13 +257,9 @@ def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
                 said = found.reason.removesuffix(beside).removesuffix(".")
                 return replace(found, reason=f"{said}{beside}")
     own = answers[0][0]
-    unlike = [one for found, one in answers[1:] if _is_unlike(found, one)]
+    judged = [(found, one) for found, one in answers[1:] if isinstance(found, Judgement)]
+    refuted = [one for found, one in judged if found.verdict is Verdict.REFUTED]
+    unlike = [one for one in refuted if have_same_letters(one.sign.sides)]
     if unlike and isinstance(own, Judgement) and own.rung == GIVEN:
         return replace(own, reason=f"it differs from {unlike[0].sign.first}{UNLIKE}")
     return own
-
-
-def _is_unlike(found: Judgement | str, task: Task) -> bool:
-    """Return whether a member has the same letters as what it is compared with, and differs."""
-    is_refuted = isinstance(found, Judgement) and found.verdict is Verdict.REFUTED
-    return is_refuted and have_same_letters(task.sign.sides)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import list_applicable
+from mechproof.document.applicable_constraints import list_applicable, state_at
 from mechproof.document.consequences import find_consequence, list_letters
 from mechproof.document.following import list_entries
 from mechproof.document.judging import Key, open_tasks
@@ -16,6 +17,7 @@ from mechproof.document.slips import Entry
 from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
+from mechproof.latex.values import settle_all
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
@@ -24,12 +26,7 @@ from mechproof.record import Conjunction, Definition, Equality, RecordError
 
 def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     """Judge by the constraints before it what may follow from them; None if that is not shown."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    before = [tasks[other] for other in list_applicable(others, number, tasks)]
-    found = find_consequence(task, before) if task.residual is not None else None
-    return _replace(task, *found) if found else None
+    return judge_freed((*which, frozenset()))
 
 
 def judge_freed(
@@ -37,13 +34,18 @@ def judge_freed(
 ) -> Judgement | None:
     """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
     key, number, others, letters = which
-    if not letters:
-        return judge_beside((key, number, others))
     tasks = open_tasks(key)
-    entries = list_entries(tasks[number], letters)
-    before = [entry for n in others for entry in list_entries(tasks[n], letters)]
-    found = find_consequence(entries[0], before) if len(entries) == 1 else None
-    return _replace(tasks[number], *found) if found else None
+    before = [tasks[other] for other in list_applicable(others, number, tasks)]
+    answer = None
+    for task in filter(None, (tasks[number], tasks[number].special)):
+        rows = [list_entries(t, letters) if letters else [t] for t in (task, *before)]
+        one, given = rows[0][0] if len(rows[0]) == 1 else None, [*chain(*rows[1:])]
+        if one and one.residual is not None:
+            found = find_consequence(one, [*state_at(given, one)])
+            answer = _replace(task, *found) if found else answer
+        if answer and answer.verdict is Verdict.PROVED:
+            break
+    return answer
 
 
 def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
@@ -54,7 +56,8 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     found = judge_beside(which)
     if found and found.verdict is Verdict.PROVED:
         return found
-    given = list(_list_given(task, [tasks[other] for other in others]))
+    before = [tasks[other] for other in others]
+    given = list(_list_given(task, [*state_at(before, task)] if task.at else before))
     names = ", ".join(tasks[other].row.number for other in others)
     domain = Domain.of(task.paper, task.row.on)
     for entry in _list_entries(task):
@@ -68,26 +71,40 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
     key, number, others = which
     tasks = open_tasks(key)
-    task = tasks[number]
+    # Nothing said of a case accuses what is said of all.
+    task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
     try:
         domain = Domain.of(task.paper, task.row.on)
-        given = list(_list_given(task, [tasks[other] for other in others]))
-        compared = [entry for one in (task, *task.others) for entry in _list_entries(one)]
-        if task.others and not all(find_failure(e.sides, given, domain) for e in compared):
+        beside = [*state_at(constraints, task)]
+        given = list(_list_given(task, beside))
+        compared = [e for one in (task, *tasks[number].others) for e in _list_entries(one)]
+        if tasks[number].others and not all(find_failure(e.sides, given, domain) for e in compared):
             return None
-        printed = _list_printed(tasks)
-        second = {s for t in (task, *(tasks[o] for o in others)) for s in _list_accelerations(t)}
+        cases = [] if task.at else [(one.special or one).at for one in tasks[:number]]
+        if any(at and _may_hold_at(at, task, constraints) for at in cases):
+            return None
+        printed, repeated = _list_printed(tasks), list(_list_given(task, constraints))
+        second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
-            found = find_misprint(entry, given, domain, printed, may_repeat=task.asserts)
+            found = find_misprint(entry, given, domain, printed, None if task.asserts else repeated)
             if found and not holds_at_rest(entry.sides, given, domain, second):
-                met = dict.fromkeys((task.sign.first, *(tasks[o].row.number for o in others)))
+                met = dict.fromkeys((task.sign.first, *(one.row.number for one in beside)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
-                beside = f"; compared with {names}" if names else ""
-                reason = f"{found.change.reason}{beside}"
+                compared_with = f"; compared with {names}" if names else ""
+                reason = f"{found.change.reason}{compared_with}"
                 return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def _may_hold_at(at: Mapping[sp.Basic, sp.Basic], task: Task, constraints: Sequence[Task]) -> bool:
+    """Return whether a row may hold at values that are said of letters beside one before it."""
+    there = replace(task, at={**task.at, **at})
+    given = [*_list_given(there, [*state_at(constraints, there)])]
+    domain = Domain.of(task.paper, task.row.on)
+    sides = ([settle_all(domain.resolve(s), at) for s in e.sides] for e in _list_entries(task))
+    return not all(find_failure((one, other), given, domain) for one, other in sides)
 
 
 def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
@@ -105,7 +122,7 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     key, number, others = which
     tasks = open_tasks(key)
     task = tasks[number]
-    given = {tasks[o].row.number: tasks[o].residual for o in others}
+    given = {one.row.number: one.residual for one in state_at([tasks[o] for o in others], task)}
     letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
     solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
     domain = Domain.of(task.paper, task.row.on)
@@ -125,6 +142,8 @@ def _replace(
 ) -> Judgement:
     """Return what a row is judged to be by itself, with another verdict."""
     alone = judge(task.row, task.paper)
+    values = ", ".join(f"{letter} = {value}" for letter, value in task.at.items())
+    reason = f"{reason}; for {values}" if values else reason
     return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
 
 

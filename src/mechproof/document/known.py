@@ -32,8 +32,9 @@ class Known:
     by their passages, with what is printed of them. `later` are matrices of
     which others are made before they are printed, with their values and what prints these.
     `circular` are matrices that were made of what is made of them. `constrained` are letters
-    between which constraints are printed, `tied` what is printed of their derivatives. `said` is
-    what the words before the equation being read announce.
+    between which constraints are printed, `tied` what is printed of their derivatives, `held` those
+    that are said to be zero behind an equation. `said` is what the words before the equation being
+    read announce.
     """
 
     symbols: Symbols
@@ -53,7 +54,13 @@ class Known:
     circular: set[sp.Basic] = field(default_factory=set)
     constrained: set[sp.Basic] = field(default_factory=set)
     tied: Values = field(default_factory=dict)
+    held: dict[str, list[sp.Basic]] = field(default_factory=dict)
     said: Announced = NOTHING
+
+    def copy(self) -> Known:
+        """Return what is known, to try what a print would make known."""
+        changed = {**self.values}, {**self.printed}, {**self.later}
+        return replace(self, values=changed[0], printed=changed[1], others={}, later=changed[2])
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""

@@ -110,6 +110,9 @@ def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
     if known.follows_from_constraints(one.symbol, one.value):
         known.tied.setdefault(one.symbol, one.value)
         return one.to_sign(Role.CONSTRAINT)
+    has_condition = one.chain.condition is not None or bool(known.held[one.name])
+    if has_condition and one.symbol in known.constrained:
+        return one.to_sign(Role.CONSTRAINT)
     if one.chain.condition is not None:
         return one.to_sign(Role.DEFINITION, one.name)
     if _counts_otherwise(one.symbol, one.value):

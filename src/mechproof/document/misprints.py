@@ -49,15 +49,15 @@ def find_misprint(
     given: Sequence[sp.Expr],
     domain: Domain,
     printed: Collection[sp.Basic] = (),
+    repeated: Sequence[sp.Expr] | None = None,
     *,
-    may_repeat: bool = False,
     state: Callable[[Sides], Sides] = lambda sides: sides,
 ) -> Misprint | None:
     """Return where an equation fails beside constraints, and what mends it; None if it may be true.
 
     `given` are the residuals of the constraints, `printed` the letters that are defined by a print.
-    With `may_repeat` what it is mended to may stand elsewhere in the paper. `state` makes of the
-    sides, as they are printed or mended, what is compared.
+    What it is mended to may stand elsewhere in the paper unless the residuals `repeated` are told.
+    `state` makes of the sides, as they are printed or mended, what is compared.
     """
     sides = state(entry.sides)
     met = {s for side in sides for s in side.free_symbols}
@@ -69,7 +69,7 @@ def find_misprint(
     alike = list_alike(met.union(*(value.free_symbols for value in defined.values())), domain)
     places = _find_failures(sides, given, domain, alike)
     values = [{s: balls.evaluate(domain.resolve(s), place) for s in alike} for place in places]
-    repeated = [] if may_repeat else [*given, *_list_definitions(domain)]
+    repeated = [] if repeated is None else [*repeated, *(s - v for s, v in given_by.items())]
     changes = list_changes(entry, list_alike(met, domain), defined)
     for change in islice(changes, MOST if places else 0):
         mended = state(change.sides)
@@ -146,10 +146,6 @@ def _holds_often(sides: Sides, places: Sequence[Values], *, are_angles: bool) ->
 def _vanish(side: sp.Expr, places: Sequence[Values]) -> bool:
     """Return whether a side is zero wherever it has a value."""
     return all(agree((side, sp.S.Zero), values) is not False for values in places)
-
-
-def _list_definitions(domain: Domain) -> list[sp.Expr]:
-    return [symbol - value for symbol, value in domain.given.items() if isinstance(value, sp.Expr)]
 
 
 def _is_trivial(

@@ -50,25 +50,17 @@ def compare_newer_prints(
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
         is_open = n in contested and rows[n].state is State.NOT_JUDGED
-        is_open |= bool(newer) and _is_proved_by(tasks[newer[-1]], rows[n])
-        if newer and _is_compared(task, rows[n]) and not (is_said or is_open):
+        if newer and rows[n].outcome == Verdict.PROVED.value:
+            is_open |= rows[n].reason.endswith(f"compared with {tasks[newer[-1]].row.number}")
+        differs = rows[n].state is State.NOT_JUDGED and task.sign.role in COMPARED
+        is_compared = rows[n].outcome in _CERTAIN or differs
+        if newer and is_compared and not (is_said or is_open):
             asked.append((key, n, tuple(newer)))
     for place, answer in run_tasks(judge_anew, asked, limit=limit):
         _, n, before = asked[place]
         found = answer if isinstance(answer, Judgement) else None
         if chosen := _choose(tasks[n], rows[n], found, [tasks[m] for m in before]):
             yield n, make_row(tasks[n], chosen)
-
-
-def _is_compared(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row has a verdict, or differs from what it is compared with."""
-    return row.outcome in _CERTAIN or (row.state is State.NOT_JUDGED and task.sign.role in COMPARED)
-
-
-def _is_proved_by(newer: Task, row: CheckedRow) -> bool:
-    """Return whether a row is proved by what the last new print says."""
-    is_proved = row.outcome == Verdict.PROVED.value
-    return is_proved and row.reason.endswith(f"compared with {newer.row.number}")
 
 
 def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
@@ -166,9 +158,5 @@ def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
 
 def _list_stated(task: Task) -> set[sp.Basic]:
     """Return the letters that a row is stated with; of some the values may be put in."""
-    parts = list_parts(task.row.statement)
-    return _list_letters(value for part in parts for value in vars(part).values())
-
-
-def _list_letters(values: Any) -> set[sp.Basic]:
+    values = (value for part in list_parts(task.row.statement) for value in vars(part).values())
     return {s for value in values for s in getattr(value, "free_symbols", ())}

@@ -91,10 +91,11 @@ def _round(
     exact, anew = at.list_at(printed)
     stated = [PrintedNumber(sign.number, one.xreplace(exact)) for one in read]
     renewed = [PrintedNumber(sign.number, one.xreplace(anew)) for one in read]
-    nearest = min(stated, key=_find_distance)
+    number = sp.Rational(sign.number)
+    nearest = min(stated, key=lambda one: measure_off(one.value, number))
     is_few = bool(_FEW_DIGITS.match(sign.number)) and bool(own or not unit)
     values = [one.value for one in (*stated, *renewed)]
-    if value.free_symbols and is_few and sp.Rational(sign.number) not in values:
+    if value.free_symbols and is_few and number not in values:
         return _FEW.format(show(nearest.value))
     if found := next(filter(agrees, (*stated, *renewed)), None):
         return found
@@ -241,10 +242,10 @@ def tell_missing(letters: Iterable[sp.Basic]) -> str:
     return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
 
 
-def _find_distance(stated: PrintedNumber) -> float:
+def measure_off(value: sp.Expr, number: sp.Expr) -> float:
     """Return how far a number is from the value that is stated of it."""
-    distance = sp.Abs(stated.value - sp.Rational(stated.printed)).evalf()
-    return float(distance) if distance.is_Float else math.inf
+    off = sp.Abs(value - number).evalf()
+    return float(off) if off.is_Float else math.inf
 
 
 def _is_sum(value: Any) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -10,7 +9,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.conversions import NEAR, UNFIT
-from mechproof.document.numbers_at_sizes import SINGLE, state_number, tell_missing
+from mechproof.document.numbers_at_sizes import SINGLE, measure_off, state_number, tell_missing
 from mechproof.document.numerical_values import OPEN, is_of_units
 from mechproof.document.roles import Sign
 from mechproof.document.scales import RoundedSize, agrees, spread
@@ -56,7 +55,7 @@ def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Size
     if not values:
         known = sizes.list_at(printed)[-1]
         return tell_missing(sizes.known.settle(formula).free_symbols - known.keys())
-    nearest = min(values, key=lambda value: _measure_off(value, given))
+    nearest = min(values, key=lambda value: measure_off(value, given))
     told = _ROUNDED if _is_near(nearest, given, _NEAR) else _OTHERS
     return told.format(show(given), show(nearest))
 
@@ -103,7 +102,7 @@ def state_result(
         if not is_right:
             return plain
         number = sp.Rational(sign.number)
-        nearest = min(values, key=lambda value: _measure_off(value, number), default=plain.value)
+        nearest = min(values, key=lambda value: measure_off(value, number), default=plain.value)
         return PrintedNumber(sign.number, nearest)
     if may_be_rounded(plain, sign):
         return NEAR
@@ -164,9 +163,4 @@ def _list_settled(
 
 
 def _is_near(value: sp.Expr, given: sp.Expr, share: float) -> bool:
-    return bool(_measure_off(value, given) <= share * abs(sp.N(given)))
-
-
-def _measure_off(value: sp.Expr, given: sp.Expr) -> float:
-    off = abs(sp.N(value - given))
-    return float(off) if off.is_Float else math.inf
+    return bool(measure_off(value, given) <= share * abs(sp.N(given)))

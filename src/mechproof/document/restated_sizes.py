@@ -13,8 +13,7 @@ import sympy as sp
 
 from mechproof.document.scales import Scales
 from mechproof.nomenclature.cells import Head, Numeral, find_unit
-from mechproof.nomenclature.inline import Inline, find_inline
-from mechproof.nomenclature.said_quantities import SaidQuantity, find_quantities
+from mechproof.nomenclature.inline import Inline, SaidQuantity, find_inline, find_quantities
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.nomenclature.units import Unit
 from mechproof.sources.displays import Printed

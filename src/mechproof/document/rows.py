@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -12,7 +12,6 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document.calculated_sizes import calculate_sizes
-from mechproof.document.collected_sizes import collect_sizes
 from mechproof.document.complex_parts import find_imaginary_unit, is_complex
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import Later, define_later, find_later
@@ -31,6 +30,7 @@ from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.seams import make_seams
 from mechproof.document.size_tables import SizeTables
+from mechproof.document.sizes import collect_sizes
 from mechproof.document.solutions import SIGN, read_signs
 from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.task_maker import TaskMaker
@@ -61,6 +61,7 @@ from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
+_ZERO = re.compile(r"(.*?)\s*=\s*0")
 _MEMBER = ", a member of a family: declare it as a letter of its own"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)
@@ -79,7 +80,9 @@ class Document:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
         source = replace(source, text=join_thousands(mark_decimals(source.text)))
         self.source, self.files = source, source.files
-        self.system = _name_system(source.files.names[0])
+        # A paper is named as its file: letters, digits and underscores.
+        name = re.sub(r"\W", "_", Path(source.files.names[0]).stem).strip("_")
+        self.system = name if name.isidentifier() else f"paper_{name}"
         self.printed = list(find_displays(source.text))
         self.tables = list(find_tabulars(source.text))
         self.told: list[tuple[Place, str]] = []
@@ -215,6 +218,8 @@ class Document:
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
         self.known.said = printed.announced
+        held = [s for s in self._list_zeros_behind(printed) if s in self.known.constrained]
+        self.known.held[printed.name] = held
         read = reader.parse(latex, printed.name, int(branch is None))
         read = calculate_sizes(read, self.symbols.bare)
         self.has_units |= any(isinstance(n, Measure) and n.factor != 1 for n in walk(read.chains))
@@ -228,13 +233,7 @@ class Document:
         if double is None and not follows:
             return find_roles(printed.name, read, self.known)
         # What has two signs, or follows, defines no letter.
-        known = replace(
-            self.known,
-            values={**self.known.values},
-            printed={**self.known.printed},
-            others={},
-            later={**self.known.later},
-        )
+        known = self.known.copy()
         signs = find_roles(printed.name, read, known)
         if double is None and len(signs) > 1 and signs[0].role is Role.DEFINITION:
             # The further members of a chain follow.
@@ -256,18 +255,26 @@ class Document:
             )
         return signs
 
+    def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
+        """Yield the letters that are said to be zero behind an equation in its line."""
+        names = {name_symbol(name): v.symbol for v in self.symbols.variables for name in v.latex}
+        line = printed.locate(self.files).line
+        for one in self.printed[self.printed.index(printed) + 1 :]:
+            said = _ZERO.fullmatch(one.latex.string)
+            if one.group != printed.group or one.locate(self.files).line != line:
+                return
+            if said and (letter := names.get(name_symbol(said[1]))):
+                yield letter
+
     def _find_solutions(self, printed: Printed, reader: Reader) -> list[Sign]:
         """Return the signs of what has a double sign on one side, read as a letter; or none."""
         read = read_signs(reader).parse(printed.latex.string)
-        values = {**self.known.values}
-        known = replace(
-            self.known, values=values, printed={**self.known.printed}, others={}, later={}
-        )
+        known = self.known.copy()
         sign, *steps = find_roles(printed.name, read, known)
         if sign.role not in _SOLVED or any(step.role is not Role.STEP for step in steps):
             return []
         if sign.role is Role.DEFINITION:
-            sign = replace(sign, sides=(sign.letter, values[sign.letter]))
+            sign = replace(sign, sides=(sign.letter, known.values[sign.letter]))
         sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
         is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
         if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
@@ -301,9 +308,3 @@ class Document:
         place = printed.locate(self.files, error.place)
         latex, reason = printed.latex.string, error.args[0]
         return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
-
-
-def _name_system(file: str) -> str:
-    """Name a paper as its file: letters, digits and underscores."""
-    name = re.sub(r"\W", "_", Path(file).stem).strip("_")
-    return name if name.isidentifier() else f"paper_{name}"

@@ -202,10 +202,12 @@ class Scales:
         readings = []
         printed = self.convert(own, unit)
         is_bare = may_turn_units(formula) or not self._fits(formula, own, unit)
+        # A letter may count turns by the minute, and its number by the second.
+        by_second = unit is not None and unit == Unit(FREQUENCY) and not unit.dimension.angle
         for turned, angle in self._read_degrees(formula, own):
             if is_bare:
                 readings.append((turned / angle / printed, angle * printed))
-            if is_bare and self._counts_turns(own, unit):
+            if is_bare and by_second and own in self.revolving:
                 readings.append((turned * REVOLUTIONS / _TURN, angle))
             if self._has_units(turned, own):
                 scale = angle * (unit.scale if unit else self._scale(own, sp.S.One))
@@ -217,11 +219,6 @@ class Scales:
             tuple(reading.xreplace(c) + turn / scale for c in choices for turn in turns)
             for reading, scale in readings
         ]
-
-    def _counts_turns(self, own: sp.Basic | None, unit: Unit | None) -> bool:
-        """Return whether a letter counts turns by the minute, and its number by the second."""
-        is_plain = unit is not None and not unit.dimension.angle
-        return is_plain and unit == Unit(FREQUENCY) and own in self.revolving
 
     def _fits(self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None) -> bool:
         """Return whether letters in their units give what is counted in a unit, or in its own."""

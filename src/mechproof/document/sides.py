@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.known import Known
 from mechproof.document.roles import Sign
-from mechproof.record import Conjunction, Definition, Equality, Holds, Row, ValueWhere
+from mechproof.record import Conjunction, Definition, Equality, Holds, Row, Statement, ValueWhere
 
 # What has no value, or another formula, in places.
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
@@ -49,6 +49,16 @@ def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
     )
 
 
+def gives_entries(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
+    r"""Return whether a matrix that is given by others has its entries printed, \mathbf J^{-1}=….
+
+    That is meant wherever its letters lie, where a vector may tie some.
+    """
+    shown = [side.doit() if isinstance(side, sp.MatrixExpr) else side for side in sides]
+    are_matrices = all(isinstance(side, sp.MatrixBase) and min(side.shape) > 1 for side in shown)
+    return are_matrices and len(shown) > 1 and sum(worked_out) == 1
+
+
 def list_related(says: Any) -> set[sp.Basic]:
     """Return the letters of relations that are no equations."""
     if isinstance(says, Conjunction):
@@ -66,6 +76,26 @@ def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
     if isinstance(says, Definition):
         return [says.printed]
     return []
+
+
+def raises_by_letter(side: Any) -> bool:
+    """Return whether letters are raised by a letter: of p V^n no dimension is known."""
+    return isinstance(side, sp.Expr) and any(
+        power.exp.free_symbols and power.base.free_symbols for power in side.atoms(sp.Pow)
+    )
+
+
+def has_letters(says: Statement | None) -> bool:
+    """Return whether both sides of an equation have letters: where they have none, much is true."""
+    return isinstance(says, Equality) and all(
+        side.free_symbols for side in (says.printed, says.rebuilt)
+    )
+
+
+def list_stated(says: Statement | None) -> set[sp.Basic]:
+    """Return the letters of both sides as they are printed: of some no unit may be known."""
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    return {letter for side in sides for letter in side.free_symbols}
 
 
 def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:

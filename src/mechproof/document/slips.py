@@ -127,7 +127,9 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     elif isinstance(part, TURNING):
         yield part**2
         # SymPy does not keep which way round a difference is printed.
-        signs = (1, -1) if _is_difference(part.args[0]) else (1,)
+        terms = sp.Add.make_args(part.args[0])
+        is_difference = len({term.could_extract_minus_sign() for term in terms}) > 1
+        signs = (1, -1) if is_difference else (1,)
         yield from (sign * other(*part.args) for other in TURNING for sign in signs)
     elif isinstance(part, _ARCS):
         yield from (other(*part.args) for other in _ARCS)
@@ -147,11 +149,6 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     if is_term:
         yield from (part * letter for letter in letters)
         yield from (part / letter for letter in letters)
-
-
-def _is_difference(angle: sp.Expr) -> bool:
-    terms = sp.Add.make_args(angle)
-    return len({term.could_extract_minus_sign() for term in terms}) > 1
 
 
 def _move_bracket(part: sp.Mul) -> Iterator[sp.Expr]:

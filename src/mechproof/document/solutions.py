@@ -159,7 +159,7 @@ class Solutions:
 
         entry = Entry((self.left, self.value), (not self.left.is_Symbol, True))
         # To become the constraint that it solves is what a print is mended for.
-        return find_misprint(entry, given, domain, printed, may_repeat=True, state=state)
+        return find_misprint(entry, given, domain, printed, state=state)
 
 
 def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:

@@ -26,6 +26,16 @@ def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
     return {r.lhs: r.rhs for r in free}
 
 
+def put_on(row: Row, zeros: Sequence[sp.Basic]) -> Row:
+    """Add to what is said of a row that letters are zero."""
+    if not zeros:
+        return row
+    said = tuple(sp.Eq(letter, 0, evaluate=False) for letter in zeros)
+    part = row.on or Part("", {})
+    text = " and ".join([*([part.text] if part.text else []), *(f"{s} = 0" for s in zeros)])
+    return replace(row, on=replace(part, text=text, where=(*part.where, *said)))
+
+
 def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
     """Put values into what a side is, also where one is said by another letter."""
     side = known.settle(side)
@@ -127,11 +137,15 @@ def split_branches(says: Statement, known: Known) -> Statement:
     return Conjunction(tuple(parts))
 
 
-def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:
-    """Yield the derivatives of a residual by letters on which others depend, up to the second."""
+def list_rates(residual: sp.Expr, at: Iterable[sp.Basic], known: Known) -> Iterator[sp.Expr]:
+    """Yield the derivatives of a residual by letters on which others depend, up to the second.
+
+    By a letter at a value of which, or of what depends on it, the residual is, there are none.
+    """
+    fixed = {known.symbols.find_steps(letter)[0] for letter in at}
     moving = known.symbols.moving
     third = {rate for _, rates in moving.values() for rate in rates[2:]}
-    for by in dict.fromkeys(by for by, _ in moving.values()):
+    for by in dict.fromkeys(by for by, _ in moving.values() if by not in fixed):
         rate = residual
         for _ in ORDERS:
             try:

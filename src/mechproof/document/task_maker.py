@@ -10,16 +10,19 @@ import sympy as sp
 
 from mechproof.document.complex_parts import split_parts
 from mechproof.document.known import Known
-from mechproof.document.layouts import gives_entries
 from mechproof.document.limits import state_limit
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numerical_values import turn_units
 from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
+    gives_entries,
+    has_letters,
     have_same_letters,
     is_solvable,
     list_related,
     list_sides,
+    list_stated,
+    raises_by_letter,
     ties_letters,
 )
 from mechproof.document.solutions import read_signs, state_signs
@@ -27,6 +30,7 @@ from mechproof.document.special_cases import (
     list_rates,
     list_values,
     put_in,
+    put_on,
     specialise,
     split_branches,
     state_modulo,
@@ -44,7 +48,6 @@ from mechproof.record import (
     Equality,
     Equation,
     Paper,
-    Part,
     PrintedNumber,
     Row,
     Statement,
@@ -97,19 +100,25 @@ class TaskMaker:
             pairs = [(state_signs(one, sign, dimensions), sign) for one, sign in pairs]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
-        zeros = self._list_zeros(printed)
+        zeros = self._list_zeros(printed, signs)
+        held = self.known.held.get(printed.name, [])
+        parts = ((put_on(r, held if s.role is Role.CONSTRAINT else []), s) for r, s in parts)
         tasks = ((self._prepare(printed, *part, own), part) for part in parts)
         return [self._add_special(printed, task, *part, own, zeros) for task, part in tasks]
 
-    def _list_zeros(self, printed: Printed) -> list[sp.Basic]:
-        """Return letters without a formula that are said to be zero before a print or beside it."""
+    def _list_zeros(self, printed: Printed, signs: Sequence[Sign]) -> list[sp.Basic]:
+        """Return letters without a formula that are said to be zero before a print or beside it.
+
+        What prints such a letter, or a derivative of it, is meant for other values, too.
+        """
+        met = {x for one in signs for s in one.printed for x in self.known.symbols.find_steps(s)[1]}
         others = self.printed[: self.printed.index(printed)]
-        passage = printed.announced.passage
-        before = next((x for x in reversed(others) if x.announced.passage != passage), None)
+        scope = printed.announced.scope
+        before = next((x for x in reversed(others) if x.announced.scope != scope), None)
         sizes = self.numbers.sizes
         beside = {s for s, one in sizes.printed.items() if one.is_zero(printed.group)}
         zeros = sizes.restated.list_zeros(before, printed) | beside
-        return sorted(zeros - self.known.values.keys(), key=str)
+        return sorted(zeros - self.known.values.keys() - met, key=str)
 
     def _add_special(
         self,
@@ -123,14 +132,10 @@ class TaskMaker:
         """Add to a task what it is where letters are zero that are said to be so beside it."""
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task
-        if not (met := [s for s in zeros if s in task.residual.free_symbols]):
+        if not (new := [s for s in zeros if self.known.met[s] and s not in task.at]):
             return task
-        said = tuple(sp.Eq(letter, 0, evaluate=False) for letter in met)
-        part = row.on or Part("", {})
-        text = " and ".join([*([part.text] if part.text else []), *(f"{s} = 0" for s in met)])
-        on = replace(part, text=text, where=(*part.where, *said))
-        special = self._make(printed, replace(row, on=on), sign, own)
-        if isinstance(special, Task) and _has_letters(special.row.says):
+        special = self._make(printed, put_on(row, new), sign, own)
+        if isinstance(special, Task) and has_letters(special.row.says):
             return replace(task, special=special)
         return task
 
@@ -182,7 +187,8 @@ class TaskMaker:
         if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
             reason = f"nothing else is printed of {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
-        row, sign = self._specialise(self._restate(row, sign), sign)
+        at = list_values(row, self.known)
+        row, sign = self._specialise(self._restate(row, sign), sign, at)
         number = self.numbers.state(printed, row, sign, own)
         if isinstance(number, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
@@ -199,12 +205,12 @@ class TaskMaker:
             )
         sides = list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        letters |= list_related(row.says) | _list_printed(row.says)
+        letters |= list_related(row.says) | list_stated(row.says)
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
         is_special &= not self._is_given_by_itself(sign)
         is_number = number.is_stated or sign.role is Role.SIZE or any(sign.units)
         has_units = not (letters & self.known.symbols.bare or is_number or is_special)
-        has_units &= not any(map(_raises_by_letter, sides))
+        has_units &= not any(map(raises_by_letter, sides))
         paper = self.papers[has_units]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
@@ -213,9 +219,9 @@ class TaskMaker:
         is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         is_claimed &= sign.role is not Role.DEFINITION
         asserts = is_claimed or self._asserts(printed, row.says, sign, sides)
-        # Of members that are equal in some positions the derivatives are not.
+        # Of what is equal in some positions the derivatives are not.
         has_rates = residual is not None and sign.role is not Role.STEP
-        rates = tuple(list_rates(residual, self.known)) if has_rates else ()
+        rates = tuple(list_rates(residual, at, self.known)) if has_rates else ()
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
         words = printed.announced
@@ -237,8 +243,9 @@ class TaskMaker:
             ties_running=residual is not None and self._ties_running(residual),
             is_case=is_case,
             is_excused=is_case
-            or (not is_either and any(is_met_once(s, self.known) for s in _list_printed(row.says))),
+            or (not is_either and any(is_met_once(s, self.known) for s in list_stated(row.says))),
             said=printed.announced,
+            at={letter: self.known.settle(value) for letter, value in at.items()},
         )
 
     def _is_given_by_itself(self, sign: Sign) -> bool:
@@ -270,9 +277,10 @@ class TaskMaker:
             row = replace(row, note=note)
         return row
 
-    def _specialise(self, row: Row, sign: Sign) -> tuple[Row, Sign]:
+    def _specialise(
+        self, row: Row, sign: Sign, special: Mapping[sp.Basic, sp.Basic]
+    ) -> tuple[Row, Sign]:
         """Put in the values that a print says of its letters."""
-        special = list_values(row, self.known)
         row = specialise(row, special, self.known)
         if sign.role is Role.NUMBER and sign.number and special:
             value = put_in(sign.value, special, self.known)
@@ -341,23 +349,3 @@ class TaskMaker:
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)
-
-
-def _raises_by_letter(side: Any) -> bool:
-    """Return whether letters are raised by a letter: of p V^n no dimension is known."""
-    return isinstance(side, sp.Expr) and any(
-        power.exp.free_symbols and power.base.free_symbols for power in side.atoms(sp.Pow)
-    )
-
-
-def _has_letters(says: Statement | None) -> bool:
-    """Return whether both sides of an equation have letters: where they have none, much is true."""
-    return isinstance(says, Equality) and all(
-        side.free_symbols for side in (says.printed, says.rebuilt)
-    )
-
-
-def _list_printed(says: Statement | None) -> set[sp.Basic]:
-    """Return the letters of both sides as they are printed: of some no unit may be known."""
-    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
-    return {letter for side in sides for letter in side.free_symbols}

@@ -32,9 +32,9 @@ class Task:
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
     it may announce another case, or that the block says it to be a constraint, `is_excused` also
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce, `special` the row at the values that are said of its
-    letters beside it. `anew` are the values of letters and derivatives if it
-    is another case; None for one without a value then.
+    `said` is what words before it announce, `at` are the values of letters that a condition beside
+    it says, `special` is the row at those that words before it say, too. `anew` are the values of
+    letters and derivatives if it is another case; None for one without a value then.
     """
 
     row: Row
@@ -54,6 +54,7 @@ class Task:
     is_case: bool = False
     is_excused: bool = False
     said: Announced = NOTHING
+    at: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     special: Task | None = None
     anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
 

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.consequences import GIVEN
+from mechproof.document.consequences import FOLLOWING, GIVEN
 from mechproof.document.doubts import list_compared, list_printed, reach
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.roles import Role
@@ -58,13 +58,19 @@ def doubt_by_ties(
     tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Leave open what goes over one letter, and has another that a constraint ties to it."""
-    varied = {letter for task in tasks for letter, _ in task.sign.varied}
-    ties = {letter: _find_ties(letter, tasks, rows, symbols) for letter in varied}
+    running = {letter for task in tasks for letter, _ in task.sign.varied}
+    ties = {letter: _find_ties(letter, tasks, rows, symbols) for letter in running}
     held: dict[sp.Basic, str] = {}
     for n, task in enumerate(tasks):
         letters = list_compared(task, tasks)
         reasons = [held[one] for one in sorted(held.keys() & letters, key=str)]
+        found, varied = rows[n].judgement, [by for by, _ in task.sign.varied]
+        is_beside = task.sign.role is Role.CONSTRAINT and not task.asserts
+        is_beside |= found is not None and found.rung in FOLLOWING
         for by, inside in task.sign.varied:
+            if by in task.at and varied.count(by) == 1 and is_beside:
+                # Its value was put into the constraints, too.
+                continue
             tied, given = ties[by]
             met = tied & reach({symbols.find_steps(s)[1][0] for s in inside}, tasks)
             # Letters that it does not have may move instead, one for each constraint.

@@ -28,18 +28,10 @@ def facts_of(where: sp.Set) -> Facts:
         told["nonzero"] = True
     facts = dict(sp.Dummy(**told).assumptions0)
     if isinstance(where, sp.FiniteSet):
-        facts |= _common_facts(where)
+        names = sp.Dummy(integer=True, positive=True, prime=True).assumptions0
+        shared = {name: {getattr(member, f"is_{name}") for member in where} for name in names}
+        facts |= {name: next(iter(found)) for name, found in shared.items() if len(found) == 1}
     return facts
-
-
-def _common_facts(where: sp.FiniteSet) -> dict[str, bool]:
-    first, *others = (_facts_of_number(member) for member in where)
-    return {name: v for name, v in first.items() if all(o.get(name) is v for o in others)}
-
-
-def _facts_of_number(number: sp.Expr) -> dict[str, Any]:
-    names = sp.Dummy(integer=True, positive=True, prime=True).assumptions0
-    return {name: getattr(number, f"is_{name}") for name in names}
 
 
 def find_excess(symbol: Any, facts: Facts) -> list[str]:

@@ -197,14 +197,10 @@ def _where_positive(gap: _Gap, symbol: sp.Basic, point: Values) -> sp.Set:
     parts = [
         sp.Interval.open(low, high)
         for low, high in pairwise([-sp.oo, *roots, sp.oo])
-        if polynomial.eval(_between(low, high)) > 0
+        if polynomial.eval(place(sp.Interval.open(low, high), sp.S.Half, 1)) > 0
     ]
     reached = [] if gap.strict else [root for root in roots if root.is_Rational]
     return sp.Union(*parts, sp.FiniteSet(*reached))
-
-
-def _between(low: sp.Expr, high: sp.Expr) -> sp.Expr:
-    return place(sp.Interval.open(low, high), sp.Rational(1, 2), 1)
 
 
 def _part_of(where: sp.Set, step: int) -> sp.Set:

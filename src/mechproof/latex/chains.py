@@ -133,6 +133,8 @@ def _read_bracketed(parser: Parser) -> list[ChainPart]:
     """Read the conditions in a bracket."""
     parts: list[ChainPart] = []
     while not parts or parser.skip(",", ";"):
+        if _skip_membership(parser):
+            return parts
         chain = read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
         parts.append(ChainPart(chain, said=True))
     return parts

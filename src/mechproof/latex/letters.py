@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import places, undeclared
+from mechproof.latex import conditions, places, undeclared
 from mechproof.latex.characters import is_digit
 from mechproof.latex.errors import ReadingError
 from mechproof.latex.functions import CONSTANTS
@@ -155,6 +155,9 @@ def _read_name(parser: Parser, match: Match) -> Node:
     other = parser.names.longer(match.name, "(") if parser.text == "(" else None
     is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
     is_factor = letter.text in parser.factors or _is_of_others(parser, letter)
+    # A relation in a bracket behind a wide gap is a condition.
+    gap = parser.source.latex[letter.end : parser.start]
+    is_factor |= "quad" in gap and conditions.is_bracketed(parser)
     if other and not is_rate and not is_factor:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",

@@ -125,7 +125,11 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             elif word in _WORDS and not _COLON.search(line.string):
                 _WORDS[word](block, rest.strip())
             elif word in _TOLD:
-                _TOLD[word](block, rest.strip())
+                equations, *said = _COLON.split(rest, maxsplit=1)
+                enter, remedy = _TOLD[word]
+                if not said or not said[0].strip():
+                    raise ValueError(remedy)
+                enter(block, _find_references(equations), said[0].strip())
             else:
                 block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
@@ -252,20 +256,12 @@ def _modulo(block: Block, rest: str) -> None:
     block.modulo |= dict.fromkeys(_find_references(found[2]), found[1])
 
 
-def _skip(block: Block, rest: str) -> None:
-    equations, *said = _COLON.split(rest, maxsplit=1)
-    reason = said[0] if said else ""
-    if not said or not reason.strip():
-        raise ValueError("say why: skip (3): reason")
-    block.skipped |= dict.fromkeys(_find_references(equations), reason.strip())
+def _skip(block: Block, equations: list[str], reason: str) -> None:
+    block.skipped |= dict.fromkeys(equations, reason)
 
 
-def _follow(block: Block, rest: str) -> None:
-    equations, *others = _COLON.split(rest, maxsplit=1)
-    if not others or not others[0].strip():
-        raise ValueError("say from which equations: follows (5): (3), (4)")
-    found = tuple(_find_references(others[0]))
-    block.follows |= dict.fromkeys(_find_references(equations), found)
+def _follow(block: Block, equations: list[str], others: str) -> None:
+    block.follows |= dict.fromkeys(equations, tuple(_find_references(others)))
 
 
 def _function(block: Block, rest: str) -> None:
@@ -281,16 +277,11 @@ def _read_pairs(text: str) -> dict[str, str]:
     return {} if any(len(pair) != 2 for pair in pairs) else dict(pairs)
 
 
-def _scope(block: Block, rest: str) -> None:
-    equations, *said = _COLON.split(rest, maxsplit=1)
-    pairs = _read_pairs(said[0]) if said else {}
+def _scope(block: Block, equations: list[str], said: str) -> None:
+    pairs = _read_pairs(said)
     if not pairs:
-        raise ValueError("say which print is which declared letter: in (8)-(13): A is A_r")
-    block.scopes.append((_find_references(equations), pairs))
-
-
-def _start(block: Block, rest: str) -> None:
-    block.start = rest
+        raise ValueError(_SAY_WHICH)
+    block.scopes.append((equations, pairs))
 
 
 def _imaginary(block: Block, rest: str) -> None:
@@ -309,11 +300,16 @@ _WORDS: dict[str, Callable[[Block, str], None]] = {
     "natural": _add("natural"),
     "integer": _add("integer"),
     "imaginary": _imaginary,
-    "from": _start,
+    "from": lambda block, rest: setattr(block, "start", rest),
     "sizes": _add("sizes"),
     "constraint": _refer("constraints"),
     "identity": _refer("identities"),
     "modulo": _modulo,
 }
-# Words behind whose equations a colon stands.
-_TOLD: dict[str, Callable[[Block, str], None]] = {"follows": _follow, "skip": _skip, "in": _scope}
+_SAY_WHICH = "say which print is which declared letter: in (8)-(13): A is A_r"
+# Words behind whose equations a colon stands, and what to say there.
+_TOLD: dict[str, tuple[Callable[[Block, list[str], str], None], str]] = {
+    "follows": (_follow, "say from which equations: follows (5): (3), (4)"),
+    "skip": (_skip, "say why: skip (3): reason"),
+    "in": (_scope, _SAY_WHICH),
+}

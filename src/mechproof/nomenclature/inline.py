@@ -1,4 +1,7 @@
-"""Equations within sentences that a draft proposes: sizes of letters, and what these stand for."""
+"""Equations within sentences that a draft proposes: sizes of letters, and what these stand for.
+
+And quantities that sentences say without a letter: "a bolt with an area of 157 mm²".
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.nomenclature.cells import Numeral, name_unit, read_numeral
+from mechproof.nomenclature.cells import Numeral, find_unit, name_unit, read_numeral
 from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.units import ONE, read_unit
+from mechproof.nomenclature.units import ONE, Unit, read_unit
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 from mechproof.sources.macros import expand, find_macros
@@ -43,6 +46,9 @@ _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
+_SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
+# Where the unit behind a number may end: before the word "in", that is no inch.
+_ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
 
 @dataclass(frozen=True)
@@ -130,3 +136,28 @@ def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, 
         is_like = own and other and other["stem"] == own["stem"] and other["index"] != own["index"]
         if own and other and is_like and name_symbol(other["index"]) in names:
             yield letter, one.value.replace(own["index"], other["index"])
+
+
+@dataclass(frozen=True)
+class SaidQuantity:
+    """Digits and their unit, where they stand in the text, and in which line."""
+
+    digits: str
+    unit: Unit
+    text: str
+    place: int
+    line: int
+
+
+def find_quantities(source: Source) -> Iterator[SaidQuantity]:
+    """Yield the numbers with a unit that stand between displays."""
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    for match in _SAID.finditer(text):
+        behind = match["behind"]
+        ends = [end.start() for end in _ENDS.finditer(behind)]
+        units = ((behind[:end], find_unit(behind[:end])) for end in reversed(ends))
+        if found := next(((printed, unit) for printed, unit in units if unit), None):
+            line = source.files.locate(source.text.offsets[match.start()]).line
+            shown = f"{match['digits']}{found[0]}".replace("$", "").strip()
+            digits = match["digits"].replace(",", ".")
+            yield SaidQuantity(digits, found[1], " ".join(shown.split()), match.end("digits"), line)

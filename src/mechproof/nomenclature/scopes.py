@@ -45,7 +45,7 @@ def _list_names(equations: Sequence[str], printed: Sequence[Printed]) -> Iterato
 
 
 def _find(equation: str, printed: Sequence[Printed]) -> int:
-    for number, one in enumerate(printed):
-        if equation in (one.name, *one.labels):
-            return number
-    raise ValueError(f"in: {equation}: no equation has that name or label")
+    found = (n for n, one in enumerate(printed) if equation in (one.name, *one.labels))
+    if (number := next(found, None)) is None:
+        raise ValueError(f"in: {equation}: no equation has that name or label")
+    return number

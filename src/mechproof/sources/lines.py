@@ -62,6 +62,18 @@ _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
 # The conditions of its pieces are no condition of a law.
 _PIECES = re.compile(r"\\begin\s*\{(d?cases|array)\}.*?\\end\s*\{\1\}", re.DOTALL)
+# What a condition in a bracket is in words: \text{ring held }(n=0), \text{(ring held, }n=0).
+_TEXT = r"\\(?:text|mbox|textrm)\s*\{"
+_CLOSED = re.compile(rf"{_TEXT}\s*\)\s*\}}")
+_REMARK = re.compile(
+    rf"{_TEXT}(?P<words>[^{{}}()]*(?:\([^{{}}()]*\}}|\}}\s*\())(?=[^()]*(?:[=<>]|\\[gl]e)[^()]*\)\W*\Z)"
+)
+# It is another where one of these stands.
+_EXCLUDING = re.compile(
+    rf"\b(?:{_LINKS}|unless|except|excluding|outside|else|otherwise|but|apart"
+    r"|not (?:if|for|at|when|with)|au\xdfer|sonst|sauf|sinon|кроме|иначе)\b",
+    re.IGNORECASE,
+)
 _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
 
 
@@ -194,8 +206,16 @@ def _find_list(string: str) -> re.Match[str] | None:
     return found if is_index else None
 
 
+def _drop_remarks(latex: LocatedText) -> LocatedText:
+    """Drop what a condition in a bracket is in words, unless they may exclude it."""
+    return latex.replace(_CLOSED, lambda _: ")").replace(
+        _REMARK, lambda found: found[0] if _EXCLUDING.search(found["words"]) else r"\quad("
+    )
+
+
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
     """Yield the equations of a line that wide gaps part, or a word such as "or"."""
+    latex = _drop_remarks(latex)
     signs = list(walk_signs(latex.string))
     words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
     places = {p: p for sign, p, depth in signs if sign in _BLANK[:2] and depth == 0}
