@@ -120,7 +120,11 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["let q=b/c", "sizes q=3"],
             [],
         ),
-        (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let w=\dot q", "q(t) :"], ["q :"]),
+        # A speed of which nothing else is said is constant.
+        (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
+        (r"with $w=\dot q$ $$b=cq\dot w$$", [r"let w=\dot q", "w(t) :"], []),
+        (r"with $w=\dot q$ $$b=cw\ddot q$$", [r"let w=\dot q"], []),
+        (r"with $w=\dot q$, $v=\ddot q$ $$b=cwq+v$$", [r"let w=\dot q", r"let v=\ddot q"], []),
         (r"Using $\dot q=w$ $$b=c\sin q$$ $$y=w$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (
             r"$$F_{\mathrm{in}}=m_{\mathrm{SC}}z_\text{max}$$",

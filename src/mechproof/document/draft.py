@@ -60,6 +60,8 @@ _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
 # A letter, or its opposite, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
+# What has a second derivative: its first is no constant.
+_SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
 # A word below a letter, as it is read.
@@ -154,13 +156,19 @@ def _propose_values(
     defined = {name_symbol(one) for one, other in sides if _has_letter(other, "", letters)}
     named = {name for name, _ in inline}
     running = {one.running for one in entries.values()}
+    texts = [*(one.latex.string for one in displays), *(one.value for _, one in inline)]
+    accelerated = {found for text in texts for found in _SECOND.findall(text)}
     alike: dict[str, str] = {}
     for name, one in inline:
         line = ""
         if name in defined:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
-            line = f"let {one.letter}={one.value}"
+            rate = RATE.fullmatch(one.value)
+            if rate and not entries[name].running and rate[1] not in accelerated:
+                line = f"let {one.value}={one.letter}"
+            else:
+                line = f"let {one.letter}={one.value}"
             if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
                 yield f"# line {one.line}: a special position, or does it always hold?"
                 yield f"# {line}"
