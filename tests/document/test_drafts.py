@@ -120,6 +120,10 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["let q=b/c", "sizes q=3"],
             [],
         ),
+        # Primes are by what words say that a letter is a function of, if that is but one.
+        (r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$y'=s'c$$", ["s(u) :", "y(u) :"], ["s' :"]),
+        (r"the lift $s(u)$ and $y(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s' :"], ["s(u) :"]),
+        (r"the factor $k(u)$ $$s=bu^2$$ $$s'=2bu$$", ["s' :"], ["s(u) :"]),
         # A speed of which nothing else is said is constant.
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (r"with $w=\dot q$ $$b=cq\dot w$$", [r"let w=\dot q", "w(t) :"], []),

@@ -6,20 +6,19 @@ Nothing of a draft is used before it stands in the paper.
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_imaginary_unit
 from mechproof.document.extremes import find_extremes
 from mechproof.document.rows import Document
+from mechproof.document.said_values import ask_what_follows, propose_values
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.inline import (
     RATE,
     Inline,
     find_inline,
     find_printed_units,
-    say_of_others,
 )
 from mechproof.nomenclature.letters import (
     Collected,
@@ -30,17 +29,13 @@ from mechproof.nomenclature.letters import (
 )
 from mechproof.nomenclature.said import Said, find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.displays import find_displays
 from mechproof.sources.files import Source
 
 _RATE = re.compile(
     r"\\d{0,2}dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
     re.DOTALL,
 )
-# A reference, or a number in brackets.
-_REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
-# Characters between a reference and the equation that it is made for.
-_NEAR = 400
 # Seconds to find out whether a letter is a matrix.
 _LIMIT = 10.0
 # The arguments of a letter.
@@ -53,15 +48,11 @@ _QUOTIENT = re.compile(
     r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
 )
 _RESPECT = re.compile(r"with\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$([^$]{1,20})\$")
-# Signs of letters, and a letter e: any, and one that is raised.
-_SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
+_FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
+# A letter e: any, and one that is raised.
 _E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
-# A letter, or its opposite, alone or turned by parts of pi.
-_TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
-# What has a second derivative: its first is no constant.
-_SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
 # A word below a letter, as it is read.
@@ -99,7 +90,7 @@ def draft_block(source: Source) -> str:
     unclear = [x for x in letters if name_symbol(x) in found.unclear or _is_motion(x, shapes)]
     stems = {name_symbol(_strip_arguments(x)) for x in unclear}
     shapes = {name: size for name, size in shapes.items() if name not in stems}
-    entries = _list_entries(collected, shapes, prints, _find_running(source))
+    entries = _list_entries(collected, shapes, prints, _find_running(source, letters))
     inline = _find_inline(source, entries)
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
@@ -124,8 +115,8 @@ def draft_block(source: Source) -> str:
         lines.append(f"# {name} has several sizes: declare a letter for each, and say where it is")
         lines.append(f"# which: in (1): {name} is …")
     lines += _EULER if has_euler else []
-    lines += _propose_values(displays, entries, said, inline)
     running = {name: one.running for one in entries.values() for name in one.names}
+    lines += propose_values(displays, running, said, inline)
     for claim, line in find_extremes(source, running):
         lines += [f"# line {line} says:", f"claim {claim}"]
     depending = {name for name, entry in entries.items() if entry.running}
@@ -135,56 +126,13 @@ def draft_block(source: Source) -> str:
         lines += [f"factor {name}" for name in factors]
     lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
-    lines += _ask_what_follows(source, displays)
+    lines += ask_what_follows(source, displays)
     for display, latex in zip(displays, plain, strict=True):
         if error := collected.unread.get(latex):
             place = source.files.locate(display.latex.offsets[0])
             lines.append(f"# {display.name}, line {place.line}: its letters are missing here:")
             lines.append(f"#   {' '.join(error.reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
-
-
-def _propose_values(
-    displays: Sequence[Printed],
-    entries: Mapping[str, _Entry],
-    said: Mapping[str, Said],
-    inline: Sequence[tuple[str, Inline]],
-) -> Iterator[str]:
-    """Yield what sentences say that letters are: their sizes, and what no display says of them."""
-    letters = [name for entry in entries.values() for name in entry.names]
-    sides = (one.latex.string.partition("=")[::2] for one in displays)
-    defined = {name_symbol(one) for one, other in sides if _has_letter(other, "", letters)}
-    named = {name for name, _ in inline}
-    running = {one.running for one in entries.values()}
-    texts = [*(one.latex.string for one in displays), *(one.value for _, one in inline)]
-    accelerated = {found for text in texts for found in _SECOND.findall(text)}
-    alike: dict[str, str] = {}
-    for name, one in inline:
-        line = ""
-        if name in defined:
-            continue
-        if one.number is None and _has_letter(one.value, name, letters):
-            rate = RATE.fullmatch(one.value)
-            if rate and not entries[name].running and rate[1] not in accelerated:
-                line = f"let {one.value}={one.letter}"
-            else:
-                line = f"let {one.letter}={one.value}"
-            if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
-                yield f"# line {one.line}: a special position, or does it always hold?"
-                yield f"# {line}"
-                continue
-            for other, value in say_of_others(one, letters):
-                if name_symbol(other) not in {*defined, *named}:
-                    alike[other] = value
-        is_special = one.number is None or one.number.value == 0 or one.letter in running
-        if one.number is not None and not is_special:
-            size = one.write_size(said[name].unit if name in said else "")
-            line = f"sizes {one.letter}={size}" if size else ""
-        if line:
-            yield from (f"# line {one.line} says:", line)
-    if alike:
-        yield "# By analogy:"
-        yield from (f"let {letter}={value}" for letter, value in alike.items())
 
 
 def _find_inline(source: Source, entries: Mapping[str, _Entry]) -> list[tuple[str, Inline]]:
@@ -197,39 +145,6 @@ def _find_inline(source: Source, entries: Mapping[str, _Entry]) -> list[tuple[st
     return [(name, ones[0]) for name, ones in single if len(ones) == 1]
 
 
-def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
-    """Return whether a value is one of other letters."""
-    met = {*_SIGN.findall(value)}
-    return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
-
-
-def _is_position(value: str, letters: Sequence[str]) -> bool:
-    """Return whether a value is another letter or its opposite, alone or turned by parts of pi."""
-    names = "|".join(re.escape(letter) for letter in letters)
-    turned = rf"\s*(?:{_TURN}[-+]\s*)?(?:{names})\s*(?:[-+]{_TURN})?"
-    return bool(re.fullmatch(turned, value))
-
-
-def _ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
-    """Yield which equations words before another refer to: it may follow from these."""
-    names = {label: one.name for one in displays for label in (*one.labels, one.name)}
-    starts = [one.latex.offsets[0] for one in displays]
-    met: dict[int, dict[str, int]] = {}
-    for match in _REFERENCE.finditer(source.text.string):
-        offset = source.text.offsets[match.start()]
-        name = names.get(match[1] or match[2], "")
-        after = bisect_right(starts, offset)
-        before = {one.name for one in displays[:after]}
-        if name in before and after < len(starts) and starts[after] - offset < _NEAR:
-            met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
-    for after, found in met.items():
-        if found:
-            one, others = displays[after].name, ", ".join(found)
-            them = "them" if len(found) > 1 else "it"
-            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from {them}?"
-            yield f"# follows {one}: {others}"
-
-
 def _is_euler(prints: Sequence[str]) -> bool:
     """Return whether a letter e is met, and only where it is raised to what is no number."""
     met = [match for latex in prints for match in _E.finditer(latex)]
@@ -237,9 +152,16 @@ def _is_euler(prints: Sequence[str]) -> bool:
     return bool(met) and len(met) == len(raised)
 
 
-def _find_running(source: Source) -> str:
-    """Return the letter with respect to which words differentiate, if it is but one."""
-    found = {name_symbol(match[1]): match[1] for match in _RESPECT.finditer(source.text.string)}
+def _find_running(source: Source, letters: Sequence[str]) -> str:
+    r"""Return the letter with respect to which words differentiate, if it is but one.
+
+    So do words by which what is printed with a prime is a function of it, $s(\varphi)$.
+    """
+    primed = {name_symbol(_split(x)[0].rstrip("'")) for x in letters if "'" in x}
+    said = [match[1] for match in _RESPECT.finditer(source.text.string)]
+    functions = _FUNCTION.finditer(source.text.string)
+    said += [match[2] for match in functions if name_symbol(match[1]) in primed]
+    found = {name_symbol(one): one for one in said}
     return next(iter(found.values())) if len(found) == 1 else ""
 
 

@@ -1,0 +1,103 @@
+"""What sentences propose for a draft: values and sizes of letters, and which equations follow."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+
+from mechproof.nomenclature.inline import RATE, Inline, say_of_others
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.said import Said
+from mechproof.sources.displays import Printed
+from mechproof.sources.files import Source
+
+# A reference, or a number in brackets.
+_REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
+# Characters between a reference and the equation that it is made for.
+_NEAR = 400
+# Signs of letters.
+_SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
+# A letter, or its opposite, alone or turned by parts of pi.
+_TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
+# What has a second derivative: its first is no constant.
+_SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
+
+
+def propose_values(
+    displays: Sequence[Printed],
+    running: Mapping[str, str],
+    said: Mapping[str, Said],
+    inline: Sequence[tuple[str, Inline]],
+) -> Iterator[str]:
+    """Yield what sentences say that letters are: their sizes, and what no display says of them.
+
+    `running` has all letters, each with the one that it depends on.
+    """
+    letters = [*running]
+    sides = (one.latex.string.partition("=")[::2] for one in displays)
+    defined = {name_symbol(one) for one, other in sides if _has_letter(other, "", letters)}
+    named = {name for name, _ in inline}
+    moving = {name_symbol(letter) for letter, by in running.items() if by}
+    texts = [*(one.latex.string for one in displays), *(one.value for _, one in inline)]
+    accelerated = {found for text in texts for found in _SECOND.findall(text)}
+    alike: dict[str, str] = {}
+    for name, one in inline:
+        line = ""
+        if name in defined:
+            continue
+        if one.number is None and _has_letter(one.value, name, letters):
+            rate = RATE.fullmatch(one.value)
+            if rate and name not in moving and rate[1] not in accelerated:
+                line = f"let {one.value}={one.letter}"
+            else:
+                line = f"let {one.letter}={one.value}"
+            if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
+                yield f"# line {one.line}: a special position, or does it always hold?"
+                yield f"# {line}"
+                continue
+            for other, value in say_of_others(one, letters):
+                if name_symbol(other) not in {*defined, *named}:
+                    alike[other] = value
+        is_special = one.number is None or one.number.value == 0 or one.letter in running.values()
+        if one.number is not None and not is_special:
+            size = one.write_size(said[name].unit if name in said else "")
+            line = f"sizes {one.letter}={size}" if size else ""
+        if line:
+            yield from (f"# line {one.line} says:", line)
+    if alike:
+        yield "# By analogy:"
+        yield from (f"let {letter}={value}" for letter, value in alike.items())
+
+
+def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
+    """Return whether a value is one of other letters."""
+    met = {*_SIGN.findall(value)}
+    return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
+
+
+def _is_position(value: str, letters: Sequence[str]) -> bool:
+    """Return whether a value is another letter or its opposite, alone or turned by parts of pi."""
+    names = "|".join(re.escape(letter) for letter in letters)
+    turned = rf"\s*(?:{_TURN}[-+]\s*)?(?:{names})\s*(?:[-+]{_TURN})?"
+    return bool(re.fullmatch(turned, value))
+
+
+def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
+    """Yield which equations words before another refer to: it may follow from these."""
+    names = {label: one.name for one in displays for label in (*one.labels, one.name)}
+    starts = [one.latex.offsets[0] for one in displays]
+    met: dict[int, dict[str, int]] = {}
+    for match in _REFERENCE.finditer(source.text.string):
+        offset = source.text.offsets[match.start()]
+        name = names.get(match[1] or match[2], "")
+        after = bisect_right(starts, offset)
+        before = {one.name for one in displays[:after]}
+        if name in before and after < len(starts) and starts[after] - offset < _NEAR:
+            met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
+    for after, found in met.items():
+        if found:
+            one, others = displays[after].name, ", ".join(found)
+            them = "them" if len(found) > 1 else "it"
+            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from {them}?"
+            yield f"# follows {one}: {others}"
