@@ -48,6 +48,7 @@ _QUOTIENT = re.compile(
     r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
 )
 _RESPECT = re.compile(r"with\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$([^$]{1,20})\$")
+_EXTREME = re.compile(r"_\{?\s*(?:\\mathrm\s*\{|\\text\s*\{|\\)?(?:max|min)\b")
 _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 # A letter e: any, and one that is raised.
 _E = re.compile(r"(?<![A-Za-z\\{])e(?![A-Za-z_}])")
@@ -173,13 +174,15 @@ def _list_entries(
 ) -> dict[str, _Entry]:
     """Return the letters by the names of their symbols; a derivative says what its letter is of.
 
-    Vectors and matrices are not differentiated: their derivatives are letters of their own. Primes
-    are derivatives by the letter `respect`, if words name one.
+    Vectors and matrices are not differentiated: their derivatives are letters of their own, as the
+    largest and least values of any are. Primes are derivatives by the letter `respect`, if words
+    name one.
     """
     entries: dict[str, _Entry] = {}
     quotients = [match for latex in prints for match in _QUOTIENT.finditer(latex)]
     by = {name_symbol(match["of"]): match["by"] for match in quotients}
-    letters = drop_transposition([*collected.letters, *collected.guessed], prints)
+    met = drop_transposition([*collected.letters, *collected.guessed], prints)
+    letters = [letter for letter in met if not _EXTREME.search(letter)]
     for base, running in map(_split, letters):
         if running:
             by.setdefault(name_symbol(base), running)
@@ -205,7 +208,8 @@ def _list_entries(
         entry = entries.setdefault(name_symbol(base), _Entry())
         entry.names[base] = None
         entry.running = entry.running or running
-    return entries
+    extremes = (letter for letter in met if letter not in letters)
+    return entries | {name_symbol(letter): _Entry({letter: None}) for letter in extremes}
 
 
 def _find_functions(
