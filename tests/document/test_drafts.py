@@ -124,6 +124,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$y'=s'c$$", ["s(u) :", "y(u) :"], ["s' :"]),
         (r"the lift $s(u)$ and $y(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s' :"], ["s(u) :"]),
         (r"the factor $k(u)$ $$s=bu^2$$ $$s'=2bu$$", ["s' :"], ["s(u) :"]),
+        (
+            r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$s'_{\max}=2b,\qquad s_{\min}=0.$$"
+            r"$$b_{\max}=1$$",
+            [r"# claim \max_{u}s'=2b", r"# claim \min_{u}s=0", r"s_{\max}' :", r"b_{\max} :"],
+            [r"# claim \max_{u}b=1", r"s_{\max}(u) :"],
+        ),
         # A speed of which nothing else is said is constant.
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (r"with $w=\dot q$ $$b=cq\dot w$$", [r"let w=\dot q", "w(t) :"], []),

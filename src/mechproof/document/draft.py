@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_imaginary_unit
-from mechproof.document.extremes import find_extremes
+from mechproof.document.extremes import ask_extremes, find_extremes
 from mechproof.document.rows import Document
 from mechproof.document.said_values import ask_what_follows, propose_values
 from mechproof.latex.left_scripts import GREEK
@@ -120,6 +120,7 @@ def draft_block(source: Source) -> str:
     lines += propose_values(displays, running, said, inline)
     for claim, line in find_extremes(source, running):
         lines += [f"# line {line} says:", f"claim {claim}"]
+    lines += ask_extremes(displays, running)
     depending = {name for name, entry in entries.items() if entry.running}
     factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
     if factors:

@@ -1,16 +1,18 @@
 r"""Sentences of largest and smallest values -> equations that a draft proposes as rows.
 
 "The largest value of $x$ is $r+l$", "$x$ reaches a maximum of $r+l$ at $\varphi=0$", or, behind the
-display of a letter, "It reaches a maximum of $r+l$ at $\varphi=0$".
+display of a letter, "It reaches a maximum of $r+l$ at $\varphi=0$". Of a display x_{\max}=r+l it is
+asked whether it is meant so.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.nomenclature.inline import DISPLAY, EQUATION
 from mechproof.nomenclature.letters import name_symbol
+from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 
 _KINDS = {
@@ -35,6 +37,26 @@ _PATTERNS = (
 _NUMBER = re.compile(
     r"[-\d.,\s{}]+(?:\\[,; ]?\s*\\(?:mathrm|text)\{[^{}]*\})?(?:\^\{?\\circ\}?)?\Z"
 )
+
+# A largest or least value that is printed as a letter, and marks of rates.
+_NAMED = re.compile(
+    r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
+    r"\s*&?=\s*(?P<value>[^=]+)"
+)
+_MARKS = re.compile(r"\\d*dot\b|[\s{}']")
+
+
+def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Iterator[str]:
+    """Yield the largest and least values that displays print, as claims to be confirmed."""
+    known = {name_symbol(letter): by for letter, by in running.items() if by}
+    for display in displays:
+        if not (said := _NAMED.match(display.latex.string)):
+            continue
+        letter, value = said["stem"].strip() + said["primes"], said["value"].strip(" ,.;")
+        if by := known.get(name_symbol(_MARKS.sub("", letter))):
+            which = "largest" if said["kind"] == "max" else "least"
+            yield f"# {display.name}: is that the {which} value of {letter} over all {by}?"
+            yield rf"# claim \{said['kind']}_{{{by}}}{letter}={value}"
 
 
 def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[tuple[str, int]]:
