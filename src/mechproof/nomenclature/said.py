@@ -27,7 +27,26 @@ _AND = (
 _NAMES = r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$)"
 _BEHIND = r"(?=[.;:(\n\\$]|,[^.;:\n]*\$|,\s+(?:wh|so|with|but)|\s+and\s[^.;:\n]{0,30}\$)"
 _BULLET = r"^[ \t]*(?:[-*+]|\\item|\d+\.)[ \t]+"
+# A noun right before its letters: "the crank radius $r$", "a rod of length $l$ and mass $m$".
+_NO_NAME = (
+    r"(?:the|an?|of|with|and|or|for|from|by|at|to|in|on|as|is|are|be|has|have|that|this|these|those"
+    r"|its|their|which|where|when|if|then|thus|hence|let|all|any|every|each|both|some|no|small|large"
+    r"|constant|given|fixed|positive|negative|zero|using|eliminating|solving|taking|setting|inserting"
+    r"|gives?|yields?|obtain|denotes?|calls?|cases?|equations?|relations?|formulas?|letters?|symbols?"
+    r"|functions?|points?|between|into|we|it|respect)\b"
+)
+_WORD = rf"(?!{_NO_NAME})[A-Za-z][a-z-]+"
+# What things have: "a crank of radius $r$" is about the radius.
+_HAD = (
+    r"(?:(?:[a-z]+\s)?(?:radius|diameter|length|width|height|mass|weight|stiffness|speed|area)\b)"
+)
+_NOUN = rf"{_WORD}(?:\s+{_WORD}){{0,2}}(?:\s+of\s+(?:the\s+|(?!{_HAD})){_WORD}(?:\s+{_WORD})?)?"
+_ALONE = r"\$[^$&|\n=<>]{1,30}\$"
 _PATTERNS = (
+    re.compile(
+        r"(?:\b(?:[Tt]he|[Aa]n?|[Oo]f|[Ww]ith|[Aa]nd|[Ff]or|[Ff]rom|[Bb]y)\s|,\s)\s*"
+        rf"(?P<meaning>{_NOUN})\s+(?P<name>{_ALONE}(?:(?:\s*,\s*|\s+and\s+){_ALONE})*)"
+    ),
     re.compile(
         rf"{_NAME}\s*{_VERBS}\s+{_ARTICLE}(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
         rf"{_UNIT}(?=[.,;:(\n\\$]|{_AND})"
@@ -76,7 +95,7 @@ _PATTERNS = (
 _NO_NOUN = re.compile(
     r"(?:defined|given|called|denoted|obtained|chosen|equal|shown|known|found|used|assumed|said|taken"
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
-    r"|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
+    r"|[a-z]+ed\s+(?:at|by|in|on|to|with|from|between)|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
     # A sentence of its own: "with $a$, $b$ the length of the path is".
     r"|.*\b(?:is|are|becomes?|equals?|reads?|follows)\Z"
