@@ -137,6 +137,10 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [r"# claim \max_{u}s'=2b", r"# claim \min_{u}s=0", r"s_{\max}' :", r"b_{\max} :"],
             [r"# claim \max_{u}b=1", r"s_{\max}(u) :"],
         ),
+        # Relations of no single letter, beside what they introduce.
+        (r"the angle $b$ with $\tan b=c$ $$y=b+c$$", [r"claim \tan b=c"], []),
+        (r"With $k=b/c$ and $b^2=2c$ $$y=kb+c$$", ["claim b^2=2c", "let k=b/c"], []),
+        (r"At $\tan b=c$, with $b=2$ and where $2b=7$ $$y=b+c$$", ["sizes b=2"], ["claim 2b=7"]),
         # A speed of which nothing else is said is constant.
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (r"with $w=\dot q$ $$b=cq\dot w$$", [r"let w=\dot q", "w(t) :"], []),

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from mechproof.document.complex_parts import find_imaginary_unit
 from mechproof.document.extremes import ask_extremes, find_extremes
 from mechproof.document.rows import Document
-from mechproof.document.said_values import ask_what_follows, propose_values
+from mechproof.document.said_values import ask_what_follows, propose_relations, propose_values
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.inline import (
     RATE,
@@ -118,6 +118,7 @@ def draft_block(source: Source) -> str:
     lines += _EULER if has_euler else []
     running = {name: one.running for one in entries.values() for name in one.names}
     lines += propose_values(displays, running, said, inline)
+    lines += propose_relations(source, [*running])
     for claim, line in find_extremes(source, running):
         lines += [f"# line {line} says:", f"claim {claim}"]
     lines += ask_extremes(displays, running)

@@ -6,7 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 
-from mechproof.nomenclature.inline import RATE, Inline, say_of_others
+from mechproof.nomenclature.inline import DISPLAY, RATE, Inline, say_of_others
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
 from mechproof.sources.displays import Printed
@@ -16,6 +16,9 @@ from mechproof.sources.files import Source
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
 # Characters between a reference and the equation that it is made for.
 _NEAR = 400
+# An equation in a sentence, behind such a word or behind another equation there.
+_RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]*\$")
+_INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
 # Signs of letters.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 # A letter, or its opposite, alone or turned by parts of pi.
@@ -68,6 +71,21 @@ def propose_values(
     if alike:
         yield "# By analogy:"
         yield from (f"let {letter}={value}" for letter, value in alike.items())
+
+
+def propose_relations(source: Source, letters: Sequence[str]) -> Iterator[str]:
+    r"""Yield relations that sentences give beside what they introduce: with $\tan\rho=\mu$."""
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    names = {name_symbol(letter) for letter in letters}
+    for match in _RELATION.finditer(text):
+        before = text[max(match.start() - _NEAR, 0) : match.start()]
+        if not (match["left"] and _INTRODUCED.search(before)):
+            continue
+        left, right = match["left"].strip(), match["right"].strip()
+        is_letter = name_symbol(left) in names or RATE.fullmatch(left)
+        if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
+            yield f"# line {source.files.locate(source.text.offsets[match.start()]).line} says:"
+            yield f"claim {left}={right}"
 
 
 def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
