@@ -141,3 +141,74 @@ def test_powers_and_half_turns_are_counted(latex: str, twin: str) -> None:
 
 def test_a_letter_of_a_value_may_be_introduced() -> None:
     assert judge("a=2x", values=("k=a/b",)).verdict == "DEFINITION"
+
+
+# Derivatives of letters whose values move with others: the values, what is true, and what not.
+RATES = [
+    ((r"x=r\cos\varphi",), r"\dot x=%s", r"-r\dot\varphi\sin\varphi", r"r\dot\varphi\sin\varphi"),
+    (
+        (r"x_1=r\cos\varphi",),
+        r"\ddot x_1=%s",
+        r"-r\ddot\varphi\sin\varphi-r\dot\varphi^2\cos\varphi",
+        r"-r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi",
+    ),
+    (
+        (r"x=r\cos\varphi+\frac r\lambda\sqrt{1-\lambda^2\sin^2\varphi}",),
+        r"\dot x=-r\dot\varphi\left(\sin\varphi+\frac{\lambda\sin\varphi\cos\varphi}{%s}\right)",
+        r"\sqrt{1-\lambda^2\sin^2\varphi}",
+        r"\sqrt{1+\lambda^2\sin^2\varphi}",
+    ),
+    (
+        (r"x=r\cos\varphi", r"y=r\sin\varphi"),
+        r"\dot x^2+\dot y^2=%s",
+        r"\dot r^2+r^2\dot\varphi^2",
+        r"\dot r^2+r\dot\varphi^2",
+    ),
+    (
+        (r"x=A\cos(t+\varphi)",),
+        r"\dot x\dot\varphi=-A\sin(t+\varphi)%s\dot\varphi",
+        r"(1+\dot\varphi)",
+        "",
+    ),
+    ((r"y=\sin(x+u)",), r"y'u'=\cos(x+u)u'%s", "(1+u')", ""),
+    (("y=u^2",), "y'=%s", "2uu'", "uu'"),
+    (
+        (r"x=r\cos\varphi",),
+        r"\frac{d}{dt}(x^2)=-2xr%s\sin\varphi",
+        r"\dot\varphi",
+        r"\dot\varphi^2",
+    ),
+    ((r"x=r\cos\varphi", r"\dot\varphi=c"), r"\ddot x=%s", "-c^2x", "-cx"),
+    ((r"\dot x=c",), r"\frac{d^2}{dt^2}(x^2)=%s", "2c^2", "2c"),
+]
+
+
+@pytest.mark.parametrize(("values", "latex", "true", "wrong"), RATES)
+def test_letters_in_values_may_move(
+    values: tuple[str, ...], latex: str, true: str, wrong: str
+) -> None:
+    assert judge(latex % true, values=values).verdict == "PROVED"
+    assert judge(latex % wrong, values=values).verdict == "REFUTED"
+
+
+# Of other letters it is not said whether they move.
+OPEN_RATES = [
+    (r"x=s\cos\varphi", r"\dot x=-s\dot\varphi\sin\varphi"),
+    (r"x=A\cos(\omega t+\varphi)", r"\dot x\dot\varphi=-A\omega\sin(\omega t+\varphi)\dot\varphi"),
+    (r"x=r\cos\varphi", r"\dot x=-r\omega\sin\varphi"),
+    (r"\dot\varphi=\omega", r"\frac{d}{dt}(r\dot\varphi)=0"),
+]
+
+
+@pytest.mark.parametrize(("value", "latex"), OPEN_RATES)
+def test_what_may_move_in_a_value_is_asked(value: str, latex: str) -> None:
+    with pytest.raises(ValueError, match=r"by what|may depend"):
+        judge(latex, values=(value,))
+
+
+def test_a_derivative_of_a_value_is_told() -> None:
+    taken = judge_pasted(
+        Pasted(r"\dot x=-r\dot\varphi\sin\varphi", values=(r"x=r\cos\varphi",))
+    ).taken
+    assert taken[r"\dot{x}"] == r"= -\dot{\varphi}*r*sin(\varphi)"
+    assert (taken["r"], taken[r"\varphi"]) == ("real, a constant", "real, depends on t")

@@ -13,8 +13,9 @@ from mechproof.latex.characters import is_letter
 LEFT = "{}"
 # Accents and types of letters that are vectors or matrices.
 VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
+DOTTED = (r"\dot", r"\ddot", r"\dddot")
 ACCENTS = (
-    *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\dddot"),
+    *(*DOTTED, r"\bar", r"\overline", r"\hat", r"\tilde"),
     *(r"\widehat", r"\widetilde"),
     *(r"\mathcal", r"\mathscr", r"\mathfrak"),
     *VECTORS,

@@ -9,7 +9,15 @@ import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.functions import AMBIGUOUS
-from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
+from mechproof.latex.left_scripts import (
+    ACCENTS,
+    DOTTED,
+    LEFT,
+    TEXT,
+    UPRIGHT,
+    VECTORS,
+    begins_letter,
+)
 from mechproof.latex.names import INDEX, Name, find_brace
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import SUFFIXES, Token, find_command
@@ -25,7 +33,6 @@ UNSURE = {
     "i": "The imaginary unit is not read.",
     "d": r"Print \frac{d}{dx}(…) for a derivative.",
 }
-_DOTS = (r"\dot", r"\ddot", r"\dddot")
 # Before another letter they make one quantity of it, or a product.
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
@@ -86,7 +93,7 @@ def read_undeclared(parser: Parser) -> Node:
 def _advise_rate(parser: Parser) -> str:
     r"""Return what makes \dot x the derivative of a declared letter that depends on nothing yet."""
     signs = [token.text for token in parser.tokens[parser.place : _find_end(parser, parser.place)]]
-    if signs[0] not in _DOTS or "}" not in signs:
+    if signs[0] not in DOTTED or "}" not in signs:
         return ""
     close = signs.index("}")
     return advise_running(parser, parser.names.find(*signs[2:close], *signs[close + 1 :]), "t")

@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
 from mechproof.latex.functions import FUNCTIONS
-from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
 from mechproof.latex.tokens import tokenize
 
 # Letters that are functions as often as numbers.
@@ -25,7 +25,8 @@ _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?
 def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     r"""Return the letters that a bracket behind them multiplies: r(1-\cos\varphi)=r-r\cos\varphi.
 
-    Such a letter also stands without a bracket, and none of its brackets may be an argument.
+    Such a letter also stands without a bracket, or has dots, and none of its brackets may be an
+    argument.
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)
@@ -36,7 +37,12 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
                 bare.add(letter)
             else:
                 brackets[letter].append(_is_factor(texts[behind:]))
-    return tuple(x for x in brackets if x in bare and all(brackets[x]) and x not in _FUNCTIONS)
+    bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
+    return tuple(
+        x
+        for x in brackets
+        if x in bare and all(brackets[x]) and x.rpartition("{")[2].strip("}") not in _FUNCTIONS
+    )
 
 
 def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
@@ -75,7 +81,8 @@ def _list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
     for place, text in enumerate(texts):
         if place < end or not begins_letter(text):
             continue
-        end = place + 1
+        is_accent = text in ACCENTS and texts[place + 3 : place + 4] == ["}"]
+        end = place + (4 if is_accent else 1)
         if texts[end : end + 2] == ["_", "{"] and "}" in texts[end:]:
             end = texts.index("}", end) + 1
         if texts[end : end + 1] != ["'"] and texts[place - 1 : place] != ["d"]:

@@ -113,7 +113,9 @@ def _judge(pasted: Pasted) -> Checked:
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}
     if depends:
-        steady = {v.symbol for v in variables} - {by for by, _ in notation.moving.values()}
+        steady = {v.symbol for v in variables if v.given is None} - {
+            by for by, _ in notation.moving.values()
+        }
         steady -= {rate for _, rates in notation.moving.values() for rate in rates}
         depends = dict.fromkeys(steady, ", a constant") | depends
     taken = {v.latex[0]: describe(v) + depends.get(v.symbol, "") for v in variables if v.latex}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -12,16 +12,21 @@ from sympy.core.relational import Relational
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
-from mechproof.latex.values import depends
 from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
 from mechproof.nomenclature.relations import read_relations
 from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
 from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_unclear, show_entries
 from mechproof.pipeline.counting_letters import find_counts
+from mechproof.pipeline.given_letters import (
+    find_all_rates,
+    find_given_moving,
+    give_values,
+    read_values,
+    solve_equation,
+)
 from mechproof.pipeline.moving_letters import (
     find_functions,
     find_moving,
-    find_rates,
     list_differentials,
     list_rates,
 )
@@ -96,7 +101,8 @@ def read_letters(pasted: Pasted) -> Letters:
     variables = _declare(pasted, counts, functions)
     symbols = {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
-    moving = find_moving(variables, functions, list_differentials(pasted.prints))
+    given = {name_symbol(text.partition("=")[0]) for text in (*pasted.values, *pasted.where)}
+    moving = find_given_moving(variables, functions, list_differentials(pasted.prints), given)
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
@@ -107,11 +113,15 @@ def read_letters(pasted: Pasted) -> Letters:
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
-    variables = _give_values(variables, [*_read_values(pasted, reader), *map(_solve, equations)])
+    values = [*read_values(pasted.values, reader), *map(solve_equation, equations)]
+    variables = give_values(variables, values)
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
-    rates = find_rates(variables)
-    variables = tuple(replace(v, given=rates.get(v.symbol, v.given)) for v in variables)
-    variables = tuple(one for v in variables for one in show_entries(v)) + moving.rates
+    rates = find_all_rates(variables, moving)
+    variables = tuple(
+        one
+        for v in (*variables, *moving.rates)
+        for one in show_entries(replace(v, given=rates.get(v.symbol, v.given)))
+    )
     left = [r for r in relations if r not in equations]
     return Letters(variables, notation, left, tied, rates, _list_needed(variables))
 
@@ -251,56 +261,6 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
         raise ValueError(f"{pasted.lower_limit}: a limit is one expression")
     limit: sp.Expr = read.meaning().of(read.chains[0].members[0])
     return limit
-
-
-def _read_values(pasted: Pasted, reader: Reader) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    for text in pasted.values:
-        for relation in read_relations(text, reader):
-            if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
-                raise ValueError(f"{text}: a value is written letter=expression")
-            yield relation.lhs, relation.rhs
-
-
-def _solve(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
-    r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
-
-    It stands alone on a side, or has a number as its factor; of several the last is taken.
-    """
-    sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
-    alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
-    rest = equation.lhs - equation.rhs
-    for letter in sorted(rest.free_symbols, key=str, reverse=True):
-        factor = rest.diff(letter)
-        if factor.is_number and factor != 0:
-            alone.append((letter, sp.expand(letter - rest / factor)))
-    if not alone:
-        raise ValueError(
-            f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
-            "value of one by --let"
-        )
-    return alone[0]
-
-
-def _give_values(
-    variables: Sequence[Variable], values: Iterable[tuple[sp.Basic, sp.Expr]]
-) -> tuple[Variable, ...]:
-    given: dict[sp.Basic, sp.Expr] = {}
-    for letter, value in values:
-        if letter in given:
-            raise ValueError(f"--let {letter}={value}: {letter} has a value already")
-        given[letter] = value
-    for symbol, value in given.items():
-        if any(depends(s, {symbol}, given) for s in value.free_symbols):
-            raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
-    counts = {v.symbol for v in variables if v.within == sp.S.Naturals}
-    for symbol in counts & given.keys():
-        value = given[symbol]
-        if not (value.is_integer and value.is_nonnegative):
-            raise ValueError(
-                f"--let {symbol}={value}: {symbol} is a natural number here; say --natural for "
-                "letters of its value"
-            )
-    return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
 
 
 def describe(variable: Variable) -> str:

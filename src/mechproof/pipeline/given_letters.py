@@ -1,0 +1,110 @@
+r"""Letters of a single equation that are given by others: x=r\cos\varphi, \dot x, A+B+C=\pi."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.latex import Reader
+from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, settle_all
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.relations import read_relations
+from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
+from mechproof.record import Variable
+
+_ACCENTS = re.compile(r"\\d{1,3}ot(?![A-Za-z])|'+")
+
+
+def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    r"""Yield the letters that have values with these, x=r\cos t."""
+    for text in said:
+        for relation in read_relations(text, reader):
+            if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+                raise ValueError(f"{text}: a value is written letter=expression")
+            yield relation.lhs, relation.rhs
+
+
+def solve_equation(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
+    r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
+
+    It stands alone on a side, or has a number as its factor; of several the last is taken.
+    """
+    sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
+    alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
+    rest = equation.lhs - equation.rhs
+    for letter in sorted(rest.free_symbols, key=str, reverse=True):
+        factor = rest.diff(letter)
+        if factor.is_number and factor != 0:
+            alone.append((letter, sp.expand(letter - rest / factor)))
+    if not alone:
+        raise ValueError(
+            f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
+            "value of one by --let"
+        )
+    return alone[0]
+
+
+def give_values(
+    variables: Sequence[Variable], values: Iterable[tuple[sp.Basic, sp.Expr]]
+) -> tuple[Variable, ...]:
+    """Return variables with their values."""
+    given: dict[sp.Basic, sp.Expr] = {}
+    for letter, value in values:
+        if letter in given:
+            raise ValueError(f"--let {letter}={value}: {letter} has a value already")
+        given[letter] = value
+    for symbol, value in given.items():
+        if any(depends(s, {symbol}, given) for s in value.free_symbols):
+            raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
+    counts = {v.symbol for v in variables if v.within == sp.S.Naturals}
+    for symbol in counts & given.keys():
+        value = given[symbol]
+        if not (value.is_integer and value.is_nonnegative):
+            raise ValueError(
+                f"--let {symbol}={value}: {symbol} is a natural number here; say --natural for "
+                "letters of its value"
+            )
+    return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
+
+
+def find_given_moving(
+    variables: Sequence[Variable],
+    functions: Mapping[str, str],
+    differentials: Collection[str],
+    given: Collection[str],
+) -> Moving:
+    """Return the letters that depend on others; what a given letter depends on, its value says.
+
+    Beside derivatives of other letters one of a given letter is worked out as a printed one is.
+    """
+    prints = [v.latex[0] for v in variables]
+    derived = {name_symbol(_ACCENTS.sub("", x)) for x in prints if _ACCENTS.search(x)}
+    if derived & {*given} and derived - {*given}:
+        differentials = {*differentials, "'"}
+    # A prime may be by a letter that is given.
+    known = set() if any("'" in x for x in prints) else {*given} - derived
+    known -= {name_symbol(x) for x in prints if _ACCENTS.search(x)}
+    shown = [v for v in variables if name_symbol(v.latex[0]) not in known]
+    return find_moving(shown, functions, differentials)
+
+
+def find_all_rates(variables: Sequence[Variable], moving: Moving) -> dict[sp.Basic, sp.Expr]:
+    """Return derivatives of letters that have values, also by what moves in these."""
+    values = {v.symbol: v.given for v in variables if v.given is not None}
+    free = {x: steps for x, steps in moving.letters.items() if x not in values}
+    moved = {one for x, (_, own) in free.items() for one in (x, *own)}
+    printed = {v.symbol for v in variables}
+    rates: dict[sp.Basic, sp.Expr] = {}
+    for letter, (by, own) in moving.letters.items():
+        steps = (letter, *own)
+        first = next((n for n, step in enumerate(steps) if step in values), len(own))
+        value = settle_all(steps[first], values)
+        if first == 0 and (value.has(*UNSMOOTH, *OF_SIGNS) or not value.free_symbols & moved):
+            continue
+        last = max(n for n, step in enumerate(steps) if first or step in printed)
+        for rate in steps[first + 1 : last + 1]:
+            value = rates[rate] = settle_all(differentiate(value, by, free), values)
+    return rates | find_rates([v for v in variables if v.symbol not in rates])
