@@ -17,6 +17,32 @@ ROWS = [
     (r"\int_0^1e^x\,dx=e-1", (), (), PROVED),
     (r"\frac d{dx}e^{-x^2}=-2xe^{-x^2}", (), (), PROVED),
     (r"\ln e^x=x", (), (), PROVED),
+    # So in a value.
+    (r"\ddot x=x", ("x=e^{-t}",), (), PROVED),
+    (r"\ddot x=-x", ("x=e^{-t}",), (), REFUTED),
+    (
+        r"\ddot x+2\delta\dot x+(\delta^2+\omega^2)x=0",
+        (r"x=e^{-\delta t}(A\cos\omega t+B\sin\omega t)",),
+        (),
+        PROVED,
+    ),
+    (
+        r"\ddot x+2\delta\dot x+(\delta^2-\omega^2)x=0",
+        (r"x=e^{-\delta t}(A\cos\omega t+B\sin\omega t)",),
+        (),
+        REFUTED,
+    ),
+    # A letter is what lies between numbers.
+    (
+        r"1-e\cos E=\frac{1-e^2}{1+e\cos\nu}",
+        (r"\nu=2\arctan\left(\sqrt{\frac{1+e}{1-e}}\tan\frac E2\right)",),
+        (r"0\le e<1", r"-\pi<E<\pi"),
+        PROVED,
+    ),
+    (r"(1+e)^2\ge1", (), (r"0\le e<1",), PROVED),
+    (r"(1+e)^2>1", (), (r"0\le e<1",), REFUTED),
+    (r"i^2>0", (), ("i>0",), PROVED),
+    (r"\int_0^1xd\,\mathrm dx=\frac d2", (), ("x>0,d>0",), PROVED),
     # An e that has a value, or is named, is what is said.
     (r"e^x=2^x", ("e=2",), (), PROVED),
     (r"\frac{\pi D^2}4-\frac{\pi d^2}4=\frac\pi4(D-d)(D+d)", (), (), PROVED),
@@ -49,3 +75,20 @@ def test_a_letter_is_what_it_is_taken_for(
 
 def test_what_an_e_is_taken_for_is_told() -> None:
     assert judge_pasted(Pasted(r"e^x>0")).taken["e"] == "Euler's number"
+
+
+# An e may be Euler's number: where it lies between letters, or stands alone on a side.
+OPEN = [
+    (r"\ln x>1", (), ("x>e",)),
+    (r"\lim_{x\to0}(1+2x)^{1/x}=e", (), ()),
+    (r"\lim_{x\to0}(1+2x)^{1/x}=e", ("e",), ()),
+    (r"e=\frac{\sqrt{a^2-b^2}}a", ("e",), ()),
+]
+
+
+@pytest.mark.parametrize(("latex", "names", "where"), OPEN)
+def test_both_ways_to_print_an_e_are_told(
+    latex: str, names: tuple[str, ...], where: tuple[str, ...]
+) -> None:
+    with pytest.raises(ValueError, match=r"Print \\mathrm\{e\} for.* (?:--name 'e'|by --let)"):
+        judge_pasted(Pasted(latex, names=names, where=where))

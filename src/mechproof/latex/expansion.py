@@ -13,7 +13,7 @@ from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
-from mechproof.latex.tokens import tokenize
+from mechproof.latex.tokens import list_signs
 from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk
 from mechproof.record import (
     ChainLink,
@@ -50,7 +50,7 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     if row.says is not None:
         return (_refuse_unread_correction(row),)
     upper = _read_signs(row, reader, 1)
-    signs = {token.text for token in tokenize(row.printed_latex)}
+    signs = {*list_signs(row.printed_latex)}
     if not signs & {r"\pm", r"\mp"}:
         return upper
     lower = _read_signs(row, reader, -1)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.latex.errors import ReadingError
 from mechproof.latex.signs import Token
-from mechproof.latex.tokens import tokenize
+from mechproof.latex.tokens import list_signs
 from mechproof.record import Notation, Variable
 
 INDEX = "#"
@@ -153,7 +153,7 @@ def build_names(variables: Sequence[Variable], notation: Notation, row: str = ""
 def to_signs(latex: str, is_family: bool = False) -> tuple[str, ...]:
     """Return the signs of a name; a family without a place for its indices gets one."""
     try:
-        signs = tuple(token.text for token in tokenize(latex))
+        signs = tuple(list_signs(latex))
     except ReadingError as error:
         raise ValueError(f"the name {latex}: {error.reason}") from error
     if not signs:

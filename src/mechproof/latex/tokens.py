@@ -57,6 +57,11 @@ def tokenize(latex: str) -> tuple[Token, ...]:
     return tuple(token for token in read_signs(latex).tokens if token.text not in GAPS)
 
 
+def list_signs(latex: str) -> list[str]:
+    """Return the signs of a print without their places."""
+    return [token.text for token in tokenize(latex)]
+
+
 def read_signs(latex: str) -> Signs:
     """Return the signs of a print, its gaps among them, and what its braces enclosed."""
     normaliser = _Normaliser(latex)

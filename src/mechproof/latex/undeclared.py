@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
 # Letters that not everybody reads alike, where they stand without index.
 UNSURE = {
-    "e": r"Print \mathrm{e} for Euler's number.",
-    "i": "The imaginary unit is not read.",
-    "d": r"Print \frac{d}{dx}(…) for a derivative.",
+    "e": r"Print \mathrm{e} for Euler's number. Otherwise:",
+    "i": "The imaginary unit is not read. Otherwise:",
+    "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
 # Before another letter they make one quantity of it, or a product.
 _INCREMENTS = (r"\Delta", r"\delta")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
-from mechproof.latex.tokens import tokenize
+from mechproof.latex.tokens import list_signs
 
 # Letters that are functions as often as numbers.
 _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
@@ -30,7 +30,7 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)
-    for texts in map(_split, prints):
+    for texts in map(list_signs, prints):
         for letter, end in _list_letters(texts):
             behind = _skip_power(texts, end)
             if texts[behind : behind + 1] != ["("]:
@@ -48,7 +48,7 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
 def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
     r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx."""
     met: list[tuple[str, str]] = []
-    for texts in map(_split, prints):
+    for texts in map(list_signs, prints):
         starts = (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS)
         pairs = (texts[(n := _skip_power(texts, start + 1)) : n + 2] for start in starts)
         met += [(pair[0], pair[1]) for pair in pairs if len(pair) == 2]
@@ -63,16 +63,12 @@ def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
 def find_increments(prints: Sequence[str]) -> tuple[str, ...]:
     r"""Return \Delta x as one name, and \delta where it also stands alone, or in an exponent."""
     found = dict.fromkeys(name for text in prints for name in _INCREMENT.findall(text))
-    for texts in map(_split, prints):
+    for texts in map(list_signs, prints):
         places = [place for place, text in enumerate(texts) if text == r"\delta"]
         is_alone = any(not begins_letter("".join(texts[n + 1 : n + 2])) for n in places)
         if is_alone or any(texts[max(n - 3, 0) : n] == ["^", "{", "-"] for n in places):
             found[r"\delta"] = None
     return tuple(found)
-
-
-def _split(latex: str) -> list[str]:
-    return [token.text for token in tokenize(latex)]
 
 
 def _list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:

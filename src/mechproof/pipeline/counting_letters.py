@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import takewhile
 
-from mechproof.latex.tokens import tokenize
+from mechproof.latex.tokens import list_signs
 
 # The letters of last terms, behind dots.
 _LAST = ("n", "N", "m", "k")
@@ -18,8 +18,7 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
     It is n also in \sum_{k=1}^{n-1}, and in \dots+n^2.
     """
     found = dict.fromkeys(said)
-    for latex in prints:
-        texts = [token.text for token in tokenize(latex)]
+    for texts in map(list_signs, prints):
         for place, text in enumerate(texts):
             if text in (r"\sum", r"\prod"):
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))

@@ -211,6 +211,11 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
     defined = [one.symbol for one in says]
     bound = {s.name.removesuffix("_") for one in says for s in find_bound(one.printed)}
     for symbol in dict.fromkeys(defined):
+        if symbol.name == "e":
+            raise ValueError(
+                r"e stands alone on a side: Euler's number, or a letter? Print \mathrm{e} for the "
+                "number; say the value of the letter by --let"
+            )
         if symbol.name in bound:
             raise ValueError(f"{symbol} is bound on a side: print another letter for one of them")
         if defined.count(symbol) > 1:

@@ -12,6 +12,7 @@ from sympy.core.relational import Relational
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
+from mechproof.latex.undeclared import UNSURE
 from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
 from mechproof.nomenclature.relations import read_relations
 from mechproof.pipeline.adjacent_letters import find_factors, find_increments, find_phases
@@ -32,6 +33,7 @@ from mechproof.pipeline.moving_letters import (
 )
 from mechproof.pipeline.special_letters import (
     EULER,
+    find_declared,
     has_differential,
     has_letter_d,
     means_euler,
@@ -129,11 +131,13 @@ def read_letters(pasted: Pasted) -> Letters:
 def _take_special(pasted: Pasted) -> Pasted:
     """Return what is pasted with what its letters are taken for: Euler's number e, factors, ..."""
     prints = pasted.prints
-    said = {text.partition("=")[0].strip() for text in pasted.values}
-    named = [*pasted.names, *(letter for letter in ("e", "d") if letter in said)]
-    if "e" not in (*named, *pasted.natural) and means_euler(pasted.latex):
+    said = [text.partition("=")[0].strip() for text in pasted.values]
+    said += find_declared(pasted.where)
+    named = [*pasted.names, *(letter for letter in UNSURE if letter in said)]
+    if "e" not in (*named, *pasted.natural) and means_euler(prints):
         named.append("e")
-        pasted = replace(pasted, values=(*pasted.values, EULER))
+        factors, values = (*pasted.factors, "e"), (*pasted.values, EULER)
+        pasted = replace(pasted, factors=factors, values=values)
     if any(map(has_letter_d, prints)) and not any(map(has_differential, prints)):
         named.append("d")
     named += find_increments(prints)

@@ -3,9 +3,11 @@ r"""The letters e, d and j of a single equation, which may be no letters: e^x, \
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 
-from mechproof.latex.tokens import tokenize
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.tokens import list_signs
 
 EULER = r"e=\mathrm{e}"
 _LOGARITHMS = (r"\ln", r"\log")
@@ -28,11 +30,19 @@ _NEAR = 60
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 
 
-def means_euler(latex: str) -> bool:
+def find_declared(conditions: Iterable[str]) -> list[str]:
+    """Return the letters of which conditions say between which numbers they are, 0<e<1."""
+    signs = groupby((sign for text in conditions for sign in (*list_signs(text), ",")), ",".__eq__)
+    found = [[x for x in part if begins_letter(x) or x == "_"] for _, part in signs]
+    return [letters[0] for letters in found if len(letters) == 1]
+
+
+def means_euler(prints: Sequence[str]) -> bool:
     """Tell whether an e is raised to letters, or under a logarithm, and none an eccentricity."""
-    texts = [token.text for token in tokenize(latex)]
-    places = [place for place, text in enumerate(texts) if text == "e"]
-    return not _ECCENTRIC.search(latex) and any(_list_letters(texts, place) for place in places)
+    if any(map(_ECCENTRIC.search, prints)):
+        return False
+    split = map(list_signs, prints)
+    return any(x == "e" and _list_letters(texts, n) for texts in split for n, x in enumerate(texts))
 
 
 def _list_letters(texts: Sequence[str], place: int) -> list[str]:
@@ -61,7 +71,7 @@ def has_differential(latex: str) -> bool:
 
 def has_letter_d(latex: str) -> bool:
     """Tell whether a d stands in a print, and none of several with indices."""
-    texts = [token.text for token in tokenize(latex)]
+    texts = list_signs(latex)
     behind = [texts[place + 1 : place + 2] for place, text in enumerate(texts) if text == "d"]
     return bool(behind) and ["_"] not in behind
 
