@@ -34,6 +34,7 @@ ROWS = [
 REFUSED = [
     (rf"{_A}+1={_A}", "do not fit"),
     (r"\vec F\cdot\vec s=Fs\cos\alpha", "its length"),
+    (r"\mathbf d\cdot\mathbf d=d^2", "its length"),
     (rf"{_A}\cdot{_B}=a_xb_x+a_yb_y+a_zb_z", "a component of it"),
     (r"\mathbf r\cdot\mathbf r=x^2+y^2+z^2", "components of it"),
     (r"(\mathbf{AB})^{-1}=\mathbf B^{-1}\mathbf A^{-1}", "a product"),
@@ -55,6 +56,10 @@ def test_vectors_and_matrices_are_compared_entry_by_entry(latex: str, verdict: V
 def test_what_may_be_a_part_of_a_vector_is_asked(latex: str, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         judge_pasted(Pasted(latex))
+
+
+def test_a_letter_that_is_bold_only_is_told_as_that() -> None:
+    assert {*judge_pasted(Pasted(r"\mathbf d\times\mathbf d=0")).taken} == {r"\mathbf d"}
 
 
 def test_a_named_letter_is_a_number() -> None:

@@ -140,6 +140,10 @@ def test_what_a_letter_is_taken_for_is_told() -> None:
 
 REFUSED = [
     (["f(x)=1"], "--factor 'f'"),
+    ([r"\frac{d}{dx}f(g(x))=1"], "--factor 'f'"),
+    ([r"\int_0^1f(x)\,dx=f(x)", "--name", "f(x)"], "but x runs"),
+    ([r"\lim_{x\to0}f(x)=f(x)", "--name", "f(x)"], "but x runs"),
+    ([r"\sum_{k=1}^nf(k)=nf(k)", "--name", "f(k)"], "but k runs"),
     (["e^2=1"], "--name 'e'"),
     ([r"r=\frac p{1+e\cos\varphi}"], "--name 'e'"),
     ([r"\sqrt{1-e^2}e^x=1"], "--name 'e'"),

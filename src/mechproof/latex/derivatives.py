@@ -77,6 +77,8 @@ def read_derivative(parser: Parser) -> Node:
         operand = parser.read_factor()
         # A power of a letter is raised first; of a bracket its derivative may be meant.
         is_raised = isinstance(operand, Power) and isinstance(operand.base, Bracket)
+        if not parser.ends_product():
+            parser.check_neighbours(operand)
         if is_raised or not parser.ends_product():
             raise parser.refuse(
                 "how far does the derivative reach?", "Print brackets around it.", start

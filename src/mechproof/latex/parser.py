@@ -258,7 +258,7 @@ class Parser:
         """Read the sign between two factors, none where they stand side by side."""
         if self.text in DOTS:
             return self.take().text
-        self._check_neighbours(left)
+        self.check_neighbours(left)
         return ""
 
     def ends_product(self) -> bool:
@@ -285,7 +285,7 @@ class Parser:
             above = Product(tuple(factors), tuple(signs), start=start, end=slash.start)
         return Quotient(above, below, start=start, end=self.end)
 
-    def _check_neighbours(self, left: Node) -> None:
+    def check_neighbours(self, left: Node) -> None:
         """Refuse factors side by side that could be something else."""
         if is_digit(self.text) and not may_follow(self, left):
             raise self.refuse(

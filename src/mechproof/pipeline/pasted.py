@@ -12,8 +12,8 @@ from sympy.core.relational import Relational
 from mechproof.domains.domain import Domain
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
-from mechproof.latex.tokens import tokenize
-from mechproof.latex.tree import Integration, walk
+from mechproof.latex.tokens import list_signs, tokenize
+from mechproof.latex.tree import Integration, Letter, walk
 from mechproof.nomenclature.relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.pasted_letters import (
@@ -101,7 +101,7 @@ def _judge(pasted: Pasted) -> Checked:
     variables, where = narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
-    _refuse_constant(variables, pasted, reader)
+    _refuse_running(variables, pasted, reader)
     told = [*pasted.where, *(f"{r.lhs} {r.rel_op} {r.rhs}" for r in needed)]
     on = Part(" and ".join(told), where=where) if told else None
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
@@ -230,10 +230,18 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
 # What is said -----------------------------------------------------------------------------------
 
 
-def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
-    """Refuse a C beside an integral without limits: it depends on where the integral starts."""
+def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
+    r"""Refuse f(x) that is named as one quantity, where x runs, \int_0^1f(x)\,dx, and a free C.
+
+    A C beside an integral without limits depends on where that starts.
+    """
+    parts = [p for text in pasted.prints for p in walk(reader.parse(text, upper=1).chains)]
+    bound = (getattr(p, name, None) for p in parts for name in ("by", "differential", "index"))
+    running = {letter.text for letter in bound if isinstance(letter, Letter)}
+    for text in (p.text for p in parts if isinstance(p, Letter) and "(" in p.text):
+        if met := sorted(running & {*list_signs(text.partition("(")[2].rpartition(")")[0])}):
+            raise ValueError(f"{text} is named as one quantity, but {met[0]} runs: print its value")
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
-    parts = list(walk(reader.parse(pasted.latex, upper=1).chains))
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
             "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "

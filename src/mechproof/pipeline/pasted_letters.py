@@ -42,7 +42,8 @@ from mechproof.record import Notation, Variable, list_divisors, list_needs, list
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
-    bracket="Say --factor '{0}' for the product, or --name '{0}(…)' for one quantity.",
+    bracket="Say --factor '{0}' for the product, or --name '{0}(…)', with what stands in the "
+    "bracket, for one quantity that nothing changes.",
     function="Print a function that is the same everywhere (ln, lg, arctg).",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say --from 0, or where else it starts.",
@@ -181,7 +182,7 @@ def _declare(
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
-    refuse_unclear(letters, bold)
+    refuse_unclear([*letters, *({"d"} & {*said})], bold)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))

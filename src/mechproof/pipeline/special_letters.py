@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
-from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.left_scripts import ACCENTS, begins_letter
 from mechproof.latex.tokens import list_signs
 
 EULER = r"e=\mathrm{e}"
@@ -72,7 +72,9 @@ def has_differential(latex: str) -> bool:
 def has_letter_d(latex: str) -> bool:
     """Tell whether a d stands in a print, and none of several with indices."""
     texts = list_signs(latex)
-    behind = [texts[place + 1 : place + 2] for place, text in enumerate(texts) if text == "d"]
+    places = (place for place, text in enumerate(texts) if text == "d")
+    plain = (place for place in places if texts[max(place - 2, 0)] not in ACCENTS)
+    behind = [texts[place + 1 : place + 2] for place in plain]
     return bool(behind) and ["_"] not in behind
 
 
