@@ -26,17 +26,22 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     r"""Return the letters that a bracket behind them multiplies: r(1-\cos\varphi)=r-r\cos\varphi.
 
     Such a letter also stands without a bracket, or has dots, and none of its brackets may be an
-    argument.
+    argument: none has its letters outside the integrals over these.
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)
     for texts in map(list_signs, prints):
-        for letter, end in _list_letters(texts):
-            behind = _skip_power(texts, end)
-            if texts[behind : behind + 1] != ["("]:
-                bare.add(letter)
-            else:
-                brackets[letter].append(_is_factor(texts[behind:]))
+        spans = list(_find_integrals(texts))
+        ends = ((x, _skip_power(texts, end)) for x, end in _list_letters(texts))
+        met = [(letter, n, texts[n : n + 1]) for letter, n in ends]
+        around = {n: {by for low, high, by in spans if low < n <= high} for _, n, _ in met}
+        bare |= {letter for letter, _, behind in met if behind != ["("]}
+        beside = {letter for letter, n, behind in met if behind != ["("] and not around[n]}
+        for letter, n in ((letter, n) for letter, n, behind in met if behind == ["("]):
+            inside = list(_take_bracket(texts[n:]))
+            argument = {text for text, _ in inside if text in (*RUNNING, *around[n])}
+            is_bound = letter in beside and bool(argument) and argument <= around[n]
+            brackets[letter].append(is_bound or _is_factor(inside))
     bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
     return tuple(
         x
@@ -91,17 +96,34 @@ def _skip_power(texts: Sequence[str], place: int) -> int:
     return place
 
 
-def _is_factor(texts: Sequence[str]) -> bool:
-    """Tell whether the bracket that texts begin with is no argument: x+h is, as is 1-x.
-
-    It holds a function, a product with a dot, or powers behind a number.
-    """
-    depth, inside = 0, []
+def _take_bracket(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
+    """Yield what stands in the bracket that texts begin with, and how deep."""
+    depth = 0
     for text in texts:
         depth += (text in ("(", "{", "[")) - (text in (")", "}", "]"))
         if not depth:
-            break
-        inside.append(text if depth == 1 else "")
+            return
+        yield text, depth
+
+
+def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
+    """Yield where integrals with limits begin and end, and their variables."""
+    begun: list[int] = []
+    for place, text in enumerate(texts):
+        if text == r"\int":
+            begun.append(place)
+        if text == "d" and begun and texts[place - 1] != "{":
+            start = begun.pop()
+            if texts[start + 1 : start + 2] == ["_"]:
+                yield start, place, "".join(texts[place + 1 : place + 2])
+
+
+def _is_factor(bracket: Iterable[tuple[str, int]]) -> bool:
+    """Tell whether a bracket is no argument: x+h is, as is 1-x.
+
+    It holds a function, a product with a dot, or powers behind a number.
+    """
+    inside = [text if depth == 1 else "" for text, depth in bracket]
     has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
     is_ratio = inside[1:2] == ["1"] and "^" in inside
     is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))
