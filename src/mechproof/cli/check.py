@@ -28,7 +28,7 @@ DEFAULTS = (
     "a natural number from 1 on, d in an integral is its differential, e with letters in its "
     "exponent is Euler's number; a letter that also stands alone multiplies a bracket behind it "
     r"that is no argument, r(1-\cos x); \omega t, and what stands behind two functions alike, is "
-    r"one argument; \Delta x is "
+    r"one argument, so are \pi p and \frac abt; \Delta x is "
     "one quantity. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)

@@ -230,10 +230,11 @@ def _goes_on(parser: Parser, before: Node, place: int) -> bool:
     What begins a phase has to be followed by the rest of it: in `n\omega t` that is t.
     """
     nodes = [*walk(before)]
-    letters = [node.symbol for node in nodes if isinstance(node, Letter)]
-    if letters and _is_counted(parser, letters, place):
+    letters: list[sp.Basic] = [node.symbol for node in nodes if isinstance(node, Letter)]
+    constants = [node.value for node in nodes if isinstance(node, Constant)]
+    if (counts := letters or constants) and _is_counted(parser, counts, place):
         return not any(isinstance(node, Call) for node in nodes)
-    letters += [node.value for node in nodes if isinstance(node, Constant)]
+    letters += constants
     match = parser.names.match(parser.tokens, place)
     is_turn = match is None and parser.peek(place - parser.place) == r"\pi"
     behind = match.name.symbol if match else sp.pi
@@ -241,7 +242,7 @@ def _goes_on(parser: Parser, before: Node, place: int) -> bool:
     is_open = not letters or any(isinstance(node, Call) for node in nodes)
     if is_open or not (match or is_turn) or any((one, behind) not in phases for one in letters):
         return False
-    begins = match and any(behind == first for first, _ in phases)
+    begins = match and any(behind == first and other != sp.pi for first, other in phases)
     return not (match and begins) or _goes_on(parser, Letter(behind, ""), match.end)
 
 

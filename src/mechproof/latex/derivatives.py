@@ -79,7 +79,8 @@ def read_derivative(parser: Parser) -> Node:
         is_raised = isinstance(operand, Power) and isinstance(operand.base, Bracket)
         if not parser.ends_product():
             parser.check_neighbours(operand)
-        if is_raised or not parser.ends_product():
+        is_open = parser.collects and begins_letter(parser.text)
+        if is_raised or not (parser.ends_product() or is_open):
             raise parser.refuse(
                 "how far does the derivative reach?", "Print brackets around it.", start
             )

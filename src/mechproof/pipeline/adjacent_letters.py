@@ -9,6 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
+from mechproof.latex.characters import is_digit
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
 from mechproof.latex.tokens import list_signs
@@ -17,6 +18,7 @@ from mechproof.latex.tokens import list_signs
 _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
 # What may be a rate or a number beside an angle, a time or a length, and what it is beside.
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
+_OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
 _SPEEDS = (r"\omega", r"\Omega")
 RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
@@ -50,19 +52,54 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     )
 
 
-def find_phases(prints: Iterable[str]) -> tuple[tuple[str, str], ...]:
-    r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx."""
+def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
+    r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx.
+
+    So do a letter and \pi, and a ratio of fixed letters with one that runs, \sin\frac{2\pi}Tt.
+    """
     met: list[tuple[str, str]] = []
+    found: set[tuple[str, str]] = set()
     for texts in map(list_signs, prints):
-        starts = (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS)
-        pairs = (texts[(n := _skip_power(texts, start + 1)) : n + 2] for start in starts)
-        met += [(pair[0], pair[1]) for pair in pairs if len(pair) == 2]
-    return tuple(
+        for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
+            n = _skip_power(texts, start + 1)
+            while texts[n : n + 1] and is_digit(texts[n]):
+                n += 1
+            one, other, third = (*texts[n : n + 3], "", "", "")[:3]
+            met.append((one, other))
+            if texts[start] not in _OF_ANGLES:
+                continue
+            if one == r"\pi" or (other == r"\pi" and one.isalpha()):
+                found.add((one, other))
+            if one == r"\pi" and other in (*_RATES, "f") and third in RUNNING:
+                found.add((other, third))
+            if one == r"\frac":
+                found |= {*_find_ratio(texts[n:])}
+    return found | {
         (one, other)
-        for one, other in dict.fromkeys(met)
+        for one, other in met
         if (one in _SPEEDS and other in ("t", r"\tau"))
         or ((one in (*_RATES, *_SPEEDS) and other in RUNNING) and met.count((one, other)) > 1)
-    )
+    }
+
+
+def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Yield the letters of a fraction that texts begin with, each with the one behind it.
+
+    Above a number a letter may be an angle that is halved.
+    """
+    above = list(_take_bracket(texts[1:]))
+    below = list(_take_bracket(texts[len(above) + 2 :]))
+    behind = "".join(texts[len(above) + len(below) + 3 :][:1])
+    over, under = ({x for x, _ in _list_letters([t for t, _ in part])} for part in (above, below))
+    is_rate = bool(under) or over <= {r"\pi", *_SPEEDS} or behind == r"\pi"
+    if behind in (*RUNNING, r"\pi") and is_rate and all(map(_is_fixed, over | under)):
+        yield from ((letter, behind) for letter in over | under)
+
+
+def _is_fixed(letter: str) -> bool:
+    """Tell whether a letter may be a number or a rate, and is mostly no angle."""
+    stem = letter.partition("_")[0]
+    return stem not in RUNNING and (stem.isalpha() or stem in (r"\pi", *_RATES, *_SPEEDS))
 
 
 def find_increments(prints: Sequence[str]) -> tuple[str, ...]:

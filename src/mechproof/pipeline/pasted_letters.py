@@ -102,7 +102,7 @@ def read_letters(pasted: Pasted) -> Letters:
     counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
     functions = find_functions(pasted.prints, _list_said(pasted))
     variables = _declare(pasted, counts, functions)
-    symbols = {latex: v.symbol for v in variables for latex in v.latex}
+    symbols = {r"\pi": sp.pi} | {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
     given = {name_symbol(text.partition("=")[0]) for text in (*pasted.values, *pasted.where)}
     moving = find_given_moving(variables, functions, list_differentials(pasted.prints), given)
