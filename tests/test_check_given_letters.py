@@ -143,6 +143,32 @@ def test_a_letter_of_a_value_may_be_introduced() -> None:
     assert judge("a=2x", values=("k=a/b",)).verdict == "DEFINITION"
 
 
+# Of an equation one letter is taken that it gives, or its reciprocal.
+TIED = [
+    (r"\frac1p+\frac1q=1", "p+q=%s", "pq", "2pq"),
+    (r"\frac1p+\frac1q=1", "(p-1)(q-1)=%s", "1", "2"),
+    (r"\frac1f=\frac1a+\frac1b", r"f=\frac{ab}{%s}", "a+b", "a-b"),
+    (r"\frac2x+y=3", r"x\ne%s", "0", "1"),
+    (r"A+B+C=\pi", r"\sin(A+B)=%s", r"\sin C", r"\cos C"),
+]
+
+
+@pytest.mark.parametrize(("where", "latex", "true", "wrong"), TIED)
+def test_an_equation_gives_a_letter(where: str, latex: str, true: str, wrong: str) -> None:
+    assert judge(latex % true, where).verdict == "PROVED"
+    assert judge(latex % wrong, where).verdict == "REFUTED"
+
+
+def test_an_equation_that_gives_no_letter_is_refused() -> None:
+    with pytest.raises(ValueError, match="it gives no letter by the others"):
+        judge("x=y", "x^2=y^2")
+
+
+def test_what_a_value_says_in_other_words_is_compared() -> None:
+    assert judge("p+q=pq", values=(r"q=\frac p{p-1}",)).verdict == "PROVED"
+    assert judge(r"q=\frac p{p-1}", values=(r"q=\frac p{p-1}",)).verdict == "DEFINITION"
+
+
 # Derivatives of letters whose values move with others: the values, what is true, and what not.
 RATES = [
     ((r"x=r\cos\varphi",), r"\dot x=%s", r"-r\dot\varphi\sin\varphi", r"r\dot\varphi\sin\varphi"),

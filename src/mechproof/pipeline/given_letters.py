@@ -30,15 +30,18 @@ def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic,
 def solve_equation(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
     r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
 
-    It stands alone on a side, or has a number as its factor; of several the last is taken.
+    It stands alone on a side, or it or its reciprocal has a number as its factor; of several the
+    last is taken.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
     rest = equation.lhs - equation.rhs
-    for letter in sorted(rest.free_symbols, key=str, reverse=True):
-        factor = rest.diff(letter)
+    letters = sorted(rest.free_symbols, key=str, reverse=True)
+    for letter, power in ((letter, power) for power in (1, -1) for letter in letters):
+        sum_of_it = rest.subs(letter, letter**power)
+        factor = sum_of_it.diff(letter)
         if factor.is_number and factor != 0:
-            alone.append((letter, sp.expand(letter - rest / factor)))
+            alone.append((letter, sp.expand(letter - sum_of_it / factor) ** power))
     if not alone:
         raise ValueError(
             f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "

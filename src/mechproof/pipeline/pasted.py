@@ -107,7 +107,7 @@ def _judge(pasted: Pasted) -> Checked:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
-    rows = tuple(compare_bold(_compare_given(row, letters), variables) for row in rows)
+    rows = tuple(compare_bold(_compare_given(row, letters, reader), variables) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
@@ -138,10 +138,16 @@ def _is_shown(relation: Relational, domain: Domain) -> bool:
     return is_shown(slack, domain) if slack else is_nonzero(relation.lhs, domain)
 
 
-def _compare_given(row: Row, letters: Letters) -> Row:
+def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
     """Compare what is printed of a letter that others give: it is not introduced."""
     says = row.says
-    if not (isinstance(says, Definition) and says.symbol in (*letters.tied, *letters.rates)):
+    if not isinstance(says, Definition):
+        return row
+    members = reader.members(row)
+    is_given = says.symbol in reader.values and len(members) == 2
+    if is_given and (says.symbol in letters.tied or says.symbol not in members):
+        return replace(row, says=Equality(*members, "member"))
+    if says.symbol not in (*letters.tied, *letters.rates):
         return row
     given = letters.rates.get(says.symbol, says.symbol)
     return replace(row, says=Equality(given, says.printed, "member"))
