@@ -194,7 +194,8 @@ def is_differential(parser: Parser) -> bool:
     """Return whether a d stands here, within an integral, that begins no declared name."""
     if parser.text != "d" or not parser.integrals or parser.peek() in ("_", "'"):
         return False
-    upright = [_is_upright(parser, n) for n in range(parser.place, len(parser.tokens))]
+    # Whether each is printed as a differential, \mathrm{d}x.
+    upright = [d.text == "d" != parser.source.latex[d.start : d.end] for d in parser.rest]
     if upright[0]:
         return True
     match = parser.names.match(parser.tokens, parser.place)
@@ -206,12 +207,6 @@ def is_differential(parser: Parser) -> bool:
             parser.remedies.scope.format("d"),
         )
     return match is None
-
-
-def _is_upright(parser: Parser, place: int) -> bool:
-    r"""Return whether a differential stands at a place that is printed as one: \mathrm{d}x."""
-    token = parser.tokens[place]
-    return token.text == "d" and parser.source.latex[token.start : token.end] != "d"
 
 
 def read_differential(parser: Parser) -> None:

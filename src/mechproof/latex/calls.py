@@ -13,7 +13,7 @@ from mechproof.latex import atoms, calculus, conditions
 from mechproof.latex.characters import is_letter
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.signs import DOTS, measure_depths
+from mechproof.latex.signs import DOTS, find_close
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -44,12 +44,8 @@ def is_function(parser: Parser) -> bool:
     """Return whether a function stands here and not a longer declared name."""
     declared = parser.names.match(parser.tokens, parser.place)
     known = _function_sign(parser) in parser.functions or parser.find_spelled() is not None
-    return declared is None and (known or _is_logarithm(parser))
-
-
-def _is_logarithm(parser: Parser) -> bool:
-    """Return whether a logarithm stands here that says its base."""
-    return parser.text == r"\log" and parser.peek() == "_"
+    has_base = parser.text == r"\log" and parser.peek() == "_"
+    return declared is None and (known or has_base)
 
 
 def _function_sign(parser: Parser) -> str:
@@ -324,8 +320,7 @@ def _list_behind(parser: Parser) -> set[sp.Basic]:
     """Return the letter that stands here, or those in the bracket, of a quotient none."""
     end = parser.place + 1
     if parser.text in _BRACKETS:
-        depths = enumerate(measure_depths(token.text for token in parser.rest))
-        end = parser.place + next((n for n, depth in depths if n and not depth), 0)
+        end = parser.place + find_close([token.text for token in parser.rest])
     inside = parser.tokens[parser.place : end]
     if any(token.text in ("/", r"\frac") for token in inside):
         return set()

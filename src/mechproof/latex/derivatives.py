@@ -8,6 +8,7 @@ import sympy as sp
 
 from mechproof.latex.errors import MeaningError
 from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.signs import find_close
 from mechproof.latex.tree import (
     Approach,
     Bracket,
@@ -39,7 +40,7 @@ def is_derivative(parser: Parser) -> bool:
     Two \partial make a partial derivative.
     """
     texts = [token.text for token in parser.tokens[parser.place + 1 :]]
-    below = _find_close(texts) + 1
+    below = find_close(texts) + 1
     starts = (parser.place + 2, parser.place + 2 + below)
     is_d = any(
         texts[:2] == ["{", d] and texts[below : below + 2] == ["{", d] for d in ("d", PARTIAL)
@@ -50,18 +51,9 @@ def is_derivative(parser: Parser) -> bool:
     names = [found for s in starts if (found := parser.names.match(parser.tokens, s))]
     if all(found.end in (s + 1 for s in starts) for found in names) and names:
         # Nobody prints a quotient of two products with the same factor d.
-        inside = texts[below + 2 : below + _find_close(texts[below:])]
+        inside = texts[below + 2 : below + find_close(texts[below:])]
         return is_d and is_alone and begins_letter(inside[0]) and not _OPERATORS & {*inside}
     return is_d and is_alone and not names
-
-
-def _find_close(texts: list[str]) -> int:
-    depth = 0
-    for place, text in enumerate(texts):
-        depth += {"{": 1, "}": -1}.get(text, 0)
-        if depth == 0:
-            return place
-    return len(texts)
 
 
 def read_derivative(parser: Parser) -> Node:
@@ -156,7 +148,7 @@ def _read_way(parser: Parser) -> tuple[Letter, Node, str]:
 def _take_side(parser: Parser) -> str:
     """Return the side that a script says at its end, and leave the sign of it out."""
     texts = [token.text for token in parser.tokens]
-    close = parser.place + _find_close(["{", *texts[parser.place :]]) - 1
+    close = parser.place + find_close(["{", *texts[parser.place :]]) - 1
     for sign in ("+", "-"):
         for mark in (["^", "{", sign, "}"], [sign, "0"], [sign]):
             first = close - len(mark)

@@ -48,7 +48,9 @@ def read_paper(paper: Paper) -> Paper:
 def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     """Return the rows of a print, one for each relation sign; a typed row as it stands."""
     if row.says is not None:
-        return (_refuse_unread_correction(row),)
+        if row.corrected and row.corrected.says is None:
+            raise ValueError(f"row {row.number!r}: it is typed, so its correction needs its `says`")
+        return (row,)
     upper = _read_signs(row, reader, 1)
     signs = {*list_signs(row.printed_latex)}
     if not signs & {r"\pm", r"\mp"}:
@@ -114,13 +116,6 @@ def _read_signs(row: Row, reader: Reader, upper: int) -> tuple[Row, ...]:
         _expand(_specialise(row, number), place, _number(row, number, len(places), only_equal))
         for number, place in enumerate(places, start=1)
     )
-
-
-def _refuse_unread_correction(row: Row) -> Row:
-    """Refuse a correction without statement: it is read like its print, which this row is not."""
-    if row.corrected and row.corrected.says is None:
-        raise ValueError(f"row {row.number!r}: it is typed, so its correction needs its `says`")
-    return row
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,15 @@ A root, a fraction, a bracket or a script holds what it encloses; any LaTeX will
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from mechproof.latex.signs import same_sign
+
+# What opens and what closes, by its kind.
+_OPENING = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}
+_CLOSING = {")": "b", "]": "b", "}": "{", r"\right": "l", r"\end": "e"}
 
 SIGN = re.compile(
     r"\\(?:text|mbox|textrm|mathrm|operatorname\*?)\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
@@ -167,26 +171,16 @@ def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:
     """Yield the places of what opens and of what closes it."""
     opened: list[tuple[int, str]] = []
     for place, sign in enumerate(signs):
-        if kind := _closes(sign):
+        if kind := _find_kind(sign, _CLOSING):
             while opened and opened[-1][1] != kind and kind in "{le":
                 opened.pop()
             if opened and opened[-1][1] == kind:
                 yield opened.pop()[0], place
-        elif kind := _opens(sign):
+        elif kind := _find_kind(sign, _OPENING):
             opened.append((place, kind))
 
 
-def _opens(sign: str) -> str:
-    kinds = {r"\left": "l", r"\begin": "e"}
-    return "b" if sign in ("(", "[") else "{" if sign == "{" else _find_kind(sign, kinds)
-
-
-def _closes(sign: str) -> str:
-    kinds = {r"\right": "l", r"\end": "e"}
-    return "b" if sign in (")", "]") else "{" if sign == "}" else _find_kind(sign, kinds)
-
-
-def _find_kind(sign: str, kinds: dict[str, str]) -> str:
+def _find_kind(sign: str, kinds: Mapping[str, str]) -> str:
     """Return the kind of what stands before a bracket, a bar or a name; arrows are none."""
     command = re.match(r"\\[a-z]+", sign)
-    return kinds.get(command[0], "") if command else ""
+    return kinds.get(command[0] if command else sign, "")

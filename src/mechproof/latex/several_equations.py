@@ -62,7 +62,8 @@ def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
     rows = [row for row in map(_strip, rows) if row]
     joined: list[list[Token]] = []
     for row in rows:
-        if joined and _is_continuation(row):
+        first = next(token.text for token in row if token.text not in GAPS.values())
+        if joined and first in ("&", *RELATIONS):
             joined[-1] += row
         else:
             joined.append(row)
@@ -75,12 +76,6 @@ def _strip(row: Sequence[Token]) -> list[Token]:
     while end and row[end - 1].text in (",", ";", ".", *GAPS.values()):
         end -= 1
     return list(row[:end])
-
-
-def _is_continuation(row: Sequence[Token]) -> bool:
-    """Return whether a row goes on with the chain of the row before it."""
-    texts = [token.text for token in row if token.text not in GAPS.values()]
-    return texts[:1] == ["&"] or texts[0] in RELATIONS
 
 
 def _part_cells(row: Sequence[Token]) -> Iterator[Token]:

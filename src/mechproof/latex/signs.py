@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -89,6 +89,11 @@ def measure_depths(texts: Iterable[str]) -> Iterator[int]:
         depth -= text in CLOSING or text.startswith(r"\end{")
         yield depth
         depth += text in OPENING or text.startswith(r"\begin{")
+
+
+def find_close(texts: Sequence[str]) -> int:
+    """Return the place of what closes the bracket that texts begin with, without one their end."""
+    return next((n for n, depth in enumerate(measure_depths(texts)) if n and not depth), len(texts))
 
 
 @lru_cache(1024)

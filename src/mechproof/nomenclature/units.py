@@ -174,7 +174,7 @@ def read_unit(text: str) -> Unit:
     Raises `UnitError` naming what is not known of it.
     """
     text = drop_braces(text.strip())
-    text = _BELOW.sub(lambda below: "".join(f"/{one}" for one in _split(below[1])), text)
+    text = _BELOW.sub(lambda below: "/" + re.sub(r"[\s·*]+", "/", below[1].strip()), text)
     if text in _BASE:
         return _BASE[text]
     found, place, sign = ONE, 0, ""
@@ -216,8 +216,3 @@ def weigh(dimension: Dimension) -> sp.Expr:
     """Return the unit of SI of a dimension in the symbols of those that it is made of."""
     powers = zip(UNITS, dimension.powers, strict=True)
     return sp.Mul(*(v.symbol**power for v, power in powers))
-
-
-def _split(product: str) -> list[str]:
-    """Return the factors of a product of units."""
-    return re.split(r"[\s·*]+", product.strip())

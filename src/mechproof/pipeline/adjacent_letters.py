@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from mechproof.latex.characters import is_digit
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
+from mechproof.latex.signs import find_close, measure_depths
 from mechproof.latex.tokens import list_signs
 
 # Letters that are functions as often as numbers.
@@ -40,8 +41,8 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
         bare |= {letter for letter, _, behind in met if behind != ["("]}
         beside = {letter for letter, n, behind in met if behind != ["("] and not around[n]}
         for letter, n in ((letter, n) for letter, n, behind in met if behind == ["("]):
-            inside = list(_take_bracket(texts[n:]))
-            argument = {text for text, _ in inside if text in (*RUNNING, *around[n])}
+            inside = texts[n : n + find_close(texts[n:])]
+            argument = {*inside} & {*RUNNING, *around[n]}
             is_bound = letter in beside and bool(argument) and argument <= around[n]
             brackets[letter].append(is_bound or _is_factor(inside))
     bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
@@ -87,10 +88,11 @@ def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
 
     Above a number a letter may be an angle that is halved.
     """
-    above = list(_take_bracket(texts[1:]))
-    below = list(_take_bracket(texts[len(above) + 2 :]))
-    behind = "".join(texts[len(above) + len(below) + 3 :][:1])
-    over, under = ({x for x, _ in _list_letters([t for t, _ in part])} for part in (above, below))
+    middle = find_close(texts[1:]) + 2
+    end = find_close(texts[middle:]) + middle
+    behind = "".join(texts[end + 1 : end + 2])
+    parts = (texts[:middle], texts[middle:end])
+    over, under = ({letter for letter, _ in _list_letters(part)} for part in parts)
     is_rate = bool(under) or over <= {r"\pi", *_SPEEDS} or behind == r"\pi"
     if behind in (*RUNNING, r"\pi") and is_rate and all(map(_is_fixed, over | under)):
         yield from ((letter, behind) for letter in over | under)
@@ -133,16 +135,6 @@ def _skip_power(texts: Sequence[str], place: int) -> int:
     return place
 
 
-def _take_bracket(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
-    """Yield what stands in the bracket that texts begin with, and how deep."""
-    depth = 0
-    for text in texts:
-        depth += (text in ("(", "{", "[")) - (text in (")", "}", "]"))
-        if not depth:
-            return
-        yield text, depth
-
-
 def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
     """Yield where integrals with limits begin and end, and their variables."""
     begun: list[int] = []
@@ -155,12 +147,13 @@ def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
                 yield start, place, "".join(texts[place + 1 : place + 2])
 
 
-def _is_factor(bracket: Iterable[tuple[str, int]]) -> bool:
+def _is_factor(bracket: Sequence[str]) -> bool:
     """Tell whether a bracket is no argument: x+h is, as is 1-x.
 
     It holds a function, a product with a dot, or powers behind a number.
     """
-    inside = [text if depth == 1 else "" for text, depth in bracket]
+    depths = measure_depths(bracket)
+    inside = [x if depth == 1 else "" for x, depth in zip(bracket, depths, strict=True)]
     has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
     is_ratio = inside[1:2] == ["1"] and "^" in inside
     is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))

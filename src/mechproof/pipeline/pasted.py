@@ -33,7 +33,7 @@ from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack
 from mechproof.tools.processes import WorkerError, run_tasks
 
-NUMBER = "(pasted)"
+NUMBER = "equation"
 _WRAPPERS = (
     *(("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)")),
     *((rf"\begin{{{x}}}", rf"\end{{{x}}}") for x in ("equation", "equation*", "displaymath")),
@@ -110,7 +110,8 @@ def _judge(pasted: Pasted) -> Checked:
     rows = tuple(compare_bold(_compare_given(row, letters, reader), variables) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
-    read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
+    named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
+    read = tuple(judge(row, paper) for row in named)
     depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}
     if depends:
         steady = {v.symbol for v in variables if v.given is None} - {
@@ -146,7 +147,7 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
     members = reader.members(row)
     is_given = says.symbol in reader.values and len(members) == 2
     if is_given and (says.symbol in letters.tied or says.symbol not in members):
-        return replace(row, says=Equality(*members, "member"))
+        return replace(row, says=Equality(members[0], members[1], "member"))
     if says.symbol not in (*letters.tied, *letters.rates):
         return row
     given = letters.rates.get(says.symbol, says.symbol)
@@ -194,11 +195,6 @@ def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]
     for _ in given:
         expression = expression.subs(given)
     return expression, {v.symbol: v.within for v in variables if v.given is None}
-
-
-def _rename(row: Row, count: int) -> Row:
-    number = row.number.removeprefix(f"{NUMBER}, ") if count > 1 else "equation"
-    return replace(row, number=number)
 
 
 def _unwrap(latex: str) -> str:

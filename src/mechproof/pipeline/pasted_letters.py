@@ -100,7 +100,9 @@ def read_letters(pasted: Pasted) -> Letters:
     """Return the letters with their values, how they are written, and what is said of them."""
     pasted = _take_special(pasted)
     counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
-    functions = find_functions(pasted.prints, _list_said(pasted))
+    # f(x) is none of f where that is a factor, or the print a name.
+    said = [*pasted.factors, *(name.partition("(")[0] for name in pasted.names)]
+    functions = find_functions(pasted.prints, said)
     variables = _declare(pasted, counts, functions)
     symbols = {r"\pi": sp.pi} | {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
@@ -158,11 +160,6 @@ def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
         needed |= dict.fromkeys(relation for relation in told if isinstance(relation, Relational))
     positive = {relation.lhs for relation in needed if isinstance(relation, sp.Gt)}
     return [r for r in needed if isinstance(r, sp.Gt) or r.lhs not in positive]
-
-
-def _list_said(pasted: Pasted) -> list[str]:
-    """List letters of which it is said that they are none of a letter behind them: f of f(x)."""
-    return [*pasted.factors, *(name.partition("(")[0] for name in pasted.names)]
 
 
 def _declare(
@@ -224,14 +221,10 @@ def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
     if is_vector(latex) and latex not in pasted.names:
         shape = (3, 3) if pasted.has_matrices and is_capital(latex) else (3, 1)
         return Variable(sp.MatrixSymbol(name, *shape), latex, latex=(latex,))
-    variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
-    return _count(variable) if latex in (*pasted.natural, *counts) else variable
-
-
-def _count(variable: Variable) -> Variable:
-    """Make a natural number of a letter."""
-    symbol = sp.Symbol(variable.symbol.name, integer=True, positive=True)
-    return replace(variable, symbol=symbol, within=sp.S.Naturals)
+    if latex in (*pasted.natural, *counts):
+        symbol = sp.Symbol(name, integer=True, positive=True)
+        return Variable(symbol, latex, within=sp.S.Naturals, latex=(latex,))
+    return Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
 
 
 def count_from_zero(

@@ -3,10 +3,11 @@ r"""The letters e, d and j of a single equation, which may be no letters: e^x, \
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 
 from mechproof.latex.left_scripts import ACCENTS, begins_letter
+from mechproof.latex.signs import find_close
 from mechproof.latex.tokens import list_signs
 
 EULER = r"e=\mathrm{e}"
@@ -51,17 +52,8 @@ def _list_letters(texts: Sequence[str], place: int) -> list[str]:
         return [texts[place - 1]]
     if texts[place + 1 : place + 3] != ["^", "{"]:
         return []
-    return [text for text in _take_group(texts[place + 2 :]) if text[-1].isalpha() and text != "e"]
-
-
-def _take_group(texts: Sequence[str]) -> Iterator[str]:
-    """Yield what stands in the braces that a text begins with."""
-    depth = 0
-    for text in texts:
-        depth += (text == "{") - (text == "}")
-        if depth == 0:
-            return
-        yield text
+    exponent = texts[place + 2 :][: find_close(texts[place + 2 :])]
+    return [text for text in exponent if text[-1].isalpha() and text != "e"]
 
 
 def has_differential(latex: str) -> bool:
