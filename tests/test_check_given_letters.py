@@ -150,6 +150,8 @@ TIED = [
     (r"\frac1f=\frac1a+\frac1b", r"f=\frac{ab}{%s}", "a+b", "a-b"),
     (r"\frac2x+y=3", r"x\ne%s", "0", "1"),
     (r"A+B+C=\pi", r"\sin(A+B)=%s", r"\sin C", r"\cos C"),
+    ("x+y=c", r"\dot y=%s", r"-\dot x", r"\dot x"),
+    ("x+y=c", r"\dot x%s\dot y=0", "+", "-"),
 ]
 
 
@@ -162,11 +164,15 @@ def test_an_equation_gives_a_letter(where: str, latex: str, true: str, wrong: st
 def test_an_equation_that_gives_no_letter_is_refused() -> None:
     with pytest.raises(ValueError, match="it gives no letter by the others"):
         judge("x=y", "x^2=y^2")
+    with pytest.raises(ValueError, match="c would depend on what others do"):
+        judge(r"x\dot x+y\dot y=0", "x^2+y^2=c")
 
 
 def test_what_a_value_says_in_other_words_is_compared() -> None:
     assert judge("p+q=pq", values=(r"q=\frac p{p-1}",)).verdict == "PROVED"
     assert judge(r"q=\frac p{p-1}", values=(r"q=\frac p{p-1}",)).verdict == "DEFINITION"
+    assert judge("y=x", values=("x=2y",)).verdict == "REFUTED"
+    assert judge(r"\dot x=\dot y", values=("x=2y",)).verdict == "REFUTED"
 
 
 # Derivatives of letters whose values move with others: the values, what is true, and what not.
@@ -222,6 +228,7 @@ OPEN_RATES = [
     (r"x=s\cos\varphi", r"\dot x=-s\dot\varphi\sin\varphi"),
     (r"x=A\cos(\omega t+\varphi)", r"\dot x\dot\varphi=-A\omega\sin(\omega t+\varphi)\dot\varphi"),
     (r"x=r\cos\varphi", r"\dot x=-r\omega\sin\varphi"),
+    (r"x=\sin\varphi", r"x'=\varphi'\cos\varphi"),
     (r"\dot\varphi=\omega", r"\frac{d}{dt}(r\dot\varphi)=0"),
 ]
 

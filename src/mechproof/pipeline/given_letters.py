@@ -27,11 +27,11 @@ def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic,
             yield relation.lhs, relation.rhs
 
 
-def solve_equation(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
+def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.Expr]:
     r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
 
     It stands alone on a side, or it or its reciprocal has a number as its factor; of several the
-    last is taken.
+    last is taken, first among those that depend on others as letters of its value do.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -47,7 +47,13 @@ def solve_equation(equation: sp.Equality) -> tuple[sp.Basic, sp.Expr]:
             f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
             "value of one by --let"
         )
-    return alone[0]
+    letter, value = min(alone, key=lambda one: one[0] not in moving.letters)
+    if letter not in (equation.lhs, *moving.letters) and value.free_symbols & {*moving.letters}:
+        raise ValueError(
+            f"--where {equation.lhs}={equation.rhs}: {letter} would depend on what others do: say "
+            "the value of another one by --let"
+        )
+    return letter, value
 
 
 def give_values(
@@ -91,7 +97,14 @@ def find_given_moving(
     known = set() if any("'" in x for x in prints) else {*given} - derived
     known -= {name_symbol(x) for x in prints if _ACCENTS.search(x)}
     shown = [v for v in variables if name_symbol(v.latex[0]) not in known]
-    return find_moving(shown, functions, differentials)
+    moving = find_moving(shown, functions, differentials)
+    unclear = derived - {*given} - {name_symbol(str(letter)) for letter in moving.letters}
+    if derived & {*given} and unclear:
+        raise ValueError(
+            f"derivatives of {min(unclear)} and of a letter that has a value: by what? Print each "
+            r"as a fraction, \frac{d}{dx}(…)"
+        )
+    return moving
 
 
 def find_all_rates(variables: Sequence[Variable], moving: Moving) -> dict[sp.Basic, sp.Expr]:
@@ -105,7 +118,8 @@ def find_all_rates(variables: Sequence[Variable], moving: Moving) -> dict[sp.Bas
         steps = (letter, *own)
         first = next((n for n, step in enumerate(steps) if step in values), len(own))
         value = settle_all(steps[first], values)
-        if first == 0 and (value.has(*UNSMOOTH, *OF_SIGNS) or not value.free_symbols & moved):
+        is_fixed = first == 0 and not value.free_symbols & moved
+        if is_fixed or value.has(*UNSMOOTH, *OF_SIGNS):
             continue
         last = max(n for n, step in enumerate(steps) if first or step in printed)
         for rate in steps[first + 1 : last + 1]:

@@ -14,6 +14,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import list_signs, tokenize
 from mechproof.latex.tree import Integration, Letter, walk
+from mechproof.latex.values import settle_all
 from mechproof.nomenclature.relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.pasted_letters import (
@@ -140,15 +141,17 @@ def _is_shown(relation: Relational, domain: Domain) -> bool:
 
 
 def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
-    """Compare what is printed of a letter that others give: it is not introduced."""
+    """Compare what is printed of a letter that others give, or that gives them: none is new."""
     says = row.says
     if not isinstance(says, Definition):
         return row
-    members = reader.members(row)
-    is_given = says.symbol in reader.values and len(members) == 2
-    if is_given and (says.symbol in letters.tied or says.symbol not in members):
-        return replace(row, says=Equality(members[0], members[1], "member"))
-    if says.symbol not in (*letters.tied, *letters.rates):
+    is_tied = says.symbol in letters.tied
+    if says.symbol in reader.values and not {r"\pm", r"\mp"} & {*list_signs(row.printed_latex)}:
+        members = reader.members(row)
+        if len(members) == 2 and (is_tied or says.symbol not in members):
+            return replace(row, says=Equality(members[0], members[1], "member"))
+    is_new = says.symbol not in settle_all(says.printed, reader.values).free_symbols
+    if is_new and not (is_tied or says.symbol in letters.rates):
         return row
     given = letters.rates.get(says.symbol, says.symbol)
     return replace(row, says=Equality(given, says.printed, "member"))

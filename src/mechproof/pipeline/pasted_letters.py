@@ -118,7 +118,10 @@ def read_letters(pasted: Pasted) -> Letters:
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
-    values = [*read_values(pasted.values, reader), *map(solve_equation, equations)]
+    values = [
+        *read_values(pasted.values, reader),
+        *(solve_equation(one, moving) for one in equations),
+    ]
     variables = give_values(variables, values)
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
     rates = find_all_rates(variables, moving)
