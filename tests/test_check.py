@@ -152,6 +152,7 @@ REFUSED = [
     ([r"\dot x=x", "--let", "x=2s"], "as a fraction"),
     ([r"\lim_{x\to0}x+1=x"], "another letter"),
     ([r"x\pm y=1"], "both signs, or either"),
+    ([r"x=\pm a", "--let", "x=2y"], "both signs, or either"),
     ([r"y=\int\cos x\,dx"], "--from 0"),
     ([r"\int\cos x\,dx=\sin x+C", "--from", "0"], "--let 'C=0'"),
     (["9^{9^{9^9}}=1"], "not worked out"),

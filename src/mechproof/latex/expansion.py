@@ -66,7 +66,8 @@ def _is_on_one_side(upper: Row, lower: Row) -> bool:
     """Return whether a double sign stands on one side of a relation only."""
     pairs = zip(_list_sides(upper.statement), _list_sides(lower.statement), strict=True)
     is_same = upper.says == lower.says and upper.on == lower.on
-    return not is_same and (upper.on != lower.on or not all(a != b for a, b in pairs))
+    is_other = upper.on != lower.on or type(upper.statement) is not type(lower.statement)
+    return not is_same and (is_other or not all(a != b for a, b in pairs))
 
 
 def _join_signs(upper: Row, lower: Row, latex: str) -> Row:

@@ -53,7 +53,7 @@ COMMAND = Remedies(
     rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
-_IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}")
+_IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}", "j")
 
 
 @dataclass(frozen=True)
@@ -199,14 +199,10 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
     operators = {rf"\mathrm{{{name}}}" for text in prints for name in _OPERATOR.findall(text)}
     for letter in letters:
         if letter in _IMAGINARY:
+            is_one = "may be" if letter == "j" else "is"
             raise ValueError(
-                f"{letter} is the imaginary unit: complex numbers are not read in a single "
+                f"{letter} {is_one} the imaginary unit: complex numbers are not read in a single "
                 f"equation, but in a paper; say --name '{letter}' where it is a real number"
-            )
-        if letter == "j":
-            raise ValueError(
-                "j may be the imaginary unit, and complex numbers are not read in a single "
-                "equation, but in a paper; say --name 'j' where it is a real number"
             )
         if letter in operators:
             raise ValueError(
