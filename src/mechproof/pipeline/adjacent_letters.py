@@ -44,7 +44,7 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
             inside = texts[n : n + find_close(texts[n:])]
             argument = {*inside} & {*RUNNING, *around[n]}
             is_bound = letter in beside and bool(argument) and argument <= around[n]
-            brackets[letter].append(is_bound or _is_factor(inside))
+            brackets[letter].append(_is_factor(inside, is_bound=is_bound))
     bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
     return tuple(
         x
@@ -147,8 +147,8 @@ def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
                 yield start, place, "".join(texts[place + 1 : place + 2])
 
 
-def _is_factor(bracket: Sequence[str]) -> bool:
-    """Tell whether a bracket is no argument: x+h is, as is 1-x.
+def _is_factor(bracket: Sequence[str], *, is_bound: bool) -> bool:
+    """Tell whether a bracket is no argument: x+h is, as is 1-x where that is not bound.
 
     It holds a function, a product with a dot, or powers behind a number.
     """
@@ -157,4 +157,4 @@ def _is_factor(bracket: Sequence[str]) -> bool:
     has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
     is_ratio = inside[1:2] == ["1"] and "^" in inside
     is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))
-    return r"\cdot" in inside or (is_sum and (has_function or is_ratio))
+    return r"\cdot" in inside or (is_sum and (is_bound or has_function or is_ratio))

@@ -153,8 +153,8 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
     is_new = says.symbol not in settle_all(says.printed, reader.values).free_symbols
     if is_new and not (is_tied or says.symbol in letters.rates):
         return row
-    given = letters.rates.get(says.symbol, says.symbol)
-    return replace(row, says=Equality(given, says.printed, "member"))
+    given, printed = (letters.rates.get(one, one) for one in (says.symbol, says.printed))
+    return replace(row, says=Equality(given, printed, "member"))
 
 
 def _take_condition(pasted: Pasted) -> Pasted:
