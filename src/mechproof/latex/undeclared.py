@@ -9,15 +9,7 @@ import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.functions import AMBIGUOUS
-from mechproof.latex.left_scripts import (
-    ACCENTS,
-    DOTTED,
-    LEFT,
-    TEXT,
-    UPRIGHT,
-    VECTORS,
-    begins_letter,
-)
+from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.names import INDEX, Name, find_brace
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import SUFFIXES, Token, find_command
@@ -93,7 +85,7 @@ def read_undeclared(parser: Parser) -> Node:
 def _advise_rate(parser: Parser) -> str:
     r"""Return what makes \dot x the derivative of a declared letter that depends on nothing yet."""
     signs = [token.text for token in parser.tokens[parser.place : _find_end(parser, parser.place)]]
-    if signs[0] not in DOTTED or "}" not in signs:
+    if not signs[0].endswith("dot") or "}" not in signs:
         return ""
     close = signs.index("}")
     return advise_running(parser, parser.names.find(*signs[2:close], *signs[close + 1 :]), "t")
