@@ -31,6 +31,8 @@ CASES = {
     r"h=a\cos\psi+b\quad(c=0)": ["PROVED"],
     r"h=a+b\quad\text{for }\psi=0": ["PROVED"],
     r"h=2a+b\quad\text{for }\psi=0": ["REFUTED"],
+    r"h=a+b\quad\text{at}\quad\psi=0": ["PROVED"],
+    r"h=2a+b\text{ at }\psi=0": ["REFUTED"],
     r"h=a+b\quad\text{for }c=\psi=0": ["PROVED"],
     r"h=a-b\quad\text{for }c=\psi=0": ["REFUTED"],
     r"h=b\quad\text{for }a=0": ["not judged"],

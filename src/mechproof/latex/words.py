@@ -6,7 +6,7 @@ import re
 
 AND = r"\text{and}"
 _IF = (
-    *("if", "for", "where", "since", "when", "whenever", "with", "provided", "provided that"),
+    *("if", "for", "at", "where", "since", "when", "whenever", "with", "provided", "provided that"),
     *("for all", "for any", "for each", "for every", "if also", "as long as"),
 )
 IF = tuple(rf"\text{{{word}}}" for word in _IF)

@@ -74,7 +74,7 @@ _EXCLUDING = re.compile(
     r"|not (?:if|for|at|when|with)|au\xdfer|sonst|sauf|sinon|кроме|иначе)\b",
     re.IGNORECASE,
 )
-_CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|when|where|with)\b")
+_CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|at|when|where|with)\b")
 
 
 def split_lines(body: LocatedText) -> list[LocatedText]:
