@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from small_papers import judge_parts, outcomes
 
+from mechproof.document.checking import check
+
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 TURN = r"s=r\sin\psi"
@@ -192,3 +194,17 @@ def test_letters_that_both_are_declared_stay_two() -> None:
     block = INDEX_WORDS.replace("F_{max} ;", r"F_{max} ; F_\mathrm{max} ;")
     prints = (r"F_{max}=2F_{min}", r"F_\mathrm{max}=3F_{max}", r"F_\mathrm{max}=2F_\mathrm{min}")
     assert judge_parts(block, *prints) == ["DEFINITION", "DEFINITION", "REFUTED"]
+
+
+@pytest.mark.parametrize(
+    ("printed", "outcome"),
+    [
+        (r"\dot y=-b\Omega\sin\Omega t", "PROVED"),
+        (r"\dot y=-b\sin\Omega t", "REFUTED"),
+        (r"\dot y=-b\Omega\sin b t", "not read"),
+    ],
+)
+def test_a_phase_of_letters_without_units_is_one_argument(printed: str, outcome: str) -> None:
+    block = "%% mechproof\n%% y(t) : way\n%% b ; \\Omega ; t :\n%% end\n"
+    rows = check("paper.tex", rf"{block}$$y=b\cos\Omega t$$ $${printed}$$").rows
+    assert rows[1].outcome == outcome, rows[1].reason

@@ -38,7 +38,7 @@ from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
-from mechproof.nomenclature.declarations import declare
+from mechproof.nomenclature.declarations import add_phases, declare
 from mechproof.nomenclature.letters import (
     collect_letters,
     drop_transposition,
@@ -122,7 +122,8 @@ class Document:
         ]
 
     def _declare(self, laws: Mapping[sp.Basic, list[Piece]], later: Later) -> None:
-        self.symbols = add_scopes(declare(self.block), self.block, self.printed)
+        declared = add_phases(declare(self.block), (one.latex.string for one in self.printed))
+        self.symbols = add_scopes(declared, self.block, self.printed)
         self.known = Known(self.symbols)
         for text in self.block.values:
             with self.block.blame(text):

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 
 import sympy as sp
 
-from mechproof.latex import Reader
+from mechproof.latex import Reader, ReadingError
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.tokens import list_signs
+from mechproof.nomenclature.adjacent_letters import find_phases
 from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.cells import name_unit
 from mechproof.nomenclature.letters import name_symbol
@@ -216,6 +219,23 @@ def _find_phases(
     counts = numbers | {v.symbol for v in variables if v.symbol.is_integer}
     yield from product(counts, {*angles, *speeds, sp.pi})
     yield from product([sp.pi], speeds)
+
+
+def add_phases(symbols: Symbols, prints: Iterable[str]) -> Symbols:
+    r"""Return the symbols with phases that prints show, \cos\Omega t, of letters without units."""
+    names = {name: v.symbol for v in symbols.variables for name in v.latex}
+    pairs = find_phases(text for text in prints if _has_signs(text))
+    shown = ((names.get(one), names.get(other)) for one, other in pairs)
+    found = {(one, other) for one, other in shown if {one, other} & symbols.bare and one and other}
+    phases = symbols.notation.phases | found
+    return replace(symbols, notation=replace(symbols.notation, phases=phases))
+
+
+def _has_signs(text: str) -> bool:
+    """Tell whether a print is made of signs: rows say of the others what they are not."""
+    with suppress(ReadingError):
+        return bool(list_signs(text))
+    return False
 
 
 def _say(symbols: Symbols, block: Block) -> Symbols:

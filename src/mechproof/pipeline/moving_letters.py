@@ -15,8 +15,8 @@ import sympy as sp
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
+from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.letters import name_symbol
-from mechproof.pipeline.adjacent_letters import RUNNING
 from mechproof.record import Variable
 
 # Letters that are functions of one that stands alone in a bracket behind them; of the time all are.
