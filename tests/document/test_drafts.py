@@ -129,7 +129,9 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         ),
         # Primes are by what words say that a letter is a function of, if that is but one.
         (r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$y'=s'c$$", ["s(u) :", "y(u) :"], ["s' :"]),
-        (r"the lift $s(u)$ and $y(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s' :"], ["s(u) :"]),
+        (r"$s(u)$ and $y(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s(u) :", "y(v) :"], ["s' :"]),
+        (r"$s(u)$ is $s(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s' :"], ["s(u) :"]),
+        (r"the curve $w(u)$ $$w'=bu^2$$ $$w(b)=2u$$", ["w(u) :", "b :"], ["w(b) :"]),
         (r"the factor $k(u)$ $$s=bu^2$$ $$s'=2bu$$", ["s' :"], ["s(u) :"]),
         (
             r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$s'_{\max}=2b,\qquad s_{\min}=0.$$"

@@ -91,7 +91,9 @@ def draft_block(source: Source) -> str:
     unclear = [x for x in letters if name_symbol(x) in found.unclear or _is_motion(x, shapes)]
     stems = {name_symbol(_strip_arguments(x)) for x in unclear}
     shapes = {name: size for name, size in shapes.items() if name not in stems}
-    entries = _list_entries(collected, shapes, prints, _find_running(source, letters))
+    functions = _list_functions(source)
+    respect = _find_running(source, letters, functions)
+    entries = _list_entries(collected, shapes, prints, respect, functions)
     inline = _find_inline(source, entries)
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
@@ -155,15 +157,22 @@ def _is_euler(prints: Sequence[str]) -> bool:
     return bool(met) and len(met) == len(raised)
 
 
-def _find_running(source: Source, letters: Sequence[str]) -> str:
-    r"""Return the letter with respect to which words differentiate, if it is but one.
+def _list_functions(source: Source) -> dict[str, str]:
+    r"""Return what words say that letters are functions of, $s(\varphi)$, if it is but one."""
+    said: dict[str, dict[str, None]] = {}
+    for match in _FUNCTION.finditer(source.text.string):
+        said.setdefault(name_symbol(match[1]), {})[match[2]] = None
+    return {name: next(iter(by)) for name, by in said.items() if len(by) == 1}
 
-    So do words by which what is printed with a prime is a function of it, $s(\varphi)$.
+
+def _find_running(source: Source, letters: Sequence[str], functions: Mapping[str, str]) -> str:
+    """Return the letter with respect to which words differentiate, if it is but one.
+
+    So do words by which what is printed with a prime is a function of it.
     """
     primed = {name_symbol(_split(x)[0].rstrip("'")) for x in letters if "'" in x}
     said = [match[1] for match in _RESPECT.finditer(source.text.string)]
-    functions = _FUNCTION.finditer(source.text.string)
-    said += [match[2] for match in functions if name_symbol(match[1]) in primed]
+    said += [by for name, by in functions.items() if name in primed]
     found = {name_symbol(one): one for one in said}
     return next(iter(found.values())) if len(found) == 1 else ""
 
@@ -173,9 +182,11 @@ def _list_entries(
     shapes: Mapping[str, tuple[int, int]],
     prints: Sequence[str],
     respect: str,
+    said: Mapping[str, str],
 ) -> dict[str, _Entry]:
     """Return the letters by the names of their symbols; a derivative says what its letter is of.
 
+    So do words, `said`, of a letter whose value is printed at one place only, w(l).
     Vectors and matrices are not differentiated: their derivatives are letters of their own, as the
     largest and least values of any are. Primes are derivatives by the letter `respect`, if words
     name one.
@@ -185,6 +196,7 @@ def _list_entries(
     by = {name_symbol(match["of"]): match["by"] for match in quotients}
     met = drop_transposition([*collected.letters, *collected.guessed], prints)
     letters = [letter for letter in met if not _EXTREME.search(letter)]
+    by |= {name: running for name, running in said.items() if running in letters}
     for base, running in map(_split, letters):
         if running:
             by.setdefault(name_symbol(base), running)
@@ -204,7 +216,7 @@ def _list_entries(
         plain = base.rstrip("'")
         if by.get(name_symbol(plain), "t") != "t":
             base = plain
-        running = running or by.get(name_symbol(base), "")
+        running = by.get(name_symbol(base), "")
         if running and (is_vector(base) or {name_symbol(base), name_symbol(letter)} & {*shapes}):
             base, running = letter, ""
         entry = entries.setdefault(name_symbol(base), _Entry())
