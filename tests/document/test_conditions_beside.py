@@ -124,6 +124,13 @@ def test_what_is_said_to_follow_is_judged_under_its_condition(value: str, expect
     assert row.outcome == expected
 
 
+@pytest.mark.parametrize(("value", "expected"), [("i_0", "PROVED"), ("-i_0", "DEFINITION")])
+def test_a_value_of_a_letter_with_another_definition_follows(value: str, expected: str) -> None:
+    block = WILLIS.replace("%% end", "%% i_0 : ratio\n%% let i_0=-z_3/z_1\n%% end")
+    case = r"If the carrier is fixed ($n_2=0$) $$\frac{n_1}{n_3}="
+    assert check("paper.tex", f"{block}{case}{value}$$").rows[-1].outcome == expected
+
+
 # Words beside a condition, and whether they leave it as it is.
 WORDS = {
     r"\quad\text{with the ring held }(n_3=0)": True,

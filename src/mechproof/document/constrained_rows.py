@@ -42,18 +42,21 @@ def follow_from_constraints(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Judge again what is not shown to hold by itself: it may follow from constraints before it.
 
-    A step of a chain may be one, i=n_1/n_2=z_2/z_1.
+    A step of a chain may be one, i=n_1/n_2=z_2/z_1. What differs from a definition, but may be
+    another case of it, may follow, too.
     """
     given = [n for n, task in enumerate(tasks) if _may_be_constraint(task, rows[n])]
     numbers = []
     for n, task in enumerate(tasks):
         common = [g for g in list_applicable(given, n, tasks) if _have_common(tasks[g], task)]
-        if common and rows[n].outcome in _UNPROVED and not task.is_claimed:
+        is_left = task.is_solution and rows[n].outcome == State.NOT_JUDGED.value
+        if common and (rows[n].outcome in _UNPROVED or is_left) and not task.is_claimed:
             numbers.append((key, n, tuple(common)))
     for place, found in run_tasks(judge_beside, numbers, limit=limit):
         number = numbers[place][1]
         if isinstance(found, Judgement):
-            yield number, make_row(tasks[number], found)
+            if rows[number].judgement or found.verdict is Verdict.PROVED:
+                yield number, make_row(tasks[number], found)
         elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
             alone = rows[number].judgement
             if alone and alone.rung == GIVEN:
