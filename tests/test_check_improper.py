@@ -36,6 +36,7 @@ PAIRS = [
     (r"\int_0^{\frac\pi2}\tan x\,dx=%s", r"\infty", "0", ()),
     (r"\int_0^1x^{-p}dx=%s", r"\infty", "1", ("p>1",)),
     (r"\int_{-1}^1\frac{dx}{\sqrt{|x|}}=%s", "4", "2", ()),
+    (r"\int_0^2\frac{dx}{(x^2-2)^2}=%s", r"\infty", "1", ()),
     (r"\int_0^3\frac{dx}{\sqrt[3]{(x-1)^2}}=%s", r"3(1+\sqrt[3]2)", r"3(1-\sqrt[3]2)", ()),
     # Limits by sines and cosines, and where the sides differ.
     (r"\lim_{x\to\frac\pi2}\left(\frac\pi2-x\right)\tan x=%s", "1", "-1", ()),
@@ -52,6 +53,10 @@ PAIRS = [
         r"\ln(1+a)",
         ("a>0",),
     ),
+    (r"\lim_{x\to a}\frac{|x-a|}{x-a}=%s", "1", "-1", ("x>a",)),
+    (r"\lim_{x\to a}\frac{|x-a|}{x-a}=%s", "-1", "1", ("a>x",)),
+    (r"\lim_{x\to0}\frac{\sqrt x\sqrt{x-x^2}}{|x|}=%s", "1", "-1", ()),
+    (r"\lim_{x\to0}\frac{\sqrt x}{|x|}=%s", r"\infty", "0", ()),
     # Where a base is zero, and where it is positive.
     (r"\sqrt[m]{\sqrt[n]a}=%s", r"\sqrt[mn]a", r"\sqrt[m+n]a", (r"a\ge0", r"m,n\in\mathbb N")),
     (r"(\cosh x+\sinh x)^n=%s", r"\cosh nx+\sinh nx", r"\cosh nx-\sinh nx", (r"n\in\mathbb N",)),
@@ -77,6 +82,12 @@ OPEN = [
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-k}=0", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^{2n}\frac1{n+k}=\ln2", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-ak}=-\frac{\ln(1-a)}a", ("a>0",)),
+    (r"\lim_{x\to0^-}\sqrt x=0", ()),
+    (r"\lim_{x\to0}\frac{\sqrt x\sqrt{x-x^2}}{|x|}=-1", ("x<0",)),
+    # A sum may come to infinity, of which SymPy says that it has a value.
+    (r"\sum_{k=1}^\infty k=\infty", ()),
+    # SymPy would integrate numerically to order the terms of the reason.
+    (r"\int_0^3\frac{dx}{\sqrt[3]{x-1}}=3", ()),
 ]
 
 

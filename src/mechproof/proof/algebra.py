@@ -303,14 +303,14 @@ def _find_rung(field: Field, difference: sp.Expr) -> str | None:
 def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
     field, difference = Field(domain), left - right
-    # SymPy works long at products without end, even to order terms by their values.
-    is_long = has_parts(difference, sp.Product)
+    # SymPy works long at products without end, and to order terms by the values of integrals.
     try:
-        if not is_long:
+        if not has_parts(difference, sp.Product):
             field.vanishes(difference)
     except (UnknownSignError, NotImplementedError) as error:
         return str(error)
     except sp.PolynomialError:
         pass
+    is_long = has_parts(difference, sp.Product, sp.Integral)
     shown = sp.sstr(difference, order="none" if is_long else None)
     return field.hindrance or f"that {shown} is zero is not shown"

@@ -54,7 +54,7 @@ def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
     printed, rebuilt = map(write_value, sides)
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, RUNG, f"both sides are {printed}")
-    if not all(side.is_extended_real for side in sides):
+    if not all(side.is_finite or side.is_infinite for side in sides):
         return None
     what = f"one side is {printed}, the other {rebuilt}"
     return Answer(Verdict.REFUTED, RUNG, what, (Evidence(what),))

@@ -80,11 +80,12 @@ def is_defined_near(
     expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
 ) -> bool | None:
     """Tell whether roots, logarithms and so on have values near a point; None if not shown."""
-    written = _write_far_out(expression, x, point, side)
-    if written.has(*_UNREAD):
+    # They are listed as printed: of the root of a negative number SymPy takes out an imaginary one.
+    needs = [need.value for part in list_partial(expression) for need in list_needs(part)]
+    written = [_write_far_out(number, x, point, side) for number in (expression, *needs)]
+    if any(number.has(*_UNREAD) for number in written):
         return None
-    needs = [need for part in list_partial(written) for need in list_needs(part)]
-    signs = [_find_direction_far_out(need.value, domain) for need in needs]
+    signs = [_find_direction_far_out(number, domain) for number in written[1:]]
     return None if None in signs else -1 not in signs
 
 

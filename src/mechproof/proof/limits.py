@@ -18,7 +18,7 @@ from mechproof.proof.coordinates import BY_SINES
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
-from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_partial
 from mechproof.record.parts import find_parts
 
@@ -122,14 +122,13 @@ def _list_from_sides(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
 ) -> list[sp.Expr]:
     """List the limits from the sides that are meant and have values; none if one is not shown."""
-    meant = (1, -1) if direction == "+-" and point.is_finite else (-1 if direction == "-" else 1,)
+    meant = [1, -1] if direction == "+-" and point.is_finite else [-1 if direction == "-" else 1]
     sides = [side for side in meant if _may_come(variable, point, side, domain)]
     defined = {side: is_defined_near(body, variable, point, side, domain) for side in sides}
     if None in defined.values():
         return []
-    limits = (find_limit(body, variable, point, side, domain) for side in sides if defined[side])
-    found = [limit for limit in limits if limit is not None]
-    return found if len(found) == sum(map(bool, defined.values())) else []
+    found = [find_limit(body, variable, point, side, domain) for side in sides if defined[side]]
+    return [limit for limit in found if limit is not None] if None not in found else []
 
 
 def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) -> bool:
@@ -138,9 +137,9 @@ def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) ->
     What is said of the letter by which it is printed is said of it.
     """
     name = variable.name.removesuffix("_")
-    sets = [where for symbol, where in domain.within.items() if str(symbol) == name]
-    ends = (where.sup - point if side > 0 else point - where.inf for where in sets)
-    return not any(end.is_nonpositive for end in ends)
+    letters = {*domain.within, *(s for relation in domain.where for s in relation.free_symbols)}
+    signs = (find_sign(side * (s - point), domain) for s in letters if str(s) == name)
+    return bool(point.is_infinite) or not any(sign and sign.direction < 0 for sign in signs)
 
 
 def tell_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:

@@ -52,13 +52,18 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if integrand.free_symbols - {variable}:
         yield from _propose_by_sums(integrand, variable)
+    by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
+    # By fractions first: at some of them SymPy tries its rules for long.
+    for propose in (_propose_by_fractions, _propose_by_rules, *by_others, _propose_in_parallel):
+        with suppress(PolynomialError, NotImplementedError):
+            yield from propose(integrand, variable)
+
+
+def _propose_by_rules(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate by SymPy's rules, those by which one integrates by hand."""
     found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
-    by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
-    for propose in (*by_others, _propose_by_fractions, _propose_in_parallel):
-        with suppress(PolynomialError, NotImplementedError):
-            yield from propose(integrand, variable)
 
 
 def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
@@ -98,9 +103,8 @@ def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.E
         written = integrand.xreplace({one(variable): t, other(variable): s})
         rest = sp.cancel(sp.together(written / s).subs(s**2, 1 - t**2))
         if not rest.has(s, variable):
-            found = manualintegrate(sp.apart(rest, t), t)
-            if not found.has(sp.Integral):
-                yield from (sign * f.subs(t, one(variable)) for f in _list_pieces(found))
+            found = _propose_by_rules(sp.apart(rest, t), t)
+            yield from (sign * candidate.subs(t, one(variable)) for candidate in found)
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
@@ -137,22 +141,19 @@ def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -
     if rational.has(variable):
         return
     whole, rest = ratint_ratpart(*sp.fraction(sp.cancel(rational)), t)
-    found = manualintegrate(sp.apart(rest, t), t)
-    if not found.has(sp.Integral):
+    for found in _propose_by_rules(sp.apart(rest, t), t):
         turned = found.replace(sp.atan, lambda slope: _turn(slope, double))
         turned = turned.subs(t, sp.sin(double) / (1 + sp.cos(double)))
-        yield from _list_pieces(_turn_fraction(whole, double) + turned)
+        yield _turn_fraction(whole, double) + turned
 
 
 def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors."""
     if not integrand.is_rational_function(variable):
         return
-    found = manualintegrate(sp.apart(integrand, variable), variable)
-    if not found.has(sp.Integral):
-        yield from _list_pieces(found)
     if integrand.free_symbols == {variable}:
         yield ratint(integrand, variable, real=True)
+    yield from _propose_by_rules(sp.apart(integrand, variable), variable)
 
 
 def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
