@@ -60,6 +60,15 @@ PAIRS = [
     # Where a base is zero, and where it is positive.
     (r"\sqrt[m]{\sqrt[n]a}=%s", r"\sqrt[mn]a", r"\sqrt[m+n]a", (r"a\ge0", r"m,n\in\mathbb N")),
     (r"(\cosh x+\sinh x)^n=%s", r"\cosh nx+\sinh nx", r"\cosh nx-\sinh nx", (r"n\in\mathbb N",)),
+    # Where what is differentiated has signs and does not jump, or jumps where nothing is said of.
+    (r"\int|x|dx=%s+C", r"\frac{x^2\operatorname{sgn}x}2", r"x^2\operatorname{sgn}x", ()),
+    (r"\int2x\,dx=%s+\operatorname{sgn}x+C", "x^2", "x^3", ("x>0",)),
+    (
+        r"\int\frac{dx}{1+x^2}=\frac\pi2\operatorname{sgn}x%s\arctan\frac1x+C",
+        "-",
+        "+",
+        (),
+    ),
     (r"|a+b|+|a-b|=%s", r"2\max(|a|,|b|)", r"2\min(|a|,|b|)", ()),
 ]
 WITHOUT_LIMIT = [
@@ -84,6 +93,11 @@ OPEN = [
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-ak}=-\frac{\ln(1-a)}a", ("a>0",)),
     (r"\lim_{x\to0^-}\sqrt x=0", ()),
     (r"\lim_{x\to0}\frac{\sqrt x\sqrt{x-x^2}}{|x|}=-1", ("x<0",)),
+    # An antiderivative does not jump.
+    (r"\int2x\,dx=x^2+\operatorname{sgn}x+C", ()),
+    (r"\int2x\operatorname{sgn}(x^2-1)dx=x^2\operatorname{sgn}(x^2-1)+C", ()),
+    (r"\int\operatorname{sgn}x\,dx=|x|+\operatorname{sgn}x+C", ()),
+    (r"\int|\cos x|dx=\sin x\operatorname{sgn}(\cos x)+C", ()),
     # A sum may come to infinity, of which SymPy says that it has a value.
     (r"\sum_{k=1}^\infty k=\infty", ()),
     # SymPy would integrate numerically to order the terms of the reason.

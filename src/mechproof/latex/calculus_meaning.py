@@ -163,8 +163,9 @@ def _give_rate(
 ) -> sp.Expr:
     """Return the derivative of a number, where that and its moduli have values."""
     value = needed.replace(ValueWhere, lambda inner, _: inner)
-    for part in sorted(value.atoms(*OF_SIGNS), key=sp.default_sort_key):
-        needed += 1 / part.args[0] if depends_on & part.free_symbols else 0
+    turning = {part.args[0] for part in value.atoms(*OF_SIGNS) if depends_on & part.free_symbols}
+    for number in sorted(turning, key=sp.default_sort_key):
+        needed = ValueWhere(needed, 1 / number)
     moving = {} if node.is_partial else meaning.moving
     try:
         for _ in range(node.order):

@@ -128,6 +128,9 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
             ends = _ENDS.get(type(node))
             return ends[inner == sp.oo] if ends else None
         return node.func(inner)
+    if isinstance(node, sp.sign):
+        way = _find_direction_far_out(node.args[0], domain)
+        return None if way is None else sp.Integer(way)
     if isinstance(node, sp.log):
         return _find_logarithm(node.args[0], domain, depth - 1)
     if isinstance(node, sp.Pow) and node.exp.has(_Y):
@@ -215,7 +218,8 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
     if order is not None:
         return _settle(order, domain)
     finite = [limit for limit in limits if limit is not None and not limit.is_infinite]
-    if finite and (rest := _find(_leave_out_finite(node, limits), domain, depth)) is not None:
+    others = [t for t, limit in zip(node.args, limits, strict=True) if limit not in finite]
+    if finite and (rest := _find(sp.Add(*others), domain, depth)) is not None:
         return sp.Add(*finite, rest)
     for rewrite in _REWRITES:
         other = rewrite(node)
@@ -223,12 +227,6 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
         if found is not None:
             return found
     return None
-
-
-def _leave_out_finite(node: sp.Add, limits: Sequence[sp.Expr | None]) -> sp.Expr:
-    """Return the terms that have no limit, or an infinite one."""
-    pairs = zip(node.args, limits, strict=True)
-    return sp.Add(*(term for term, limit in pairs if limit is None or limit.is_infinite))
 
 
 def _join_logarithms(node: sp.Add) -> sp.Expr | None:

@@ -66,17 +66,13 @@ def _turn(integral: sp.Integral) -> sp.Integral:
 def settle_improper(expression: Any, domain: Domain) -> Any:
     """Put the values of improper and iterated integrals in their places, as far as shown."""
     kinds = (is_improper, _has_power_of_zero, _is_iterated)
-    return _put_values(expression, domain, lambda node: any(is_one(node) for is_one in kinds))
+    return put_values(expression, domain, lambda node: any(is_one(node) for is_one in kinds))
 
 
-def put_values(expression: sp.Expr, domain: Domain) -> sp.Expr:
-    """Put the values of integrals in their places, as far as they are shown."""
-    put_in: sp.Expr = _put_values(expression, domain, lambda node: True)
-    return put_in
-
-
-def _put_values(expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool]) -> Any:
-    """Put values in their places; an infinite one where it stands alone."""
+def put_values(
+    expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool] = lambda node: True
+) -> Any:
+    """Put values of integrals in their places as far as shown; infinite ones that stand alone."""
     values = {node: _find_value(node, domain) for node in _list_free(expression) if is_met(node)}
     if (alone := values.get(expression)) is not None:
         return alone
@@ -112,7 +108,7 @@ def _list_poles(
     below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
     bases = [factor.as_base_exp()[0] for factor in below]
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
-    poles = {zero for base in bases for zero in _list_zeros(base, variable, lower, upper)}
+    poles = {zero for base in bases for zero in list_zeros(base, variable, lower, upper)}
     return sorted(poles, key=sp.N)
 
 
@@ -150,7 +146,7 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
-    if (written := integrand.replace(_is_root, _halve_angle)).has(sp.Abs):
+    if (written := integrand.replace(lambda node: node.is_Pow, _halve_angle)).has(sp.Abs):
         found = _find_value_by_signs(written, variable, lower, upper, domain)
         if found is not None or written == integrand:
             return found
@@ -182,7 +178,7 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     if lower.is_infinite or upper.is_infinite:
         return None
     place, run = parametrise(variable, lower, upper)
-    running = _put(integral.function, variable, place)
+    running = integral.function.subs(variable, place)
     other = integral.function.subs(variable, lower + upper - variable)
     mean = sp.cancel(sp.together(integral.function + other)) / 2
     if mean.as_independent(variable)[1].count_ops() >= integral.function.count_ops():
@@ -192,16 +188,12 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     return _find_by_antiderivative(mean, variable, lower, upper, domain)
 
 
-def _is_root(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and node.exp == sp.S.Half and node.has(sp.cos)
-
-
 def _halve_angle(root: sp.Pow) -> sp.Expr:
     """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
 
     That of a(1 + cos u) is written by the cosine.
     """
-    if len(waves := root.atoms(sp.cos)) != 1:
+    if root.exp != sp.S.Half or len(waves := root.atoms(sp.cos)) != 1:
         return root
     (wave,), cosine = waves, sp.Dummy("c")
     squares = {sp.sin(wave.args[0]) ** 2: 1 - cosine**2, wave: cosine}
@@ -219,8 +211,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return None
     place, run = parametrise(variable, *ends)
     integrand = sp.Integral(integral.function, *inner) if inner else integral.function
-    slope = sp.diff(place, variable)
-    integrand = substitute(integrand, {variable: place}) * slope
+    integrand = substitute(integrand, {variable: place}) * sp.diff(place, variable)
     inside = domain.with_set(variable, run)
     values = {node: _find_finite(node, inside) for node in _list_free(integrand)}
     if not values or None in values.values():
@@ -236,13 +227,13 @@ def _jumps(integral: sp.Integral, domain: Domain) -> bool:
     running, inside = integral.function, domain
     for variable, *ends in integral.limits:
         place, run = parametrise(variable, *ends)
-        running, inside = _put(running, variable, place), inside.with_set(variable, run.interior)
+        running, inside = running.subs(variable, place), inside.with_set(variable, run.interior)
     return find_break(running, integral.limits[-1][0], inside) is not None
 
 
 def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domain) -> bool:
     """Return whether an integrand is odd, and continuous from one end to the opposite one."""
-    sides = [_put(integrand, variable, end * variable), _put(integrand, variable, -end * variable)]
+    sides = [integrand.subs(variable, end * variable), integrand.subs(variable, -end * variable)]
     half = domain.with_set(variable, sp.Interval(0, 1))
     is_odd = end.is_infinite is not True and decide_equal(sides[1], -sides[0], half) is not None
     return is_odd and all(find_break(side, variable, half) is None for side in sides)
@@ -255,11 +246,11 @@ def _find_by_antiderivative(
     place, run = parametrise(variable, lower, upper)
     inside = domain.with_set(variable, run.interior)
     slope = sp.diff(place, variable)
-    running = _put(integrand, variable, place)
+    running = integrand.subs(variable, place)
     if find_break(running, variable, inside) is not None:
         return None
     for candidate in propose(integrand, variable, domain):
-        moved = _put(candidate, variable, place)
+        moved = candidate.subs(variable, place)
         if _may_divide_by_zero(moved, inside):
             # So will all others.
             return None
@@ -286,10 +277,6 @@ def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
     return any(has_steps(base, domain) and not is_nonzero(base, domain) for base in below)
 
 
-def _put(expression: sp.Expr, variable: sp.Symbol, place: sp.Expr) -> sp.Expr:
-    return expression if place == variable else expression.subs(variable, place)
-
-
 def _find_end(
     candidate: sp.Expr, variable: sp.Symbol, end: sp.Expr, run: sp.Interval, domain: Domain
 ) -> sp.Expr | None:
@@ -299,16 +286,10 @@ def _find_end(
         value = candidate.subs(variable, end)
         if find_break(candidate, variable, domain.with_set(variable, near)) is None:
             return value
-        if not _is_singular(value):
-            # Of what other letters are is too little said.
+        if not value.has(*_NO_NUMBERS) and not any(p.base == 0 for p in value.atoms(sp.Pow)):
+            # A number, and no power of zero: of what other letters are is too little said.
             return None
     return find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
-
-
-def _is_singular(value: sp.Expr) -> bool:
-    """Tell whether what is put in gives no number, or a power of zero."""
-    powers = value.atoms(sp.Pow)
-    return value.has(*_NO_NUMBERS) or any(power.base == 0 for power in powers)
 
 
 def _find_value_by_signs(
@@ -319,7 +300,7 @@ def _find_value_by_signs(
     (inner,) = modulus.args
     if not (lower.is_number and upper.is_number):
         return None
-    cuts = [lower, *_list_zeros(inner, variable, lower, upper), upper]
+    cuts = [lower, *list_zeros(inner, variable, lower, upper), upper]
     total = sp.S.Zero
     for start, end in pairwise(cuts):
         sign = find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
@@ -333,7 +314,7 @@ def _find_value_by_signs(
     return total
 
 
-def _list_zeros(
+def list_zeros(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
     """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.

@@ -30,7 +30,7 @@ from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_s
 from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
-from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_missing_limit
+from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
 from mechproof.proof.printed_number import decide_number
 from mechproof.proof.reasons import (
     WORST_FIRST,
@@ -170,6 +170,8 @@ def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> 
         return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
     needs = [list_unshown(side, domain) for side in sides]
     needed = tell_needs(needs)
+    if told := tell_jump(sides, domain):
+        return Answer(Verdict.UNDECIDED, rung, f"what is differentiated jumps: {told}")
     if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
     undefined = _find_break(sides, needs, domain)

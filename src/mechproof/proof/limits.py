@@ -12,18 +12,22 @@ from typing import Any
 import sympy as sp
 
 from mechproof.domains.domain import Domain
+from mechproof.domains.preparation import take_values
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import BY_SINES
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
+from mechproof.proof.integrals import list_zeros
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
-from mechproof.record import list_partial
+from mechproof.record import DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
 
 FROM_SIDES = "limits from both sides"
 _MOST_DERIVATIVES = 6
+# Work limit: zeros beyond are not looked at.
+_FAR = sp.Integer(10) ** 9
 _ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan)
 
 
@@ -159,6 +163,19 @@ def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
     is_unlike = above.is_infinite or below.is_infinite or is_nonzero(above - below, domain)
     shown = f"the limit from above is {write_value(above)}, from below {write_value(below)}"
     return shown if is_unlike else ""
+
+
+def tell_jump(sides: tuple[Any, Any], domain: Domain) -> str:
+    """Say how what is differentiated jumps at a zero of a number whose sign or modulus it has."""
+    derived = {node for side in sides for node in find_parts(side, DerivativeWhere)}
+    needed = {value for node in derived for value in node.args[1].atoms(ValueWhere)}
+    limits = (
+        sp.Limit(take_values(value), x, zero, "+-")
+        for value in sorted(needed, key=sp.default_sort_key)
+        for x in value.args[1].free_symbols
+        for zero in list_zeros(1 / value.args[1], x, -_FAR, _FAR)
+    )
+    return next(filter(None, (_tell_unlike(limit, domain) for limit in limits)), "")
 
 
 def _find_smooth(
