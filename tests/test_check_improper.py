@@ -30,6 +30,8 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^\infty\frac{dx}{\sqrt x(1+x)}=%s", r"\pi", r"\frac\pi2", ()),
+    # Refuted where letters are given and the integral is worked out there.
+    (r"\int_0^\infty x^ne^{-ax}dx=%s", r"\frac{n!}{a^{n+1}}", r"\frac{n!}{a^n}", ("a>0",)),
     # Between poles and beyond, where the integral has a value, a finite one or not.
     (r"\int_1^\infty\frac{dx}x=%s", r"\infty", "5", ()),
     (r"\int_{-1}^1\frac{dx}{x^2}=%s", r"\infty", "-2", ()),

@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
@@ -21,17 +22,27 @@ from mechproof.proof.coordinates import parametrise
 from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
+from mechproof.proof.improper import (
+    has_power_of_zero,
+    is_improper,
+    is_iterated,
+    list_poles,
+    list_zeros,
+)
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.proposed_antiderivatives import propose
-from mechproof.proof.refutation import are_seen_to_differ
+from mechproof.proof.refutation import are_seen_to_differ, points_for
 from mechproof.proof.signs import is_nonzero
+from mechproof.proof.verdict import Evidence
+from mechproof.proof.witness_text import describe
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
 
 RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.
 _LARGEST = 60
-_MOST_ZEROS = 12
+# Points at which improper integrals with letters are worked out, and the bits of what they are.
+_FEWEST, _PRECISION = 2, 128
 _NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 
 
@@ -63,9 +74,23 @@ def _turn(integral: sp.Integral) -> sp.Integral:
     return min((integral, sp.Integral(other, *integral.limits)), key=sp.default_sort_key)
 
 
+def find_counterexample(sides: Sequence[sp.Expr], domain: Domain) -> Evidence | None:
+    """Return a point at which improper integrals with letters are worked out, and sides differ."""
+    if not any(is_improper(node) and node.free_symbols for node in _list_free(*sides)):
+        return None
+    for point in points_for((*sides,), domain, _FEWEST):
+        values = [settle_improper(substitute(side, point), domain) for side in sides]
+        if any(value.has(sp.Integral) or value.free_symbols for value in values):
+            return None
+        one, other = (balls.evaluate(value, {}, _PRECISION) for value in values)
+        if one.is_finite() and other.is_finite() and not one.overlaps(other):
+            return describe("the two sides", (*sides,), (one, other), point, domain)
+    return None
+
+
 def settle_improper(expression: Any, domain: Domain) -> Any:
     """Put the values of improper and iterated integrals in their places, as far as shown."""
-    kinds = (is_improper, _has_power_of_zero, _is_iterated)
+    kinds = (is_improper, has_power_of_zero, is_iterated)
     return put_values(expression, domain, lambda node: any(is_one(node) for is_one in kinds))
 
 
@@ -87,46 +112,6 @@ def _list_free(*sides: Any) -> list[sp.Integral]:
     return sorted((node for node in found if not node.free_symbols & bound), key=str)
 
 
-def is_improper(integral: sp.Integral) -> bool:
-    """Tell whether a limit is infinite, or the integrand has no value there or between them."""
-    (variable, *limits), *others = integral.limits
-    if others or len(limits) != 2:
-        return False
-    factors = sp.Mul.make_args(integral.function)
-    there = (factor.subs(variable, limit) for limit in limits for factor in factors)
-    return (
-        any(limit.is_infinite for limit in limits)
-        or any(value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there)
-        or bool(_list_poles(integral.function, variable, *limits))
-    )
-
-
-def _list_poles(
-    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
-) -> list[sp.Expr]:
-    """List numbers between the limits at which the integrand is divided by zero."""
-    below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
-    bases = [factor.as_base_exp()[0] for factor in below]
-    bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
-    poles = {zero for base in bases for zero in list_zeros(base, variable, lower, upper)}
-    return sorted(poles, key=sp.N)
-
-
-def _has_power_of_zero(integral: sp.Integral) -> bool:
-    """Tell whether a base vanishes at a limit whose exponent is no whole number.
-
-    What is computed of such a power has the logarithm of zero.
-    """
-    powers = [power for power in integral.function.atoms(sp.Pow) if not power.exp.is_integer]
-    variable, *limits = integral.limits[0]
-    return any(power.base.subs(variable, end) == 0 for power in powers for end in limits)
-
-
-def _is_iterated(integral: sp.Integral) -> bool:
-    """Tell whether an integral is one of integrals."""
-    return len(integral.limits) > 1 or integral.function.has(sp.Integral)
-
-
 def _find_finite(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     value = _find_value(integral, domain)
     return None if value is None or value.is_infinite else value
@@ -142,7 +127,7 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     if (lower > upper) == sp.true:
         turned = _find_value(sp.Integral(integrand, *inner, (variable, upper, lower)), domain)
         return None if turned is None else -turned
-    if _is_iterated(integral):
+    if is_iterated(integral):
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
@@ -158,7 +143,7 @@ def _find_between_poles(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
     """Return the sum of the integrals between numbers at which the integrand has no value."""
-    ends = [lower, *_list_poles(integrand, variable, lower, upper), upper]
+    ends = [lower, *list_poles(integrand, variable, lower, upper), upper]
     parts = [_find_by_antiderivative(integrand, variable, *one, domain) for one in pairwise(ends)]
     return _add_up(parts)
 
@@ -312,25 +297,3 @@ def _find_value_by_signs(
             return None
         total += value
     return total
-
-
-def list_zeros(
-    inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
-) -> list[sp.Expr]:
-    """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.
-
-    Where one is missed, no sign is shown beside it.
-    """
-    if not (lower.is_number and upper.is_number):
-        return []
-    inside = sp.Interval.open(lower, upper)
-    found: list[sp.Expr] = []
-    if inner.is_polynomial(variable) and inner.free_symbols == {variable}:
-        found = list(dict.fromkeys(sp.Poly(inner, variable).real_roots()))
-    elif isinstance(inner, sp.sin | sp.cos) and lower.is_finite and upper.is_finite:
-        slope = sp.diff(inner.args[0], variable)
-        if slope.is_Rational and slope != 0:
-            start = inner.args[0].subs(variable, 0)
-            shift = sp.pi / 2 if isinstance(inner, sp.cos) else sp.S.Zero
-            found = [(sp.pi * k + shift - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS)]
-    return sorted((z for z in found if inside.contains(z) == sp.true), key=sp.N)

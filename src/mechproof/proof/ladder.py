@@ -28,7 +28,11 @@ from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
 from mechproof.proof.integral_recurrences import settle_by_parts
-from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, settle_improper
+from mechproof.proof.integrals import (
+    RUNG as ANTIDERIVATIVE,
+    find_counterexample,
+    settle_improper,
+)
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
 from mechproof.proof.printed_number import decide_number
@@ -156,9 +160,9 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         reason = f"both sides agree where {needed}, which is not said"
         return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
-    if comparison.counterexample:
+    if example := comparison.counterexample or find_counterexample(sides, domain):
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
-        return Answer(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
+        return Answer(Verdict.REFUTED, "separating balls", reason, (example,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
     return report_unproved(comparison, why)
 

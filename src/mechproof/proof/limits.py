@@ -18,8 +18,8 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import BY_SINES
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
+from mechproof.proof.improper import list_zeros
 from mechproof.proof.induction import sum_up
-from mechproof.proof.integrals import list_zeros
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts

@@ -1,0 +1,69 @@
+"""Kinds of integrals that are worked out before others: improper ones, and those of integrals."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+_MOST_ZEROS = 12
+
+
+def is_improper(integral: sp.Integral) -> bool:
+    """Tell whether a limit is infinite, or the integrand has no value there or between them."""
+    (variable, *limits), *others = integral.limits
+    if others or len(limits) != 2:
+        return False
+    factors = sp.Mul.make_args(integral.function)
+    there = (factor.subs(variable, limit) for limit in limits for factor in factors)
+    return (
+        any(limit.is_infinite for limit in limits)
+        or any(value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there)
+        or bool(list_poles(integral.function, variable, *limits))
+    )
+
+
+def has_power_of_zero(integral: sp.Integral) -> bool:
+    """Tell whether a base vanishes at a limit whose exponent is no whole number.
+
+    What is computed of such a power has the logarithm of zero.
+    """
+    powers = [power for power in integral.function.atoms(sp.Pow) if not power.exp.is_integer]
+    variable, *limits = integral.limits[0]
+    return any(power.base.subs(variable, end) == 0 for power in powers for end in limits)
+
+
+def is_iterated(integral: sp.Integral) -> bool:
+    """Tell whether an integral is one of integrals."""
+    return len(integral.limits) > 1 or integral.function.has(sp.Integral)
+
+
+def list_poles(
+    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
+) -> list[sp.Expr]:
+    """List numbers between the limits at which the integrand is divided by zero."""
+    below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
+    bases = [factor.as_base_exp()[0] for factor in below]
+    bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
+    poles = {zero for base in bases for zero in list_zeros(base, variable, lower, upper)}
+    return sorted(poles, key=sp.N)
+
+
+def list_zeros(
+    inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
+) -> list[sp.Expr]:
+    """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.
+
+    Where one is missed, no sign is shown beside it.
+    """
+    if not (lower.is_number and upper.is_number):
+        return []
+    inside = sp.Interval.open(lower, upper)
+    found: list[sp.Expr] = []
+    if inner.is_polynomial(variable) and inner.free_symbols == {variable}:
+        found = list(dict.fromkeys(sp.Poly(inner, variable).real_roots()))
+    elif isinstance(inner, sp.sin | sp.cos) and lower.is_finite and upper.is_finite:
+        slope = sp.diff(inner.args[0], variable)
+        if slope.is_Rational and slope != 0:
+            start = inner.args[0].subs(variable, 0)
+            shift = sp.pi / 2 if isinstance(inner, sp.cos) else sp.S.Zero
+            found = [(sp.pi * k + shift - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS)]
+    return sorted((z for z in found if inside.contains(z) == sp.true), key=sp.N)
