@@ -254,7 +254,7 @@ def _differentiate(
     if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):
         raise ValueError(
             f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
-            r"as a fraction, \frac{d}{dx}(…)"
+            rf"as a fraction, \frac{{d}}{{d{'t' if rate['dotted'] else 'x'}}}(…)"
         )
     order = len(rate["primes"] or rate["dots"])
     derivative: sp.Expr = value.diff(by, order)

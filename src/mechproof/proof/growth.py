@@ -7,13 +7,14 @@ The variable is written so that it goes to infinity. A product is compared with 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache, reduce
 
 import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.orders import Order, join_logarithms, rewrite_sum
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial
 
@@ -45,27 +46,6 @@ _LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
 }
 # Those that are like their argument where it is small.
 _LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
-
-
-@dataclass(frozen=True)
-class _Order:
-    """c*exp(rate*y)*y**power*(ln y)**logs up to a factor that goes to one; bounded c for None."""
-
-    rate: sp.Expr
-    power: sp.Expr
-    logs: sp.Expr
-    factor: sp.Expr | None
-
-    def times(self, other: _Order) -> _Order:
-        """Return the order of a product."""
-        rate, power, logs = (a + b for a, b in zip(self.size, other.size, strict=True))
-        if self.factor is None or other.factor is None:
-            return _Order(rate, power, logs, None)
-        return _Order(rate, power, logs, self.factor * other.factor)
-
-    @property
-    def size(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-        return self.rate, self.power, self.logs
 
 
 def find_limit(
@@ -172,7 +152,7 @@ def _find_like(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
 
 def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
     """Write a factor that is u times what goes to one as u: ln(1 + u), sin u where u goes to 0."""
-    factor = (_join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
+    factor = (join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
     if isinstance(factor, sp.log):
         small = sp.expand(factor.args[0] - 1)
     elif isinstance(factor, sp.Add):
@@ -195,7 +175,7 @@ def _write_difference(sum_: sp.Add, domain: Domain, depth: int) -> sp.Expr:
     return like if _find(u, domain, depth) == 0 else sum_
 
 
-def _settle(order: _Order, domain: Domain) -> sp.Expr | None:
+def _settle(order: Order, domain: Domain) -> sp.Expr | None:
     for grade in order.size:
         if grade == 0:
             continue
@@ -221,40 +201,8 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
     others = [t for t, limit in zip(node.args, limits, strict=True) if limit not in finite]
     if finite and (rest := _find(sp.Add(*others), domain, depth)) is not None:
         return sp.Add(*finite, rest)
-    for rewrite in _REWRITES:
-        other = rewrite(node)
-        found = None if other in (None, node) else _find(other, domain, depth - _REWRITTEN)
-        if found is not None:
-            return found
-    return None
-
-
-def _join_logarithms(node: sp.Add) -> sp.Expr | None:
-    """Write c*(ln u - ln v) and a rest as c*ln(u/v) and the rest."""
-    terms = [t.as_coeff_Mul() for t in node.args]
-    logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
-    if len(logarithms) < 2:
-        return None
-    scale = min(abs(factor) for factor, _ in logarithms)
-    whole = sp.Mul(*(u ** (f / scale) for f, u in logarithms))
-    rest = sp.Add(*(f * t for f, t in terms if not isinstance(t, sp.log)))
-    return scale * sp.log(sp.cancel(sp.together(whole))) + rest
-
-
-def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
-    if len(node.args) != 2 or not any(p.exp == sp.S.Half for p in node.atoms(sp.Pow)):
-        return None
-    one, other = node.args
-    return sp.expand(one**2 - other**2) / (one - other)
-
-
-_REWRITES: tuple[Callable[[sp.Add], sp.Expr | None], ...] = (
-    _join_logarithms,
-    lambda node: sp.collect(sp.expand(node), _Y),
-    _multiply_by_conjugate,
-    lambda node: sp.together(node),
-    lambda node: sp.expand(node),
-)
+    forms = (_find(form, domain, depth - _REWRITTEN) for form in rewrite_sum(node, _Y))
+    return next((found for found in forms if found is not None), None)
 
 
 def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
@@ -270,21 +218,21 @@ def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | 
 
 
 @lru_cache(maxsize=4096)
-def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+def _find_order(node: sp.Expr, domain: Domain, depth: int) -> Order | None:
     if not node.has(_Y):
         return _constant(node if _direction(node, domain) else None)
     if node == _Y:
-        return _Order(sp.S.Zero, sp.S.One, sp.S.Zero, sp.S.One)
+        return Order(sp.S.Zero, sp.S.One, sp.S.Zero, sp.S.One)
     if isinstance(node, sp.Add) and node.is_rational_function(_Y):
         return _find_order_of_fraction(node, domain)
     if depth <= 0:
         return None
     if isinstance(node, sp.Mul):
         orders = _find_orders(node.args, domain, depth - 1)
-        return reduce(_Order.times, orders) if orders else None
+        return reduce(Order.times, orders) if orders else None
     if isinstance(node, sp.Add):
         found = _find_order_of_sum(node, domain, depth - 1)
-        joined = None if found else _join_logarithms(node)
+        joined = None if found else join_logarithms(node)
         return found if joined is None else _find_order(joined, domain, depth)
     if isinstance(node, sp.Pow) and not node.exp.has(_Y):
         base = _find_order(node.base, domain, depth - 1)
@@ -304,36 +252,36 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> _Order | None:
     return _constant(None) if isinstance(node, _BOUNDED) else None
 
 
-def _find_orders(parts: Sequence[sp.Expr], domain: Domain, depth: int) -> list[_Order]:
+def _find_orders(parts: Sequence[sp.Expr], domain: Domain, depth: int) -> list[Order]:
     """Return the orders of all parts, none where one is not known."""
     orders = [_find_order(part, domain, depth) for part in parts]
     known = [order for order in orders if order is not None]
     return known if len(known) == len(orders) else []
 
 
-def _constant(factor: sp.Expr | None) -> _Order:
-    return _Order(sp.S.Zero, sp.S.Zero, sp.S.Zero, factor)
+def _constant(factor: sp.Expr | None) -> Order:
+    return Order(sp.S.Zero, sp.S.Zero, sp.S.Zero, factor)
 
 
-def _raise(base: _Order, exponent: sp.Expr, domain: Domain) -> _Order | None:
+def _raise(base: Order, exponent: sp.Expr, domain: Domain) -> Order | None:
     if base.factor is None and not exponent.is_nonnegative:
         return None
     if not exponent.is_integer and (base.factor is None or _direction(base.factor, domain) != 1):
         return None
     factor = None if base.factor is None else base.factor**exponent
     rate, power, logs = (grade * exponent for grade in base.size)
-    return _Order(rate, power, logs, factor)
+    return Order(rate, power, logs, factor)
 
 
-def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> _Order | None:
+def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> Order | None:
     above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
     factor = above.LC() / below.LC()
     power = sp.Integer(above.degree() - below.degree())
     is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
-    return _Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
+    return Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
 
 
-def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> _Order | None:
+def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> Order | None:
     """Return the order of the terms that grow fastest, where they do not cancel."""
     orders = _find_orders(node.args, domain, depth)
     if not orders:
@@ -348,17 +296,17 @@ def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> _Order | Non
     if any(order.factor is None for order in top):
         return replace(largest, factor=None)
     factor = sp.Add(*(order.factor for order in top))
-    return _Order(*largest.size, factor) if _direction(factor, domain) else None
+    return Order(*largest.size, factor) if _direction(factor, domain) else None
 
 
-def _compare(one: _Order, other: _Order, domain: Domain) -> int | None:
+def _compare(one: Order, other: Order, domain: Domain) -> int | None:
     for first, second in zip(one.size, other.size, strict=True):
         if first != second:
             return _direction(sp.expand(first - second), domain)
     return 0
 
 
-def _find_order_of_exponential(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+def _find_order_of_exponential(argument: sp.Expr, domain: Domain, depth: int) -> Order | None:
     argument = sp.expand(argument)
     rate, power = argument.coeff(_Y, 1), argument.coeff(sp.log(_Y), 1)
     if rate.has(_Y) or power.has(_Y):
@@ -366,10 +314,10 @@ def _find_order_of_exponential(argument: sp.Expr, domain: Domain, depth: int) ->
     rest = _find(sp.expand(argument - rate * _Y - power * sp.log(_Y)), domain, depth)
     if rest is None or rest.is_infinite:
         return None
-    return _Order(rate, power, sp.S.Zero, sp.exp(rest))
+    return Order(rate, power, sp.S.Zero, sp.exp(rest))
 
 
-def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> _Order | None:
+def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> Order | None:
     limit = _find(argument, domain, depth)
     if limit is None:
         return None
@@ -380,4 +328,4 @@ def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> _
     order = _find_order(argument, domain, depth)
     if order is None or order.factor is None or order.rate != 0 or order.power == 0:
         return None
-    return _Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power)
+    return Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power)

@@ -1,0 +1,62 @@
+"""Orders of growth, and sums written anew so that theirs is seen (Hardy, Orders of Infinity)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Order:
+    """c*exp(rate*y)*y**power*(ln y)**logs up to a factor that goes to one; bounded c for None."""
+
+    rate: sp.Expr
+    power: sp.Expr
+    logs: sp.Expr
+    factor: sp.Expr | None
+
+    def times(self, other: Order) -> Order:
+        """Return the order of a product."""
+        rate, power, logs = (a + b for a, b in zip(self.size, other.size, strict=True))
+        if self.factor is None or other.factor is None:
+            return Order(rate, power, logs, None)
+        return Order(rate, power, logs, self.factor * other.factor)
+
+    @property
+    def size(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """Return the three exponents, in the order in which they count."""
+        return self.rate, self.power, self.logs
+
+
+def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
+    """Yield forms of a sum that are other than it stands."""
+    forms = (
+        join_logarithms,
+        lambda node: sp.collect(sp.expand(node), y),
+        _multiply_by_conjugate,
+        sp.together,
+        sp.expand,
+    )
+    written = (form(node) for form in forms)
+    yield from (one for one in written if one is not None and one != node)
+
+
+def join_logarithms(node: sp.Add) -> sp.Expr | None:
+    """Write c*(ln u - ln v) and a rest as c*ln(u/v) and the rest."""
+    terms = [t.as_coeff_Mul() for t in node.args]
+    logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
+    if len(logarithms) < 2:
+        return None
+    scale = min(abs(factor) for factor, _ in logarithms)
+    whole = sp.Mul(*(u ** (f / scale) for f, u in logarithms))
+    rest = sp.Add(*(f * t for f, t in terms if not isinstance(t, sp.log)))
+    return scale * sp.log(sp.cancel(sp.together(whole))) + rest
+
+
+def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
+    if len(node.args) != 2 or not any(p.exp == sp.S.Half for p in node.atoms(sp.Pow)):
+        return None
+    one, other = node.args
+    return sp.expand(one**2 - other**2) / (one - other)
