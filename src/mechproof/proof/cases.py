@@ -78,7 +78,10 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def decide_from_zero_base(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sides equal where the base of a power is zero, and where it is positive."""
+    """Prove sides equal where a letter in the base of a power is zero, and elsewhere.
+
+    Zero is an end of the range of the letter; None where no such letter is met.
+    """
     bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.free_symbols}
     free = {symbol for base in bases for symbol in base.free_symbols}
     tied = {symbol for relation in domain.where for symbol in relation.free_symbols}
@@ -212,7 +215,10 @@ def _contradicts(relation: Relational, other: sp.Basic, domain: Domain) -> bool:
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
-    """Collect the conditions of pieces in symbols that are bound nowhere, the innermost first."""
+    """Collect the conditions of pieces in symbols that are bound nowhere.
+
+    Those that hold pieces themselves are met once these are settled.
+    """
     pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
     free = {symbol for side in sides for symbol in side.free_symbols}
     bound = {symbol for side in sides for symbol in find_bound(side)}

@@ -43,11 +43,11 @@ def list_poles(
     below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
     bases = [factor.as_base_exp()[0] for factor in below]
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
-    poles = {zero for base in bases for zero in list_zeros(base, variable, lower, upper)}
+    poles = {zero for base in bases for zero in list_zeros_between(base, variable, lower, upper)}
     return sorted(poles, key=sp.N)
 
 
-def list_zeros(
+def list_zeros_between(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
     """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.

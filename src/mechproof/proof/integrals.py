@@ -27,7 +27,7 @@ from mechproof.proof.improper import (
     is_improper,
     is_iterated,
     list_poles,
-    list_zeros,
+    list_zeros_between,
 )
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.proposed_antiderivatives import propose
@@ -285,7 +285,7 @@ def _find_value_by_signs(
     (inner,) = modulus.args
     if not (lower.is_number and upper.is_number):
         return None
-    cuts = [lower, *list_zeros(inner, variable, lower, upper), upper]
+    cuts = [lower, *list_zeros_between(inner, variable, lower, upper), upper]
     total = sp.S.Zero
     for start, end in pairwise(cuts):
         sign = find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))

@@ -18,7 +18,7 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import BY_SINES
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
-from mechproof.proof.improper import list_zeros
+from mechproof.proof.improper import list_zeros_between
 from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import DerivativeWhere, ValueWhere, list_partial
@@ -173,7 +173,7 @@ def tell_jump(sides: tuple[Any, Any], domain: Domain) -> str:
         sp.Limit(take_values(value), x, zero, "+-")
         for value in sorted(needed, key=sp.default_sort_key)
         for x in value.args[1].free_symbols
-        for zero in list_zeros(1 / value.args[1], x, -_FAR, _FAR)
+        for zero in list_zeros_between(1 / value.args[1], x, -_FAR, _FAR)
     )
     return next(filter(None, (_tell_unlike(limit, domain) for limit in limits)), "")
 
