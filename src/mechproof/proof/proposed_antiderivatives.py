@@ -19,6 +19,8 @@ from sympy.simplify.fu import TR8
 from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_positive
 
+# Work limit: a power of the variable by which waves are divided.
+_HIGHEST = 2
 _TANGENT = sp.Dummy("t", real=True)
 
 
@@ -160,13 +162,22 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
     """Integrate by what the integrand is made of, put up with unknown factors (Bronstein 2005).
 
     Beside an exponential of a square stands an error function, beside a wave that is divided by the
-    variable a sine integral.
+    variable a sine integral. It takes long where functions are divided by or raised to letters, and
+    waves divided by high powers.
     """
+    below = sp.fraction(sp.together(integrand))[1]
+    functions = {node for node in below.atoms(sp.Function) if not isinstance(node, sp.exp)}
+    raised = (power.exp for power in integrand.atoms(sp.Pow) if power.has(variable))
+    if functions or not all(power.is_number for power in raised):
+        return
     written = TR8(integrand) if integrand.has(sp.sin, sp.cos) else integrand
+    waves = written.atoms(sp.sin, sp.cos)
+    if waves and below.has(variable) and sp.degree(below, variable) > _HIGHEST:
+        return
     slopes = [-node.args[0] / variable**2 for node in integrand.atoms(sp.exp)]
     hints = [sp.erf(sp.sqrt(a) * variable) for a in slopes if not a.has(variable)]
-    if sp.fraction(sp.together(integrand))[1].has(variable):
-        hints += [sp.Si(wave.args[0]) for wave in written.atoms(sp.sin, sp.cos)]
+    if below.has(variable):
+        hints += [sp.Si(wave.args[0]) for wave in sorted(waves, key=sp.default_sort_key)]
     found = heurisch(sp.expand(written), variable, hints=hints)
     if found is not None and not found.has(sp.Integral):
         yield from _list_pieces(found)
