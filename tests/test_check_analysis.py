@@ -33,6 +33,31 @@ PAIRS = [
     (r"\int\frac{dx}x=\ln|x|+\text{const}", r"\int\frac{dx}x=\ln|x|+x", ()),
     (r"\frac12\mathrm e^{2x}=\int\mathrm e^{2x}\,dx", r"\mathrm e^{2x}=\int\mathrm e^{2x}\,dx", ()),
     (r"\frac{d^2}{dx^2}|x|=0", r"\frac{d^2}{dx^2}|x|=1", ()),
+    (
+        r"\frac{\partial^2}{\partial x\,\partial y}\arctan\frac yx=\frac{y^2-x^2}{(x^2+y^2)^2}",
+        r"\frac{\partial^2}{\partial x\,\partial y}\arctan\frac yx=\frac{x^2-y^2}{(x^2+y^2)^2}",
+        (),
+    ),
+    (
+        r"\frac{\partial^3}{\partial x^2\partial y}(x^3y^2)=12xy",
+        r"\frac{\partial^3}{\partial x\partial y^2}(x^3y^2)=12xy",
+        (),
+    ),
+    (
+        r"\operatorname{arcoth}x=\frac12\ln\frac{x+1}{x-1}",
+        r"\operatorname{arcoth}x=\frac12\ln\frac{x-1}{x+1}",
+        ("x>1",),
+    ),
+    (
+        r"\operatorname{arsech}x=\ln\frac{1+\sqrt{1-x^2}}x",
+        r"\operatorname{arsech}x=\ln\frac{1-\sqrt{1-x^2}}x",
+        ("x>0", r"x\le1"),
+    ),
+    (
+        r"\frac{d}{dx}\operatorname{arcsch}x=-\frac1{x\sqrt{x^2+1}}",
+        r"\frac{d}{dx}\operatorname{arcsch}x=\frac1{x\sqrt{x^2+1}}",
+        ("x>0",),
+    ),
     (r"(\sqrt[3]{x})^3=x", r"(\sqrt[3]{x})^3=|x|", ()),
     (r"\sqrt[4]{16x}=2\sqrt[4]{x}", r"\sqrt[4]{8x}=2\sqrt[4]{x}", ("x>0",)),
     (

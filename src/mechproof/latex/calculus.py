@@ -149,7 +149,7 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
     """Read one product, or a sum that ends with the differential."""
     start = parser.start
     if is_differential(parser):
-        read_differential(parser)
+        read_differential(parser, opened)
         _refuse_factor_behind(parser)
         return Number("1", start=start, end=start)
     terms = [parser.read_term()]
@@ -166,7 +166,7 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
 
 def _end_with_differential(parser: Parser, opened: Open) -> None:
     if opened.differential is None and is_differential(parser):
-        read_differential(parser)
+        read_differential(parser, opened)
     if opened.differential is not None:
         _refuse_factor_behind(parser)
 
@@ -209,9 +209,8 @@ def is_differential(parser: Parser) -> bool:
     return match is None
 
 
-def read_differential(parser: Parser) -> None:
+def read_differential(parser: Parser, opened: Open) -> None:
     """Read d and the one name or function behind it."""
-    opened = parser.integrals[-1]
     start = parser.take("d").start
     operand = parser.read_factor()
     if opened.differential is not None:
@@ -220,7 +219,7 @@ def read_differential(parser: Parser) -> None:
 
 
 def read_numerator(parser: Parser) -> Node:
-    """Read the upper part of a fraction; the differential of an integral may stand in it."""
+    """Read the upper part of a fraction; the differentials of integrals may stand in it."""
     return parser.read_inside("{", lambda: _read_numerator(parser), "}")
 
 
@@ -228,8 +227,9 @@ def _read_numerator(parser: Parser) -> Node:
     start = parser.start
     alone = is_differential(parser)
     inside = Number("1", start=start, end=start) if alone else parser.read_sum()
-    if is_differential(parser):
-        read_differential(parser)
+    for opened in reversed(parser.integrals):
+        if is_differential(parser):
+            read_differential(parser, opened)
     return inside
 
 

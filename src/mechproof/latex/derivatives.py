@@ -62,8 +62,8 @@ def read_derivative(parser: Parser) -> Node:
     parser.take()
     is_partial = parser.tokens[parser.place + 1].text == PARTIAL
     order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
-    by, below = parser.read_inside("{", lambda: _read_below(parser), "}")
-    if order != below:
+    steps = parser.read_inside("{", lambda: _read_below(parser), "}")
+    if order != sum(own for _, own in steps):
         raise parser.refuse("a derivative of two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
@@ -76,7 +76,9 @@ def read_derivative(parser: Parser) -> Node:
             raise parser.refuse(
                 "how far does the derivative reach?", "Print brackets around it.", start
             )
-    return Derivation(operand, by, order, is_partial, start=start, end=parser.end)
+    for by, own in reversed(steps):
+        operand = Derivation(operand, by, own, is_partial, start=start, end=parser.end)
+    return operand
 
 
 def read_suffix(parser: Parser, atom: Node) -> Node | None:
@@ -103,15 +105,19 @@ def _read_above(parser: Parser) -> tuple[int, Node | None]:
     return order, operand
 
 
-def _read_below(parser: Parser) -> tuple[Letter, int]:
-    start = parser.take().start
-    by, order = parser.read_factor(), 1
-    if isinstance(by, Power):
-        order = _read_order(by.exponent, parser)
-        by = by.base
-    if not isinstance(by, Letter):
-        raise parser.refuse("a derivative by no letter", place=start)
-    return by, order
+def _read_below(parser: Parser) -> list[tuple[Letter, int]]:
+    """Read the letters by which it is with the order by each, of partial ones several."""
+    steps: list[tuple[Letter, int]] = []
+    while not steps or parser.text == PARTIAL:
+        start = parser.take().start
+        by, order = parser.read_factor(), 1
+        if isinstance(by, Power):
+            order = _read_order(by.exponent, parser)
+            by = by.base
+        if not isinstance(by, Letter):
+            raise parser.refuse("a derivative by no letter", place=start)
+        steps.append((by, order))
+    return steps
 
 
 def _read_order(node: Node, parser: Parser) -> int:

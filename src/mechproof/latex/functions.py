@@ -19,6 +19,18 @@ def _lb(argument: sp.Expr) -> sp.Expr:
     return sp.log(argument) / sp.log(2)
 
 
+def _acoth(argument: sp.Expr) -> sp.Expr:
+    return sp.atanh(1 / argument)
+
+
+def _asech(argument: sp.Expr) -> sp.Expr:
+    return sp.acosh(1 / argument)
+
+
+def _acsch(argument: sp.Expr) -> sp.Expr:
+    return sp.asinh(1 / argument)
+
+
 def _inv(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
     """Return the involute of an angle, the inverse of a matrix."""
     return invert(argument) if is_matrix(argument) else sp.tan(argument) - argument
@@ -53,6 +65,9 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.asinh: ("arsh", "asinh", "arsinh", "Arsh", "Arsinh"),
     sp.acosh: ("arch", "acosh", "arcosh", "Arch", "Arcosh"),
     sp.atanh: ("arth", "atanh", "artanh", "Arth", "Artanh"),
+    _acoth: ("arcoth", "Arcoth", "arcth", "Arcth", "acoth"),
+    _asech: ("arsech", "Arsech", "asech"),
+    _acsch: ("arcsch", "Arcsch", "acsch"),
     sp.atan2: ("atan2", "arctan2", "arctg2"),
     _inv: ("inv",),
     _det: ("det",),
