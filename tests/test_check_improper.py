@@ -40,6 +40,11 @@ PAIRS = [
     (r"\int_{-1}^1\frac{dx}{\sqrt{|x|}}=%s", "4", "2", ()),
     (r"\int_0^2\frac{dx}{(x^2-2)^2}=%s", r"\infty", "1", ()),
     (r"\int_0^3\frac{dx}{\sqrt[3]{(x-1)^2}}=%s", r"3(1+\sqrt[3]2)", r"3(1-\sqrt[3]2)", ()),
+    # Integrals of integrals that have no value at a corner, and differ by their order.
+    (r"\int_0^1\int_0^1\frac{x-y}{(x+y)^3}dy\,dx=%s", r"\frac12", r"-\frac12", ()),
+    (r"\int_0^1\int_0^1\frac{x-y}{(x+y)^3}dx\,dy=%s", r"-\frac12", r"\frac12", ()),
+    (r"\int_0^1\int_0^1\frac{dx\,dy}{(x+y)^2}=%s", r"\infty", "1", ()),
+    (r"\int_0^1\frac{x-a}{(x+a)^3}dx=%s", r"-\frac1{(a+1)^2}", r"\frac1{(a+1)^2}", ("a>0",)),
     # Limits by sines and cosines, and where the sides differ.
     (r"\lim_{x\to\frac\pi2}\left(\frac\pi2-x\right)\tan x=%s", "1", "-1", ()),
     (r"\lim_{x\to0}x\cot x=%s", "1", "0", ()),
@@ -82,6 +87,7 @@ WITHOUT_LIMIT = [
 # Of what is infinite with both signs, or not shown to be, nothing is said.
 OPEN = [
     (r"\int_{-1}^1\frac{dx}x=0", ()),
+    (r"\int_{-1}^1\int_0^1\frac yxdy\,dx=0", ()),
     (r"\int_{-\infty}^\infty x\,dx=0", ()),
     (r"\int_{-\infty}^\infty\sin x\,dx=0", ()),
     (r"\int_0^1\left(\frac1x-\frac1{1-x}\right)dx=0", ()),

@@ -197,7 +197,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     place, run = parametrise(variable, *ends)
     integrand = sp.Integral(integral.function, *inner) if inner else integral.function
     integrand = substitute(integrand, {variable: place}) * sp.diff(place, variable)
-    inside = domain.with_set(variable, run)
+    inside = domain.with_set(variable, run.interior)
     values = {node: _find_finite(node, inside) for node in _list_free(integrand)}
     if not values or None in values.values():
         return None

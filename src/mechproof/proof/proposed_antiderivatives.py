@@ -150,12 +150,19 @@ def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -
 
 
 def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors."""
+    """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors.
+
+    The fraction that an integral begins with needs no rules (Horowitz 1971): these take long.
+    """
     if not integrand.is_rational_function(variable):
         return
     if integrand.free_symbols == {variable}:
         yield ratint(integrand, variable, real=True)
-    yield from _propose_by_rules(sp.apart(integrand, variable), variable)
+    above, below = sp.fraction(sp.cancel(integrand))
+    whole, above = sp.div(above, below, variable)
+    part, rest = ratint_ratpart(above, below, variable)
+    for found in _propose_by_rules(sp.apart(rest, variable), variable):
+        yield sp.Poly(whole, variable).integrate().as_expr() + part + found
 
 
 def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
