@@ -87,6 +87,13 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
         ("A belt of width $b$ is fixed at one end.\n", "b : width"),
         ("\\(b\\) ist die Breite des Riemens.\\newline\n", "b : ist die Breite des Riemens"),
         ("$b$ & width of the belt & mm \\\\\n", "b : width of the belt [mm]"),
+        ("Let $b$ be the width of the\n  belt.", "b : width of the belt"),
+        ("Then $b$ and $a$ are thought to be small.", "b :"),
+        ("$b$ and $a$ are the speeds of the belt in rpm.", "b : speeds of the belt [rpm]"),
+        (
+            "$a,b$ are the widths of belt, pulley and rim, $k$ is the pitch.",
+            "b : widths of belt, pulley and rim",
+        ),
     ],
 )
 def test_words_say_what_letters_mean(words: str, line: str) -> None:
@@ -100,7 +107,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"$$b=h+e^2$$", ["e :"], []),
         (r"$$i=\frac{n}{m}$$", ["i :"], []),
         (r"$$i=\frac{n}{m}$$ $$i=5.49,\qquad n=2$$", ["i :"], []),
+        (r"$$i_0=\frac{n}{m}$$ $$i=2n$$ $$i_0=-4$$", ["i :", "i_{0} :"], ["i_0 :"]),
         (r"$$y=\sum_{i=1}^nb_i$$", [], ["i :"]),
+        # What is said to count, and what may be zero in one case only.
+        (r"$$y=bk,\qquad k\in\mathbb N$$", ["k :", "natural k"], []),
+        (r"$$y=bk_1,\quad k_1\in\mathbb{Z}$$", ["k_{1} :", "integer k_1"], []),
+        (r"$$C_2=0$$ $$y=C_2b$$", ["# let C_2=0"], ["let C_2=0"]),
         (r"$$y_i=2b_i,\quad i=1,\dots,n$$", [], ["i :"]),
         (r"where $d$ is the width, $$\frac{dy}{dx}=2d+b$$", ["d : width", "y(x) :"], []),
         (r"$$y(x)=bx^2$$ $$y'(x)=2bx,\quad y''=2b$$ $$y(0)=0$$", ["y(x) :"], ["y'(x) :"]),
@@ -145,6 +157,8 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"At $\tan b=c$, with $b=2$ and where $2b=7$ $$y=b+c$$", ["sizes b=2"], ["claim 2b=7"]),
         # A speed of which nothing else is said is constant.
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
+        (r"with $w=\dot q$ $$b=cw\cos q$$ $$w=2\pi k$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
+        (r"with $w=\dot q$ $$b=cw\ddot q$$ $$w=2\pi k$$", ["q(t) :"], [r"let w=\dot q"]),
         (r"with $w=\dot q$ $$b=cq\dot w$$", [r"let w=\dot q", "w(t) :"], []),
         (r"with $w=\dot q$ $$b=cw\ddot q$$", [r"let w=\dot q"], []),
         (r"with $w=\dot q$, $v=\ddot q$ $$b=cwq+v$$", [r"let w=\dot q", r"let v=\ddot q"], []),
@@ -195,6 +209,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [],
         ),
         (r"For $b=20$\,mm and $c=3\,$kN, $$y=2bc$$", ["sizes b=20 mm", "sizes c=3 kN"], []),
+        (
+            r"For $b=2$ N/mm and $c=3$ N/mm$^2$, $$y=2bc$$",
+            ["b : [N/mm]", "sizes b=2 N/mm", "sizes c=3 N/mm^2"],
+            [],
+        ),
+        (r"the force $b$ in N, $b=\SI{20}{kN}$, $$y=2b$$", ["sizes b=20 kN"], []),
         (r"For $b=20$ in all $$y=2bc$$", ["sizes b=20"], ["b : [in]"]),
         (r"\newcommand{\bs}{b_{s}} with $\bs=24$ $$y=2b_s$$", ["sizes b_{s}=24"], []),
         (
@@ -292,6 +312,14 @@ def test_words_ask_what_follows() -> None:
     assert "%% # line 4 refers to (2), (1). Does (3) follow from them?" in found
     assert "%% # follows (3): (2), (1)\n" in found
     assert found.count("follows") == 2
+
+
+def test_what_refers_to_a_display_asks_for_all_its_parts() -> None:
+    found = draft(
+        r"\begin{equation}N=kb,\quad b=2c\label{both}\end{equation} From \eqref{both} we have"
+        r"\begin{equation}N=2kc\end{equation}"
+    )
+    assert "%% # follows (2): (1), part 1, (1), part 2\n" in found
 
 
 def test_what_a_draft_names_is_read(tmp_path: Path) -> None:

@@ -53,6 +53,13 @@ _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 # A letter e: any, and one that is raised.
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
+# A letter that is printed to be zero.
+_ZERO = re.compile(r"\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*=\s*0\s*[.,;]?\s*")
+# What is said to count, and how the block says so.
+_COUNTING = re.compile(
+    r"(?P<letter>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\\in\s*\\mathbb\s*"
+    r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
+)
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
 # What is never negative.
 _POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
@@ -82,6 +89,8 @@ def draft_block(source: Source) -> str:
     said = dict(find_said(source))
     has_euler = _is_euler(prints)
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
+    counting = [match for latex in prints for match in _COUNTING.finditer(latex)]
+    plain = [_COUNTING.sub(r"\g<letter>>0", latex) for latex in plain]
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
     if find_pi(said):
         collected.letters.append(r"\pi")
@@ -118,12 +127,19 @@ def draft_block(source: Source) -> str:
         lines.append(f"# {name} has several sizes: declare a letter for each, and say where it is")
         lines.append(f"# which: in (1): {name} is …")
     lines += _EULER if has_euler else []
+    for match in counting:
+        kind = "natural" if match["set"] == "N" and not match["zero"] else "integer"
+        lines.append(f"{kind} {match['letter']}")
     running = {name: one.running for one in entries.values() for name in one.names}
     lines += propose_values(displays, running, said, inline)
     lines += propose_relations(source, [*running])
     for claim, line in find_extremes(source, running):
         lines += [f"# line {line} says:", f"claim {claim}"]
     lines += ask_extremes(displays, running)
+    for display in displays:
+        if zero := _ZERO.fullmatch(display.latex.string):
+            lines.append(f"# {display.name}: a constant of integration, which is zero throughout?")
+            lines.append(f"# let {zero[1]}=0")
     depending = {name for name, entry in entries.items() if entry.running}
     factors = [x for x in collected.factors if name_symbol(x).rstrip("'") not in depending]
     if factors:

@@ -47,14 +47,13 @@ def propose_values(
     alike: dict[str, str] = {}
     for name, one in inline:
         line = ""
-        if name in defined:
+        rate = RATE.fullmatch(one.value)
+        is_constant = rate and name not in moving and rate[1] not in accelerated
+        if name in defined and not is_constant:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
-            rate = RATE.fullmatch(one.value)
-            if rate and name not in moving and rate[1] not in accelerated:
-                line = f"let {one.value}={one.letter}"
-            else:
-                line = f"let {one.letter}={one.value}"
+            line = f"let {one.letter}={one.value}"
+            line = f"let {one.value}={one.letter}" if is_constant else line
             if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
                 yield f"# line {one.line}: a special position, or does it always hold?"
                 yield f"# {line}"
@@ -103,19 +102,23 @@ def _is_position(value: str, letters: Sequence[str]) -> bool:
 
 def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
     """Yield which equations words before another refer to: it may follow from these."""
-    names = {label: one.name for one in displays for label in (*one.labels, one.name)}
+    names: dict[str, dict[str, None]] = {}
+    for one in displays:
+        for label in (*one.labels, one.name, one.name.partition(",")[0]):
+            names.setdefault(label, {})[one.name] = None
     starts = [one.latex.offsets[0] for one in displays]
     met: dict[int, dict[str, int]] = {}
     for match in _REFERENCE.finditer(source.text.string):
         offset = source.text.offsets[match.start()]
-        name = names.get(match[1] or match[2], "")
         after = bisect_right(starts, offset)
         before = {one.name for one in displays[:after]}
-        if name in before and after < len(starts) and starts[after] - offset < _NEAR:
-            met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
+        for name in names.get(match[1] or match[2], ()):
+            if name in before and after < len(starts) and starts[after] - offset < _NEAR:
+                met.setdefault(after, {}).setdefault(name, source.files.locate(offset).line)
     for after, found in met.items():
         if found:
-            one, others = displays[after].name, ", ".join(found)
+            name, others = displays[after].name, ", ".join(found)
             them = "them" if len(found) > 1 else "it"
-            yield f"# line {min(found.values())} refers to {others}. Does {one} follow from {them}?"
-            yield f"# follows {one}: {others}"
+            line = min(found.values())
+            yield f"# line {line} refers to {others}. Does {name} follow from {them}?"
+            yield f"# follows {name}: {others}"

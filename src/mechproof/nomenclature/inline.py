@@ -35,11 +35,6 @@ _CASE = re.compile(
     re.IGNORECASE,
 )
 _BEFORE = 70
-# A unit behind the signs of an equation: $h=20$\,mm.
-_UNIT = re.compile(
-    r"(?:\\[,;: ]|~|\s)*(?P<unit>[kcdm\u00b5]?(?:m|N|Pa|W|J|s|Hz)|[kMG](?:N|Pa|W|J|Hz)|k?g|k?N\s?m"
-    r"|rad(?:/s)?|rpm|min|deg)(?=[.,;:)\s]|\Z)"
-)
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
 _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
@@ -47,6 +42,7 @@ _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
 _SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
+_BEHIND = 30
 # Where the unit behind a number may end: before the word "in", that is no inch.
 _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
@@ -72,18 +68,9 @@ class Inline:
         own, meant = self.number.unit or ONE, read_unit(unit)
         if own.dimension != meant.dimension:
             return ""
-        factor = sp.nsimplify(own.scale / meant.scale)
-        if factor == 1:
-            return f"{self.number.digits} {unit}".strip()
-        if factor == sp.pi / 180:
+        if own.dimension.is_angle and own.scale == sp.pi / 180:
             return rf"{self.number.digits}^\circ"
-        return f"{self.number.digits}{_write_factor(factor * self.number.factor)}"
-
-
-def _write_factor(factor: sp.Expr) -> str:
-    above, below = sp.fraction(factor)
-    pi, number = above.as_independent(sp.pi)[::-1]
-    return rf"\cdot\frac{{{number}{pi if pi != 1 else ''}}}{{{below}}}".replace("pi", r"\pi")
+        return f"{self.number.digits} {self.unit}".strip()
 
 
 def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
@@ -100,11 +87,18 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         if found is None or letter is None:
             continue
         value = found["value"]
-        behind = _UNIT.match(text, match.end())
         line = source.files.locate(source.text.offsets[match.start()]).line
-        number, unit = read_quantity(value, behind["unit"] if behind else "")
+        behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
+        number, unit = read_quantity(value, name_unit(behind))
         is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
         yield Inline(letter, value, line, number, unit, is_case, match.end())
+
+
+def _find_unit_behind(text: str) -> tuple[str, Unit]:
+    """Return the longest print of a unit with which a text begins, nothing if with none."""
+    ends = [end.start() for end in _ENDS.finditer(text)]
+    units = ((text[:end], find_unit(text[:end])) for end in reversed(ends))
+    return next(((printed, unit) for printed, unit in units if unit), ("", ONE))
 
 
 def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
@@ -153,11 +147,9 @@ def find_quantities(source: Source) -> Iterator[SaidQuantity]:
     """Yield the numbers with a unit that stand between displays."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _SAID.finditer(text):
-        behind = match["behind"]
-        ends = [end.start() for end in _ENDS.finditer(behind)]
-        units = ((behind[:end], find_unit(behind[:end])) for end in reversed(ends))
-        if found := next(((printed, unit) for printed, unit in units if unit), None):
+        printed, unit = _find_unit_behind(match["behind"])
+        if printed:
             line = source.files.locate(source.text.offsets[match.start()]).line
-            shown = f"{match['digits']}{found[0]}".replace("$", "").strip()
+            shown = f"{match['digits']}{printed}".replace("$", "").strip()
             digits = match["digits"].replace(",", ".")
-            yield SaidQuantity(digits, found[1], " ".join(shown.split()), match.end("digits"), line)
+            yield SaidQuantity(digits, unit, " ".join(shown.split()), match.end("digits"), line)

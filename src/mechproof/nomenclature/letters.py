@@ -13,7 +13,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
-from mechproof.latex.names import strip_braces
+from mechproof.latex.names import strip_braces, to_signs
 from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
@@ -131,8 +131,9 @@ def collect_letters(
         else:
             letters |= dict.fromkeys(found)
     kept = [x for x in letters if "#" not in x]
-    factors, guessed = [*guesses.factors], [*guesses.letters]
-    return Collected(kept, factors, guesses.functions, unread, guessed, imaginary)
+    signs = {*map(to_signs, kept)}
+    guessed = [x for x in guesses.letters if to_signs(x) not in signs]
+    return Collected(kept, [*guesses.factors], guesses.functions, unread, guessed, imaginary)
 
 
 @dataclass

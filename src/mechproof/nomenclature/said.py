@@ -15,7 +15,10 @@ from mechproof.nomenclature.units import UnitError, read_unit
 from mechproof.sources.files import Source
 
 _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"
-_UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"
+_UNIT = (
+    r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)"
+    r"|,?\s+in\s+(rad|deg|rpm|[kMmc]?(?:m|g|N|Nm|Pa|W|Hz|s))\b))?"
+)
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _ARTICLE = r"(?:the\s+|an?\s+)?"
 # An "and" behind a meaning that goes on with few words: "of the rear and front wheel".
@@ -24,8 +27,11 @@ _AND = (
     r"(?:[a-z-]+[ ]){0,2}[a-z-]+\s*[.,;:(])"
 )
 # What is said of several letters: where it ends, commas do not tell.
-_NAMES = r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$)"
-_BEHIND = r"(?=[.;:(\n\\$]|,[^.;:\n]*\$|,\s+(?:wh|so|with|but)|\s+and\s[^.;:\n]{0,30}\$)"
+_NAMES = (
+    r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$"
+    r"|\$(?:(?:[^$&|\n{},]|\{[^{}$]*\}){1,30},){1,6}[^$&|\n]{1,30}\$)"
+)
+_BEHIND = r"(?=[.;:(\n\\$]|,[^.,;:\n]*\$|,\s+(?:wh|so|with|but)|\s+and\s[^.,;:\n]{0,30}\$)"
 _BULLET = r"^[ \t]*(?:[-*+]|\\item|\d+\.)[ \t]+"
 # A noun right before its letters: "the crank radius $r$", "a rod of length $l$ and mass $m$".
 _NO_NAME = (
@@ -95,7 +101,7 @@ _PATTERNS = (
 _NO_NOUN = re.compile(
     r"(?:defined|given|called|denoted|obtained|chosen|equal|shown|known|found|used|assumed|said|taken"
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
-    r"|[a-z]+ed\s+(?:at|by|in|on|to|with|from|between)|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
+    r"|[a-z]+\s+to\s+be|[a-z]+ed\s+(?:at|by|in|on|to|with|from|between)|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
     # A sentence of its own: "with $a$, $b$ the length of the path is".
     r"|.*\b(?:is|are|becomes?|equals?|reads?|follows)\Z"
@@ -104,6 +110,8 @@ _NO_NOUN = re.compile(
 _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
 _RESPECTIVELY = re.compile(r",?\s*respectively")
 _ITEMS = re.compile(r",\s*(?:and\s+)?(?:the\s+)?|\s+and\s+(?:the\s+)?")
+# The end of a line within a sentence.
+_WRAPPED = re.compile(r"(?<=\w)\n(?=[ \t]*[a-z])")
 _INLINE = re.compile(r"\\([()])")
 # What words say of the number pi itself.
 _NUMBER = re.compile(r"circ|constant|number|approx|irrational|3[.,]1", re.IGNORECASE)
@@ -121,6 +129,7 @@ class Said:
 def find_said(source: Source) -> Iterator[tuple[str, Said]]:
     """Yield letters with what is said of them last, so that the first of a table wins."""
     string = _INLINE.sub(lambda match: " $" if match[1] == "(" else "$ ", source.text.string)
+    string = _WRAPPED.sub(" ", string)
     for pattern in _PATTERNS:
         for match in reversed(list(pattern.finditer(string))):
             named = {*match.groupdict().values()}
