@@ -41,6 +41,16 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "what a tangent of a sum is written out by": (
+        [
+            r"\tan\alpha=\frac{h}{a}",
+            r"k\tan(\alpha+\beta)=k\frac{h+a\tan\beta}{a-h\tan\beta}",
+            r"k\tan(\alpha+\beta)=k\frac{h+a\tan\beta}{a+h\tan\beta}",
+            r"k\tan(\alpha+\beta)=k\frac{h+a\tan\beta}{a-h\tan\beta}+mh-ma\tan\alpha",
+            r"k\tan(\alpha+\beta)=k\frac{h+a\tan\beta}{a-h\tan\beta}+\frac{mh-ma\tan\alpha}{n}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "PROVED"],
+    ),
     "the derivative of what a constraint gives": (
         [
             r"x^2-2rx\cos\varphi+r^2=l^2",
@@ -295,6 +305,29 @@ SAID = {
 def test_rows_beside_constraints_have_their_outcome(case: str) -> None:
     equations, expected = CASES[case]
     assert outcomes(*equations, block=SAID.get(case, "")) == expected
+
+
+# A slotted lever: what is shown to follow leaves fewer premises for what stands behind it.
+LEVER = r"""%% mechproof
+%% r ; c : lengths [mm] {r>0}
+%% s(t) : position [mm]
+%% \theta(t) ; \phi(t) : angles [rad]
+%% \omega : angular speed [rad/s]
+%% let \dot\theta=\omega
+%% where c>r
+%% end
+$$s\cos\phi=c+r\cos\theta$$ $$s\sin\phi=r\sin\theta$$
+$$\tan\phi=\frac{r\sin\theta}{c+r\cos\theta}$$
+$$\dot s\cos\phi-s\dot\phi\sin\phi=-r\omega\sin\theta$$
+$$\dot s\sin\phi+s\dot\phi\cos\phi=r\omega\cos\theta$$
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("sign", "expected"), [("-", "PROVED"), ("+", "REFUTED")])
+def test_what_follows_is_no_premise_again(sign: str, expected: str) -> None:
+    row = check("paper.tex", rf"{LEVER}$$\dot s=-r\omega\sin(\theta{sign}\phi)$$").rows[-1]
+    assert row.outcome == expected, row.reason
 
 
 # A rod whose crank turns at a speed that the block gives.

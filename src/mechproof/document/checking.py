@@ -201,14 +201,14 @@ def _leave_open(
     """
     for number, task in enumerate(tasks):
         found = rows[number].judgement
-        if not found or found.rung != GIVEN:
+        if not found or found.rung != GIVEN or task.is_given:
             continue
         if task.sign.role in COMPARED:
-            other = task.sign.first or "the member before"
+            other, name = task.sign.first or "the member before", name_equation(task.row.number)
             reason = (
-                f"it differs from {other} and has other letters: a constraint, or a misprint? If "
-                "it is meant for all their values, say so in the block of letters: identity "
-                f"{name_equation(task.row.number)}"
+                f"it differs from {other} and has other letters: a constraint, or a misprint? If a "
+                f"constraint, say constraint {name}; if it is meant for all their values, say so "
+                f"in the block of letters: identity {name}"
             )
             is_said = UNLIKE in found.reason or ROOT in found.reason
             reason = found.reason if is_said else reason
@@ -257,4 +257,6 @@ def _is_special(task: Task, row: CheckedRow) -> bool:
     """Return whether a row is open, and says something else at what is said beside it."""
     verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
     is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
+    # What may be another case of a definition may be this one.
+    is_open = is_open or task.is_solution
     return bool(is_open) and task.special is not None and task.special.row.says != task.row.says

@@ -45,13 +45,41 @@ def follow_from_constraints(
     A step of a chain may be one, i=n_1/n_2=z_2/z_1. What differs from a definition, but may be
     another case of it, may follow, too.
     """
-    given = [n for n, task in enumerate(tasks) if _may_be_constraint(task, rows[n])]
-    numbers = []
+    asked, proved = _ask_what_follows(tasks, rows), set[int]()
+    while asked:
+        for n, row in _follow(key, tasks, rows, asked, limit):
+            is_proof = row.outcome == Verdict.PROVED.value
+            if is_proof or not proved:
+                yield n, row
+            proved |= {n} if is_proof else set()
+        # Without what was shown to follow fewer are left, of which one may be found to follow.
+        fewer = {n: tuple(g for g in given if g not in proved) for n, given in asked.items()}
+        asked = {n: x for n, x in fewer.items() if x and n not in proved and x != asked[n]}
+
+
+def _ask_what_follows(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> dict[int, tuple[int, ...]]:
+    """Return the rows that are not shown to hold by themselves, and constraints before each."""
+    given = [n for n, task in enumerate(tasks) if _may_be_premise(task, rows[n])]
+    asked = {}
     for n, task in enumerate(tasks):
         common = [g for g in list_applicable(given, n, tasks) if _have_common(tasks[g], task)]
         is_left = task.is_solution and rows[n].outcome == State.NOT_JUDGED.value
         if common and (rows[n].outcome in _UNPROVED or is_left) and not task.is_claimed:
-            numbers.append((key, n, tuple(common)))
+            asked[n] = tuple(common)
+    return asked
+
+
+def _follow(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    asked: Mapping[int, tuple[int, ...]],
+    limit: float,
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge rows by constraints, or say of which it was not shown that a constraint follows."""
+    numbers = [(key, n, given) for n, given in asked.items()]
     for place, found in run_tasks(judge_beside, numbers, limit=limit):
         number = numbers[place][1]
         if isinstance(found, Judgement):
@@ -210,13 +238,20 @@ def connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterato
 
 
 def is_constraint(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is taken as given; a step of a chain if others follow from it."""
+    """Return whether a row is taken as given; a step of a chain if it is said, or others follow."""
     is_supported = row.judgement is not None and row.judgement.rung == SUPPORTED
+    is_supported |= task.is_given
     return _may_be_constraint(task, row) and (task.sign.role is not Role.STEP or is_supported)
 
 
 def _may_be_constraint(task: Task, row: CheckedRow) -> bool:
     return row.outcome == Verdict.DEFINITION.value and binds(task)
+
+
+def _may_be_premise(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row is taken as given, or is shown to follow as the block says."""
+    is_shown = bool(task.follows) and row.outcome == Verdict.PROVED.value
+    return _may_be_constraint(task, row) or (is_shown and binds(task))
 
 
 def binds(task: Task) -> bool:

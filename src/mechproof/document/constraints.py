@@ -117,12 +117,20 @@ def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
     return [factor for factor, _ in sp.factor_list(below)[1]]
 
 
+def _list_written_out(factor: sp.Expr) -> list[sp.Expr]:
+    """Return the factors of a factor that is multiplied by the cosines of its tangents.
+
+    The tangent of a sum is written out by its sine and cosine: by other tangents it has poles.
+    """
+    above = sp.numer(sp.together(_divide_tangents(factor)))
+    return [one for one, _ in sp.factor_list(sp.expand_trig(above))[1]]
+
+
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
     """Return whether multipliers have values where the residual has one."""
     own = {*list_factors_below(residual)}
-    own |= {sp.sin(factor.args[0]) for factor in own if isinstance(factor, sp.tan)}
-    # Multipliers have the sines of sums written out, which has poles for tangents alone.
-    own |= {sp.expand_trig(factor) for factor in own if not factor.has(sp.tan)}
+    # Multipliers have tangents, and the sines of sums, written out.
+    own |= {factor for one in own for factor in _list_written_out(one)}
     own |= {-factor for factor in own}
     divisors = {factor for one in multipliers for factor in list_factors_below(one)} - own
     return all(is_nonzero(factor, domain) for factor in divisors)
@@ -258,9 +266,12 @@ def _find_shared(polynomial: sp.Expr) -> sp.Expr:
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     plain = sp.expand_trig(take_values(expression))
-    plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
-    above, below = sp.fraction(sp.together(plain))
+    above, below = sp.fraction(sp.together(_divide_tangents(plain)))
     return sp.expand(above), below
+
+
+def _divide_tangents(expression: sp.Expr) -> sp.Expr:
+    return expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
 
 
 def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:

@@ -226,7 +226,7 @@ class TaskMaker:
         follows = self._list_named(look_up(printed, self.block.follows) or ())
         words = printed.announced
         is_case = words.is_other if sign.role is Role.SOLUTIONS else words.is_case
-        is_case |= is_listed(printed, block.constraints)
+        is_given = is_listed(printed, block.constraints)
         return Task(
             row,
             place,
@@ -241,11 +241,13 @@ class TaskMaker:
             follows=() if sign.role is Role.DEFINITION else follows,
             is_loose=residual is not None and self._is_loose(residual),
             ties_running=residual is not None and self._ties_running(residual),
-            is_case=is_case,
+            is_case=is_case or is_given,
             is_excused=is_case
+            or is_given
             or (not is_either and any(is_met_once(s, self.known) for s in list_stated(row.says))),
             said=printed.announced,
             at={letter: self.known.settle(value) for letter, value in at.items()},
+            is_given=is_given,
         )
 
     def _is_given_by_itself(self, sign: Sign) -> bool:

@@ -34,7 +34,8 @@ class Task:
     that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
     `said` is what words before it announce, `at` are the values of letters that a condition beside
     it says, `special` is the row at those that words before it say, too. `anew` are the values of
-    letters and derivatives if it is another case; None for one without a value then.
+    letters and derivatives if it is another case; None for one without a value then. `is_given`
+    tells that the block says it to be a constraint.
     """
 
     row: Row
@@ -57,6 +58,7 @@ class Task:
     at: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     special: Task | None = None
     anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
+    is_given: bool = False
 
     @property
     def is_rounded(self) -> bool:
