@@ -305,6 +305,41 @@ def test_calculations_give_what_stands_behind_them(printed: str) -> None:
     assert [row.outcome for row in rows][1:] == RESULTS[printed]
 
 
+# Angles by numbers alone, in degrees and where nothing says so.
+DEGREES = {
+    r"\psi=\arctan\frac{6}{\pi\cdot36}=3.04^\circ": "PROVED",
+    r"\psi=\arctan\frac{6}{\pi\cdot36}=3.40^\circ": "REFUTED",
+    r"\psi=90^\circ-\arctan0.5=63.4^\circ": "PROVED",
+    r"\psi=90-\arctan0.5=63.4^\circ": UNJUDGED,
+    r"\psi=90-\arctan0.5=64.3^\circ": "REFUTED",
+    r"q=10\sin30=5": UNJUDGED,
+    r"q=10\sin30=-9.88": "PROVED",
+    r"q=10\sin30=6": "REFUTED",
+}
+
+
+@pytest.mark.parametrize("printed", DEGREES)
+def test_angles_without_a_sign_of_degrees_accuse_nobody(printed: str) -> None:
+    rows = check("p.tex", f"{WORKED_OUT}\\begin{{equation}}{printed}\\end{{equation}}").rows
+    assert rows[-1].outcome == DEGREES[printed]
+
+
+# The first member of a chain needs letters that have no size, or none where one is zero.
+MEMBERS = {
+    r"q=\frac{6-2}{2\cdot6}": "PROVED",
+    r"q=\frac{6+2}{2\cdot6}": UNJUDGED,
+}
+
+
+@pytest.mark.parametrize("printed", MEMBERS)
+@pytest.mark.parametrize("said", ["", "If it is at rest, $u=0$ and $v=0$. In general $n=6$ and"])
+def test_numbers_may_be_put_into_a_further_member(printed: str, said: str) -> None:
+    block = "%% mechproof\n%% q ; n ; u ; v : numbers\n%% sizes n=6\n%% end\n"
+    chain = r"\begin{equation}q=\frac uv=\frac12-\frac1n\end{equation}"
+    rows = check("p.tex", f"{block}{chain}{said}\\begin{{equation}}{printed}\\end{{equation}}").rows
+    assert rows[-1].outcome == MEMBERS[printed]
+
+
 # An angle behind its cosine or sine.
 ANGLES = {
     r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=80.4^\circ": "PROVED",

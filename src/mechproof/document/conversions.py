@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from mechproof.document.roles import Sign
-from mechproof.document.scales import RoundedSize, agrees, is_near
+from mechproof.document.scales import ARCS, TURNING, RoundedSize, agrees, is_near
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.nomenclature.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
@@ -15,6 +15,7 @@ from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 
 UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
 _TURNED = "turns, or radians? no letter says in which of them the calculation counts"
+DEGREES = "it holds in degrees, which nothing says: print the sign ^\\circ behind its angles"
 NEAR = "it differs from the recomputed number, but by no more than rounding explains"
 
 
@@ -76,6 +77,17 @@ def tell_misfit(sign: Sign, symbols: Symbols) -> str:
         return ""
     other = read_unit(sign.unit).dimension
     return f"{sign.letter} has dimension {own} but the unit {sign.unit} has {other}"
+
+
+def counts_in_degrees(sign: Sign) -> bool:
+    """Return whether a number is that of a calculation whose angles are in degrees, unsaid."""
+    if not sign.number or not isinstance(sign.value, sp.Expr) or sign.value.free_symbols:
+        return False
+    turned = sign.value.replace(
+        lambda part: isinstance(part, TURNING) and part.args[0].is_rational,
+        lambda part: part.func(part.args[0] * sp.pi / 180),
+    ).replace(lambda part: isinstance(part, ARCS), lambda part: part * 180 / sp.pi)
+    return turned != sign.value and agrees(PrintedNumber(sign.number, turned))
 
 
 def may_count(number: sp.Expr, unit: Unit) -> bool:

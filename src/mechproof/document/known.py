@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -65,6 +66,17 @@ class Known:
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
         """Put in all values, to the end, but for those of the letters `stop`."""
         return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
+
+    def list_formulas(
+        self, value: Any, have: Collection[sp.Basic], stop: Collection[sp.Basic]
+    ) -> list[Any]:
+        """Return what a value is by letters that one has, with all values put in and up to `stop`.
+
+        Further members of its chain may need fewer letters.
+        """
+        members = [value, *(other for _, other in self.others.get(value, ()))]
+        settled = [(self.settle(one), self.settle(one, stop=stop)) for one in members]
+        return [x for x in dict.fromkeys(chain(*settled)) if x.free_symbols <= {*have}]
 
     def has_either_sign(self, letter: sp.Basic | None) -> bool:
         """Return whether an angle is given by its cosine, which numbers give in this passage."""

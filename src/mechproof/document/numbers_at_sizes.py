@@ -130,15 +130,11 @@ def _find_formulas(at: Sizes, sign: Sign) -> list[sp.Expr] | Equality | str:
     """
     declared, sizes = at.known.symbols.usual, at.list_all()
     value = at.known.settle(sign.value)
-    # A letter that has a size, too, may be meant by either.
-    formulas = [*dict.fromkeys((value, at.known.settle(sign.value, stop=declared)))]
     missing = value.free_symbols - sizes.keys()
     if not missing:
-        return formulas
-    formulas = [x for x in formulas if x != sign.letter and x.free_symbols <= sizes.keys()]
-    # A further member of its chain may have no other letters.
-    others = (at.known.settle(x) for _, x in at.known.others.get(sign.value, ()))
-    formulas = formulas or [x for x in others if x.free_symbols <= sizes.keys()]
+        # A letter that has a size, too, may be meant by either.
+        return [*dict.fromkeys((value, at.known.settle(sign.value, stop=declared)))]
+    formulas = at.known.list_formulas(sign.value, sizes, declared.keys() - {sign.letter})
     if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
         return Equality(value, sp.S.Zero, "member")
     return formulas or tell_missing(missing)

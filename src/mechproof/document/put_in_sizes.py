@@ -12,7 +12,7 @@ from mechproof.document.conversions import NEAR, UNFIT
 from mechproof.document.numbers_at_sizes import SINGLE, measure_off, state_number, tell_missing
 from mechproof.document.numerical_values import OPEN, is_of_units
 from mechproof.document.roles import Sign
-from mechproof.document.scales import RoundedSize, agrees, spread
+from mechproof.document.scales import ARCS, RoundedSize, agrees, spread
 from mechproof.document.sizes import Sizes, show
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.units import Unit, is_share, read_unit
@@ -49,9 +49,10 @@ def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Size
     values = []
     for settled, at, told in _list_settled(formula, sign, own, printed, sizes):
         for value in (one.xreplace(at) for one in _read(settled, formula, own, unit, sizes)):
-            if balls.evaluate(value - given, {}).contains(0):
+            off = balls.evaluate(value - given, {})
+            if off.is_finite() and off.contains(0):
                 return PutIn(Equality(value, given, "member"), told)
-            values.append(value)
+            values += [value] if off.is_finite() else []
     if not values:
         known = sizes.list_at(printed)[-1]
         return tell_missing(sizes.known.settle(formula).free_symbols - known.keys())
@@ -107,7 +108,8 @@ def state_result(
     if may_be_rounded(plain, sign):
         return NEAR
     is_own = own is not None and sizes.known.symbols.scales.get(own) == unit.scale
-    if not is_right or sign.given[1] or (is_own and not values):
+    is_arc = unit.dimension.is_angle and sign.value.has(*ARCS)
+    if not is_right or sign.given[1] or is_arc or (is_own and not values):
         return plain
     return _UNSHOWN.format(show(plain.value), sign.unit)
 
@@ -156,10 +158,8 @@ def _list_settled(
     numbered = {s: one for s, one in sizes.list_numbers(sign, printed).items() if s != own}
     for numbers in ({}, numbered):
         at = sizes.list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
-        settled = (sizes.known.settle(formula), sizes.known.settle(formula, stop=at))
-        for one in dict.fromkeys(settled):
-            if one.free_symbols <= at.keys():
-                yield one, at, sizes.tell_used(one.free_symbols, numbers, printed)
+        for one in sizes.known.list_formulas(formula, at, at):
+            yield one, at, sizes.tell_used(one.free_symbols, numbers, printed)
 
 
 def _is_near(value: sp.Expr, given: sp.Expr, share: float) -> bool:

@@ -205,15 +205,11 @@ class SizeTables:
         """
         usual = self.known.symbols.usual
         have = {*sizes, *usual, *self.known.symbols.branches} - {symbol}
-        value = self.known.values.get(symbol, symbol)
-        whole = self.known.settle(value)
-        part = self.known.settle(value, stop=sizes.keys() - {symbol})
-        found = tuple(
-            formula
-            for formula in dict.fromkeys((whole, part))
-            if formula.free_symbols <= have and not isinstance(formula, sp.MatrixBase)
-        )
-        lacks = ", ".join(sorted(map(str, part.free_symbols - have))) or "other letters"
+        taken = sizes.keys() - {symbol}
+        formulas = self.known.list_formulas(symbol, have, taken)
+        found = tuple(one for one in formulas if not isinstance(one, sp.MatrixBase))
+        needed = self.known.settle(symbol, stop=taken).free_symbols
+        lacks = ", ".join(sorted(map(str, needed - have))) or "other letters"
         return found, "" if found else lacks
 
     def _compare(

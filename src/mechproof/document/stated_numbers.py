@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.conversions import NEAR, tell_misfit
+from mechproof.document.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
 from mechproof.document.known import Known
 from mechproof.document.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
@@ -57,6 +57,8 @@ class StatedNumbers:
         claim = row.says if stated is None else stated
         if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
             return NEAR
+        if counts_in_degrees(sign) and not (isinstance(claim, PrintedNumber) and agrees(claim)):
+            return DEGREES
         if stated is None or isinstance(stated, str):
             return stated or Stated(row, sign, is_stated=False)
         is_size = isinstance(stated, PrintedNumber)
