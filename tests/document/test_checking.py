@@ -30,6 +30,20 @@ CASES = {
         [r"k=\cos 2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "what depends on a place, times constants": (
+        [
+            r"kms''=-a\cos\psi",
+            r"kms=a\cos\psi",
+            r"s'=-\frac{a\sin\psi}{km}",
+            r"s(0)=\frac{a}{km}",
+            r"s(0)=\frac{2a}{km}",
+        ],
+        ["PROVED", "DEFINITION", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "nothing of what moves with time, or as a constant does": (
+        [r"kmx=a\cos\varphi", r"kms\psi=a"],
+        ["DEFINITION"] * 2,
+    ),
     "a star is part of a name": (
         [
             r"F=\frac{E^*m^2}{R^\ast}",
@@ -403,3 +417,5 @@ def test_a_step_of_other_letters_says_what_would_decide() -> None:
     row = run(r"k=\frac{a-b}{c-b}=-\frac mn").rows[1]
     assert row.outcome == "not judged"
     assert row.reason.endswith("say so in the block of letters: identity (1)")
+    row = run(r"k=\frac{a-b}{c-b}=-\frac mn", block="%% constraint (1)\n").rows[1]
+    assert row.outcome == "DEFINITION"

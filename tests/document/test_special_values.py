@@ -51,6 +51,11 @@ CASES = {
     r"h'(0)=0": ["PROVED"],
     r"h'(0)=2a": ["REFUTED"],
     r"k=h(0)=a+b": ["DEFINITION", "PROVED"],
+    # A place that is counted from any.
+    r"z(t+\frac{2\pi}\nu)=z(t)": ["PROVED"],
+    r"z(t+\frac\pi\nu)=-z(t)": ["PROVED"],
+    r"z(t+\frac\pi\nu)=z(t)": ["REFUTED"],
+    r"k=z(t+p)": ["not read"],
     r"h|_{\psi=0}=a+b": ["PROVED"],
     r"\left.h\right|_{\psi=0}=a+b": ["PROVED"],
     r"\Bigl.\frac{dh}{d\psi}\Bigr|_{\psi=0}=0": ["PROVED"],
@@ -384,6 +389,9 @@ HELD = r"With the ring held ($n_2=0$), the ratio becomes"
         # It follows from the constraint there.
         (HELD, r"i=\frac{n_1}{n_3}=1+\frac{z_2}{z_1}", "PROVED"),
         (HELD, r"i=\frac{n_1}{n_3}=1-\frac{z_2}{z_1}", "not judged"),
+        # A letter that is printed again.
+        ("With the arm held ($n_3=0$)", r"i=\frac{n_1}{n_2}=i_0", "PROVED"),
+        ("With the arm held ($n_3=0$)", r"i=\frac{n_1}{n_2}=-i_0", "REFUTED"),
         # It holds in general, and is not said of this.
         (HELD, r"i=1-i_0=\frac{n_2-n_1}{n_2-n_3}", "PROVED"),
     ],
@@ -392,7 +400,7 @@ def test_a_row_is_meant_at_what_is_said_to_be_zero_beside_it(
     words: str, latex: str, expected: str
 ) -> None:
     rows = check("paper.tex", rf"{TRAIN}{words} \begin{{equation}}{latex}\end{{equation}}").rows
-    steps = [row for row in rows if row.role == "step" and row.name.startswith("(2)")]
+    steps = [row for row in rows if row.role in ("step", "printed again") and row.name[1] == "2"]
     assert steps[-1].outcome == expected, steps[-1].reason
 
 

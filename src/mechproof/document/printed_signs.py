@@ -137,11 +137,32 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         return Sign(Role.VALUE, None, "", sides, *find_number(nodes, sides))
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
+    if not left and (multiplied := _find_multiplied(sides, known)):
+        symbol, value = multiplied
+        alone = LetterAlone(name, read, chain, left, nodes[0], symbol, value, multiplied)
+        return find_role_of_letter(alone, known)
     if not left:
         return Sign(Role.CONSTRAINT, None, "", sides, *find_number(nodes, sides))
     if not (one.free_symbols and other.free_symbols):
         return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _find_multiplied(sides: tuple[Any, Any], known: Known) -> tuple[sp.Basic, Any] | None:
+    """Return a letter and its value from E I w = …, where w depends on a place, and E, I do not.
+
+    What depends on time may be said of one instant.
+    """
+    one, other = sides
+    factors = one.args if isinstance(one, sp.Mul) else ()
+    moving = known.symbols.moving
+    found = [s for s in factors if s in moving and str(moving[s][0]) != "t"]
+    constants = [s for s in factors if s.is_Symbol and s not in found]
+    if len(found) != 1 or len(constants) + 1 != len(factors) or not isinstance(other, sp.Expr):
+        return None
+    is_free = not {*known.symbols.find_steps(found[0])[1]} & other.free_symbols
+    is_fixed = not any(x in moving or x == moving[found[0]][0] for x in constants)
+    return (found[0], other / sp.Mul(*constants)) if is_free and is_fixed else None
 
 
 def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> Sign:
@@ -209,9 +230,10 @@ def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
     if not signs or known.printed.get(signs[0].letter) != name:
         return
     letter = signs[0].letter
-    for number, sign in takewhile(lambda one: one[1].role is Role.STEP, enumerate(signs[1:], 3)):
+    steps = takewhile(lambda one: one[1].role in (Role.STEP, Role.VALUE), enumerate(signs[1:], 3))
+    for number, sign in steps:
         value = sign.sides[1]
-        if letter not in known.settle(value, {letter}).free_symbols:
+        if value is not None and letter not in known.settle(value, {letter}).free_symbols:
             known.others.setdefault(letter, []).append((name_member(number, name), value))
 
 

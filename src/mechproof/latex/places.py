@@ -134,17 +134,27 @@ def is_value(parser: Parser, letter: Letter) -> bool:
     r"""Return whether an argument stands behind a letter that depends on another one.
 
     It is a number, x(0), another letter, s(\beta), or a number times or by that, s(2\beta),
-    s(\frac{\beta}{2}). A sum may be a factor.
+    s(\frac{\beta}{2}), or beside x(t) a sum with t, x(t+T). Another sum may be a factor.
     """
-    if parser.text != "(" or letter.text in parser.factors or _find_running(parser, letter) is None:
+    running = _find_running(parser, letter)
+    if parser.text != "(" or letter.text in parser.factors or running is None:
         return False
-    if _is_letter_inside(parser):
+    if _is_letter_inside(parser) or _is_shifted(parser, letter, running):
         return True
     texts = [token.text for token in parser.rest[1:]]
     inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
     has_number = any(is_digit(text) or text == r"\pi" for text in inside)
     ends = texts[len(inside) : len(inside) + 1] == [")"]
     return ends and has_number and all(is_digit(text) or text in _NUMERIC for text in inside)
+
+
+def _is_shifted(parser: Parser, letter: Letter, running: Letter) -> bool:
+    """Return whether a bracket begins with what a letter depends on, and x(t) stands there, too."""
+    printed = "".join(token.text for token in parser.tokens)
+    is_first = [token.text for token in parser.rest[:3]] in (
+        ["(", running.text, sign] for sign in "+-"
+    )
+    return is_first and f"{letter.text}({running.text})" in printed
 
 
 def _is_letter_inside(parser: Parser) -> bool:
