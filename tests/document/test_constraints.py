@@ -41,6 +41,14 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "the derivative of an angle whose tangent is printed": (
+        [
+            r"\tan\eta=\frac{r\sin\varphi}{h-r\cos\varphi}",
+            r"\dot\eta=\frac{r\dot\varphi(h\cos\varphi-r)}{h^2+r^2-2hr\cos\varphi}",
+            r"\dot\eta=\frac{r\dot\varphi(h\cos\varphi+r)}{h^2+r^2-2hr\cos\varphi}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
     "what a tangent of a sum is written out by": (
         [
             r"\tan\alpha=\frac{h}{a}",
@@ -291,6 +299,7 @@ def test_a_constraint_says_which_others_have_its_letters(latex: str, told: str) 
 
 # What a block says besides.
 SAID = {
+    "the derivative of an angle whose tangent is printed": "%% \\eta(t) : angle [rad]\n",
     "a derivative by two constraints": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
     "a second derivative by two": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
     "a wrong second derivative by two": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",

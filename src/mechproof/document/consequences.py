@@ -124,7 +124,18 @@ def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
 
 
 def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
-    """Yield the first derivatives of constraints, and with them the second ones."""
+    """Yield the first derivatives of constraints, and with them the second ones.
+
+    First those of angles whose tangents are printed, without these: they need no other constraint.
+    """
+    tangents = {
+        f"the derivative of {other.row.number}": other.rates[0].xreplace({tangent: value})
+        for other in others
+        if other.rates and (solved := _solve_for_tangent(other.residual))
+        for tangent, value in [solved]
+    }
+    if tangents:
+        yield tangents
     found: dict[str, sp.Expr] = {}
     for order, name in enumerate(("the derivative", "the second derivative")):
         new = {
@@ -136,3 +147,14 @@ def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Exp
         if new:
             found |= new
             yield found
+
+
+def _solve_for_tangent(residual: sp.Expr | None) -> tuple[sp.Expr, sp.Expr] | None:
+    """Return a tangent that is printed alone on one side, and the other side, without its angle."""
+    terms = sp.S.Zero if residual is None else residual
+    for tangent in sorted(terms.atoms(sp.tan), key=str):
+        factor = terms.as_coefficients_dict()[tangent]
+        value = tangent - terms / factor if factor else tangent
+        if not value.has(tangent.args[0]):
+            return tangent, value
+    return None

@@ -108,13 +108,18 @@ def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr,
     return tuple(found) if found and any(found) else None
 
 
+def list_factors(expression: sp.Expr) -> list[sp.Expr]:
+    """Return the factors of an expression, each once and without numbers."""
+    return [factor for factor, _ in sp.factor_list(expression)[1]]
+
+
 def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
     """Return the factors by which an expression is divided, as tangents are by cosines."""
     below = sp.Mul(*list_divisors(expression))
     if any(power.exp.could_extract_minus_sign() for power in below.atoms(sp.Pow)):
         # By the fractions in it is divided elsewhere.
         below = sp.numer(sp.together(below))
-    return [factor for factor, _ in sp.factor_list(below)[1]]
+    return list_factors(below)
 
 
 def _list_written_out(factor: sp.Expr) -> list[sp.Expr]:
@@ -123,7 +128,7 @@ def _list_written_out(factor: sp.Expr) -> list[sp.Expr]:
     The tangent of a sum is written out by its sine and cosine: by other tangents it has poles.
     """
     above = sp.numer(sp.together(_divide_tangents(factor)))
-    return [one for one, _ in sp.factor_list(sp.expand_trig(above))[1]]
+    return list_factors(sp.expand_trig(above))
 
 
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:

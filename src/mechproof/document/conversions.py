@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from mechproof.document.roles import Sign
-from mechproof.document.scales import ARCS, TURNING, RoundedSize, agrees, is_near
+from mechproof.document.scales import ARCS, RoundedSize, agrees, is_near
+from mechproof.document.slips import TURNING
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.nomenclature.units import ONE, REVOLUTIONS, Unit, is_share, read_unit

@@ -16,6 +16,7 @@ import sympy as sp
 
 from mechproof.document.applicable_constraints import state_at
 from mechproof.document.consequences import find_consequence
+from mechproof.document.constraints import list_factors
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
@@ -35,7 +36,8 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
     found = judge(task.row, task.paper)
     if found.verdict not in _OPEN:
         return found
-    given = [t for t in tasks if _is_named(t, task.follows)]
+    names = tuple(f"{name}," for name in task.follows)
+    given = [t for t in tasks if f"{t.row.number},".startswith(names)]
     letters = {v.symbol for v in task.paper.variables}
     answer: Judgement | str = ""
     for kept in (letters, {t.sign.letter for t in given}):
@@ -55,10 +57,6 @@ def _weigh(answer: Judgement | str) -> int:
     if isinstance(answer, str):
         return 1
     return {Verdict.REFUTED: 0, Verdict.PROVED: 3}.get(answer.verdict, 2)
-
-
-def _is_named(task: Task, names: Sequence[str]) -> bool:
-    return any(task.row.number == name or task.row.number.startswith(f"{name},") for name in names)
 
 
 def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
@@ -151,15 +149,11 @@ class _Divisors:
     @classmethod
     def of(cls, residuals: Sequence[sp.Expr], domain: Domain) -> _Divisors:
         below = [sp.fraction(sp.together(one))[1] for one in residuals]
-        return cls(frozenset(factor for one in below for factor in _list_factors(one)), domain)
+        return cls(frozenset(factor for one in below for factor in list_factors(one)), domain)
 
     def allow(self, expression: sp.Expr) -> bool:
         """Return whether an expression is a product of such."""
-        return all(f in self.below or is_nonzero(f, self.domain) for f in _list_factors(expression))
-
-
-def _list_factors(expression: sp.Expr) -> list[sp.Expr]:
-    return [factor for factor, _ in sp.factor_list(expression)[1]]
+        return all(f in self.below or is_nonzero(f, self.domain) for f in list_factors(expression))
 
 
 def _solve(

@@ -161,7 +161,7 @@ def _is_trivial(
     what defines it is put in, too, and zero for those that it defines to be zero. Angles differ by
     whole turns.
     """
-    if any(one.is_Symbol and other.free_symbols == {one} for one, other in _turn(sides)):
+    if any(one.is_Symbol and other.free_symbols == {one} for one, other in (sides, sides[::-1])):
         return True
     zeros = {letter: value for letter, value in defined.items() if value == 0}
     shown = [sides, tuple(defined.get(side, side) for side in sides)]
@@ -177,10 +177,6 @@ def _is_trivial(
 def _take_turns_out(angle: sp.Expr) -> sp.Expr:
     number, rest = angle.as_independent(*angle.free_symbols, as_Add=True)
     return rest if (number / (2 * sp.pi)).is_integer else angle
-
-
-def _turn(sides: Sides) -> tuple[Sides, Sides]:
-    return sides, (sides[1], sides[0])
 
 
 def _show(

@@ -24,7 +24,7 @@ _COUNTED = re.compile(r"[nN](?![A-Za-z])")
 # No count of parts, halves or quarters: 60 seconds, 1000 mm.
 _FACTOR = 10
 ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
-TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+_TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 
 @dataclass(frozen=True)
@@ -258,7 +258,7 @@ class Scales:
 
         The second is the unit of the angle that it gives.
         """
-        turning = {s for f in formula.atoms(*TURNING) for s in f.free_symbols}
+        turning = {s for f in formula.atoms(*_TURNING) for s in f.free_symbols}
         angles = {s: s * _DEGREE for s in formula.free_symbols if self._may_turn(s, s in turning)}
         is_angle = self._may_turn(own, formula.has(*ARCS))
         for values in ({}, angles) if angles else ({},):

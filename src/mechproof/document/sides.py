@@ -146,8 +146,5 @@ def _list_letters(side: Any) -> set[sp.Basic]:
             shown = shown.xreplace({limit: there})
     free: set[sp.Basic] = {x for x in shown.free_symbols if not _is_idle(shown, x)}
     # SymPy lists the members of families that a sum runs over, too.
-    return {x for x in free if not (isinstance(x, sp.Indexed) and _list_indices(x) - free)}
-
-
-def _list_indices(member: sp.Indexed) -> set[sp.Basic]:
-    return {symbol for index in member.indices for symbol in index.free_symbols}
+    families = (x for x in free if isinstance(x, sp.Indexed))
+    return free - {x for x in families if sp.Tuple(*x.indices).free_symbols - free}
