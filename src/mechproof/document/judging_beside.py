@@ -62,7 +62,8 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     domain = Domain.of(task.paper, task.row.on)
     for entry in _list_entries(task):
         if evidence := find_failure(entry.sides, given, domain):
-            reason = f"the two sides differ, also where {names} hold"
+            beside = f", also where {names} hold" if names else ""
+            reason = f"the two sides differ{beside}"
             return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
     return f"the two sides differ unless {names} makes them equal, which could not be decided"
 
