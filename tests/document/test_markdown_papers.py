@@ -42,6 +42,22 @@ PAPERS = {
         "",
         [D, OPEN, P, R],
     ),
+    "a second root of an equation, and what follows with it": (
+        "$$u^2-2vu+w=0$$\n$$u=v+\\sqrt{v^2-w}$$\n$$u=v-\\sqrt{v^2-w}$$\n$$k=2u$$\n"
+        "$$k=2v-2\\sqrt{v^2-w}$$\n$$k=2v+\\sqrt{v^2-w}$$",
+        "",
+        ["UNDECIDED", D, OPEN, D, P, R],
+    ),
+    "what is no root": (
+        "$$u^2-2vu+w=0$$\n$$u=v+\\sqrt{v^2-w}$$\n$$u=v-\\sqrt{v^2+w}$$",
+        "",
+        ["UNDECIDED", D, R],
+    ),
+    "a linear equation has one root": (
+        r"$$u-2vu+w=0$$ $$u=\frac{w}{2v-1}$$ $$u=-\frac{w}{2v-1}$$",
+        "",
+        [P, D, R],
+    ),
     "several solutions in one line": (r"$$u=2v\ \mbox{ or }\ u=-2v$$ $$u=-2v$$", "", [D, OPEN, P]),
     "what is said to be an identity is no other solution": (
         r"$$\begin{align}u&=2v\\u&=3v\end{align}$$",

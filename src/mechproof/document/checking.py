@@ -41,7 +41,11 @@ from mechproof.document.judging import (
     name_equation,
     opened,
 )
-from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases
+from mechproof.document.newer_prints import (
+    compare_newer_prints,
+    doubt_by_cases,
+    find_roots,
+)
 from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
 from mechproof.document.tasks import Task
@@ -171,6 +175,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))
         unlike = dict(find_other_solutions(tasks, rows))
+        unlike |= dict(find_roots(key, tasks, rows, document.symbols, limit))
         rows |= unlike
         rows |= dict(doubt_by_premises(key, tasks, rows, limit))
         contested = {**misprints, **unlike, **dict(find_contradictions(tasks, rows))}

@@ -64,15 +64,9 @@ def find_other_solutions(
             is_solved = defines(tasks[m], letters) and list_printed(tasks[m]) == letters
             is_beside = tasks[m].said.passage == task.said.passage
             is_beside |= not (task.is_case or tasks[m].is_case)
-            if is_solved and is_beside and _is_linear(one - other, tasks[m].sign.letter):
+            if is_solved and is_beside and is_linear(one - other, tasks[m].sign.letter):
                 yield n, make_row(task, tell_contradiction(tasks[m].row.number))
                 yield m, make_row(tasks[m], tell_contradiction(task.row.number))
-
-
-def _is_linear(expression: sp.Expr, letter: sp.Basic | None) -> bool:
-    """Return whether an equation is solved for a letter by a division."""
-    above = sp.fraction(sp.together(expression))[0]
-    return bool(above.is_polynomial(letter)) and sp.degree(above, letter) == 1
 
 
 def doubt_by_indices(
@@ -284,3 +278,9 @@ def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
 def tell_contradiction(names: str) -> str:
     """Say that a row and others cannot both be true of one case."""
     return f"it and {names}{CONTRADICTING}: one is wrong, or of another case"
+
+
+def is_linear(expression: sp.Expr, letter: sp.Basic | None) -> bool:
+    """Return whether an equation is solved for a letter by a division."""
+    above = sp.fraction(sp.together(expression))[0]
+    return bool(above.is_polynomial(letter)) and sp.degree(above, letter) == 1

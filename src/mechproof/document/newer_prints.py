@@ -2,7 +2,7 @@
 
 It is not known which of the prints they mean. A verdict stands if both prints give it. What holds
 by the newer print alone is proved if no words stand between, or those of a consequence; else it is
-left open.
+left open. A print that differs, and solves an equation as the first one does, is another root.
 """
 
 from __future__ import annotations
@@ -16,11 +16,18 @@ import sympy as sp
 from mechproof.document.applicable_constraints import is_bare
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import FOLLOWING
-from mechproof.document.doubts import is_later_case, is_left_case, list_used
+from mechproof.document.doubts import (
+    is_later_case,
+    is_left_case,
+    is_linear,
+    list_printed,
+    list_used,
+)
 from mechproof.document.judging import COMPARED, Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.latex.values import list_reached
+from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality, list_given
@@ -29,6 +36,53 @@ from mechproof.sources.announcements import Announced
 from mechproof.tools.processes import run_tasks
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
+
+
+def find_roots(
+    key: Key, tasks: list[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse no print of a letter that is another root of an equation printed for it.
+
+    What such a print makes of the letter is kept with its task.
+    """
+    asked = []
+    for n, task in enumerate(tasks):
+        letter, sides = task.sign.letter, task.sign.sides
+        is_other = rows[n].outcome == Verdict.REFUTED.value and task.sign.role is Role.REPEATED
+        if letter not in sides or not is_other or task.is_claimed:
+            continue
+        value = sides[1 - sides.index(letter)]
+        given = (m for m, one in enumerate(tasks) if one.sign.role is Role.CONSTRAINT)
+        asked += [(key, m, {letter: value}, n) for m in given if _has_roots(tasks[m], letter)]
+    for place, answer in run_tasks(judge_root, asked, limit=limit):
+        _, m, values, n = asked[place]
+        if isinstance(answer, Judgement) and _is_root(answer, rows[m]):
+            task, letter = tasks[n], tasks[n].sign.letter
+            _, steps = symbols.find_steps(letter)
+            anew = dict.fromkeys(steps[steps.index(letter) :]) | values
+            tasks[n] = replace(task, anew=anew)
+            reason = f"it differs from {task.sign.first}, but solves {tasks[m].row.number}, too"
+            yield n, make_row(task, reason)
+
+
+def _has_roots(task: Task, letter: sp.Basic) -> bool:
+    """Return whether an equation has a letter, and is not solved for it by a division."""
+    one, other = task.sign.sides
+    is_met = task.residual is not None and letter in list_printed(task)
+    return is_met and not is_linear(one - other, letter)
+
+
+def _is_root(answer: Judgement, row: CheckedRow) -> bool:
+    """Return whether an equation is true with another value, or as far as with the first."""
+    found = row.judgement
+    is_alike = found is not None and (found.verdict, found.rung) == (answer.verdict, answer.rung)
+    return answer.verdict is Verdict.PROVED or (is_alike and answer.verdict is Verdict.UNDECIDED)
+
+
+def judge_root(which: tuple[Key, int, Mapping[sp.Basic, Any], int]) -> Judgement | str:
+    """Judge an equation with another value of a letter."""
+    key, number, values, _ = which
+    return _judge_with(open_tasks(key)[number], values)
 
 
 def compare_newer_prints(
