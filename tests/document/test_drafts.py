@@ -217,6 +217,48 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"the force $b$ in N, $b=\SI{20}{kN}$, $$y=2b$$", ["sizes b=20 kN"], []),
         (r"For $b=20$ in all $$y=2bc$$", ["sizes b=20"], ["b : [in]"]),
         (r"\newcommand{\bs}{b_{s}} with $\bs=24$ $$y=2b_s$$", ["sizes b_{s}=24"], []),
+        # What is denied, assumed, solved or said of a moment defines no letter; nor do multiples.
+        (r"For $b=c^2$ we get $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
+        (r"Unless $b=c^2$ it slips. $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
+        (r"We do not assume $b=c^2$. $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
+        (r"The optimum $b=k/c$ is flat. $$y=bc+k$$", ["# let b=k/c"], ["let b=k/c"]),
+        (r"The optimum, with $b=k/c$, is flat. $$y=b^2$$", ["let b=k/c", "k :", "c :"], []),
+        (r"Its speed is not constant, with $b=k/c$. $$y=b^2$$", ["let b=k/c"], []),
+        (r"which gives $b=k/c$. $$y=bc+k$$", ["# let b=k/c"], ["let b=k/c"]),
+        (r"With $b=2c$ we get $$y=b+c$$", ["# let b=2c"], ["let b=2c"]),
+        (r"With $b=\frac12c$ we get $$y=b+c$$", [r"# let b=\frac12c"], [r"let b=\frac12c"]),
+        (r"Initially $\dot q=w$ $$b=c\dot q+w$$", [r"# let \dot q=w"], [r"let \dot q=w"]),
+        (r"At $t=0$ it is $\dot q=w$ $$b=c\dot q+w$$", [r"# let \dot q=w"], [r"let \dot q=w"]),
+        (r"For small $b$ it is $\sin b=b$ $$y=\sin b$$", [], [r"claim \sin b=b"]),
+        (r"It does not slip with $\tan b=c$ $$y=b+c$$", [r"# claim \tan b=c"], [r"claim \tan b=c"]),
+        # A speed that varies is defined by the angle.
+        (r"The speed $w=\dot q$ varies. $$b=cw\cos q$$", [r"let w=\dot q"], [r"let \dot q=w"]),
+        (r"A variable speed $\dot q=w$. $$b=cw\cos q$$", [r"let w=\dot q"], [r"let \dot q=w"]),
+        (
+            r"with $w=\dot q$ and $v=\dot w$ $$b=cw\cos q+v$$",
+            [r"let w=\dot q", r"let v=\dot w", "w(t) :"],
+            [],
+        ),
+        # What a value is given by is declared.
+        (r"with $b=kw$ $$y=b^2$$", ["let b=kw", "k :", "w :"], []),
+        # Primes may be of other coordinates.
+        (
+            r"We differentiate with respect to $b$. $$y=b^2q$$ $$y'=y\cos b$$",
+            [r"y' :"],
+            ["y(b) :"],
+        ),
+        (r"$$y=b^2q$$ $$y'=2bq$$ The prime is the derivative with respect to $b$.", ["y(b) :"], []),
+        # What is never negative is the length itself.
+        (r"$b$ is the position of the mass. $$y=b$$", ["b : position of the mass"], []),
+        (r"$b$ is the difference of the radii. $$y=b$$", ["b : difference of the radii"], []),
+        (r"$b$ is the mass ratio. $$y=b$$", ["b : mass ratio"], []),
+        (r"The change of length $b$ is small. $$y=b$$", ["b : change of length"], []),
+        (r"the radius of curvature $b$ $$y=b$$", ["b : radius of curvature"], []),
+        (
+            r"$b$ is the free length of the spring. $$y=b$$",
+            ["b : free length of the spring {b>0}"],
+            [],
+        ),
         (
             r"It is largest in the middle of the rise, $b=c/2$: $$y=2b+c$$",
             ["# let b=c/2"],

@@ -29,7 +29,7 @@ from mechproof.nomenclature.letters import (
 )
 from mechproof.nomenclature.said import Said, find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.sources.displays import find_displays
+from mechproof.sources.displays import Printed, find_displays
 from mechproof.sources.files import Source
 
 _RATE = re.compile(
@@ -47,7 +47,10 @@ _QUOTIENT = re.compile(
     r"(?P<of>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}\s*"
     r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
 )
-_RESPECT = re.compile(r"with\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$([^$]{1,20})\$")
+_RESPECT = re.compile(
+    r"(?P<noun>\b(?:primes?|dash(?:es)?|derivatives?)\b[^$.]{0,60})?"
+    r"\bwith\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$(?P<by>[^$]{1,20})\$"
+)
 _EXTREME = re.compile(r"_\{?\s*(?:\\mathrm\s*\{|\\text\s*\{|\\)?(?:max|min)\b")
 _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 # A letter e: any, and one that is raised.
@@ -61,8 +64,13 @@ _COUNTING = re.compile(
     r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
 )
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
-# What is never negative.
-_POSITIVE = re.compile(r"\b(?:radius|radii|diameters?|lengths?|mass(?:es)?)\b", re.IGNORECASE)
+# What is never negative: not what is said of it, the position of a mass or a mass ratio.
+_POSITIVE = re.compile(
+    r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
+    r"(?:radius|radii|diameters?|lengths?|mass(?:es)?)(?!\s+of\s+curvature)"
+    r"(?:\s+(?:of|in|at|on|for|to|from|between|and)\b|[^\w\s]|\s*\Z)",
+    re.IGNORECASE,
+)
 # A word below a letter, as it is read.
 _WORD_BELOW = re.compile(r"_\{\\([A-Za-z]+)\}")
 # Letters that could be something else where nothing declares them.
@@ -101,9 +109,12 @@ def draft_block(source: Source) -> str:
     stems = {name_symbol(_strip_arguments(x)) for x in unclear}
     shapes = {name: size for name, size in shapes.items() if name not in stems}
     functions = _list_functions(source)
-    respect = _find_running(source, letters, functions)
+    respect = _find_running(source, displays, letters, functions)
     entries = _list_entries(collected, shapes, prints, respect, functions)
     inline = _find_inline(source, entries)
+    values = [one.value for _, one in inline if one.number is None]
+    for base, by in map(_split, collect_letters(values, guess=True, imaginary=unit).letters):
+        entries.setdefault(name_symbol(base), _Entry({base: None}, by))
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
         for rate in RATE.finditer(f"{one.letter}={one.value}"):
@@ -181,13 +192,24 @@ def _list_functions(source: Source) -> dict[str, str]:
     return {name: next(iter(by)) for name, by in said.items() if len(by) == 1}
 
 
-def _find_running(source: Source, letters: Sequence[str], functions: Mapping[str, str]) -> str:
+def _find_running(
+    source: Source,
+    displays: Sequence[Printed],
+    letters: Sequence[str],
+    functions: Mapping[str, str],
+) -> str:
     """Return the letter with respect to which words differentiate, if it is but one.
 
+    They tell what primes are, or a prime is printed next: primes may also be of other coordinates.
     So do words by which what is printed with a prime is a function of it.
     """
     primed = {name_symbol(_split(x)[0].rstrip("'")) for x in letters if "'" in x}
-    said = [match[1] for match in _RESPECT.finditer(source.text.string)]
+    said = []
+    for match in _RESPECT.finditer(source.text.string):
+        offset = source.text.offsets[match.start()]
+        behind = (one.latex.string for one in displays if one.latex.offsets[0] > offset)
+        if match["noun"] or "'" in next(behind, ""):
+            said.append(match["by"])
     said += [by for name, by in functions.items() if name in primed]
     found = {name_symbol(one): one for one in said}
     return next(iter(found.values())) if len(found) == 1 else ""
@@ -291,7 +313,7 @@ def _write(
     shape = f" {size[0]}x{size[1]}" if size else ""
     unit = f" [{found.unit}]" if found and found.unit else ""
     meaning = f"{found.meaning if found else ''}{unit}".strip()
-    if found and not running and _POSITIVE.search(found.meaning):
+    if found and not running and _POSITIVE.match(found.meaning):
         meaning += f" {{{first}>0}}"
     yield _show(f"{first}{running}{others}{shape} : {meaning}".rstrip())
 

@@ -6,7 +6,13 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 
-from mechproof.nomenclature.inline import DISPLAY, RATE, Inline, say_of_others
+from mechproof.nomenclature.inline import (
+    DISPLAY,
+    RATE,
+    Inline,
+    defines_nothing,
+    say_of_others,
+)
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
 from mechproof.sources.displays import Printed
@@ -21,8 +27,9 @@ _RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
 # Signs of letters.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
-# A letter, or its opposite, alone or turned by parts of pi.
+# A letter, or its opposite or a multiple, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
+_MULTIPLE = r"(?:\d+|\\d?t?frac\s*(?:\d\d|\{\d+\}\s*\{\d+\}))?\s*"
 # What has a second derivative: its first is no constant.
 _SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 
@@ -43,24 +50,27 @@ def propose_values(
     named = {name for name, _ in inline}
     moving = {name_symbol(letter) for letter, by in running.items() if by}
     texts = [*(one.latex.string for one in displays), *(one.value for _, one in inline)]
-    accelerated = {found for text in texts for found in _SECOND.findall(text)}
+    changing = named | {name_symbol(found) for text in texts for found in _SECOND.findall(text)}
     alike: dict[str, str] = {}
     for name, one in inline:
         line = ""
         rate = RATE.fullmatch(one.value)
-        is_constant = rate and name not in moving and rate[1] not in accelerated
-        if name in defined and not is_constant:
+        is_free = rate is None or name in moving or name_symbol(rate[1]) in changing
+        is_free = is_free or one.is_varying
+        if name in defined and is_free:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
-            line = f"let {one.letter}={one.value}"
-            line = f"let {one.value}={one.letter}" if is_constant else line
-            if one.letter in letters and (one.is_case or _is_position(one.value, letters)):
-                yield f"# line {one.line}: a special position, or does it always hold?"
-                yield f"# {line}"
+            # The letter of a speed that varies is defined by it.
+            is_free ^= one.is_varying and one.letter not in letters and one.value in letters
+            given, value = (one.letter, one.value) if is_free else (one.value, one.letter)
+            line = f"let {given}={value}"
+            is_alone = one.letter in letters and _is_position(one.value, letters)
+            if one.is_case or is_alone:
+                yield from _ask(one.line, line)
                 continue
-            for other, value in say_of_others(one, letters):
+            for other, others in say_of_others(one, letters):
                 if name_symbol(other) not in {*defined, *named}:
-                    alike[other] = value
+                    alike[other] = others
         is_special = one.number is None or one.number.value == 0 or one.letter in running.values()
         if one.number is not None and not is_special:
             size = one.write_size(said[name].unit if name in said else "")
@@ -83,8 +93,15 @@ def propose_relations(source: Source, letters: Sequence[str]) -> Iterator[str]:
         left, right = match["left"].strip(), match["right"].strip()
         is_letter = name_symbol(left) in names or RATE.fullmatch(left)
         if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
-            yield f"# line {source.files.locate(source.text.offsets[match.start()]).line} says:"
-            yield f"claim {left}={right}"
+            line = source.files.locate(source.text.offsets[match.start()]).line
+            if defines_nothing(before):
+                yield from _ask(line, f"claim {left}={right}")
+            else:
+                yield from (f"# line {line} says:", f"claim {left}={right}")
+
+
+def _ask(number: int, line: str) -> Iterator[str]:
+    yield from (f"# line {number}: a special case, or does it always hold?", f"# {line}")
 
 
 def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
@@ -94,9 +111,9 @@ def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
 
 
 def _is_position(value: str, letters: Sequence[str]) -> bool:
-    """Return whether a value is another letter or its opposite, alone or turned by parts of pi."""
+    """Return whether a value is another letter or its multiple, or one turned by parts of pi."""
     names = "|".join(re.escape(letter) for letter in letters)
-    turned = rf"\s*(?:{_TURN}[-+]\s*)?(?:{names})\s*(?:[-+]{_TURN})?"
+    turned = rf"\s*(?:{_TURN}[-+]\s*)?{_MULTIPLE}(?:{names})\s*(?:/\s*\d+\s*)?(?:[-+]{_TURN})?"
     return bool(re.fullmatch(turned, value))
 
 

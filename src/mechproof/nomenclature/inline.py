@@ -28,12 +28,23 @@ EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
-# Words before what holds at a position, and not always.
+# Words before what holds in a case, as a speed does not "at" its value.
 _CASE = re.compile(
-    r"\b(?:when(?:ever)?|if|once|until|at)\s+\Z"
+    r"\b(?:when(?:ever)?|if|once|until|at|for|unless)\s+\Z"
     r"|\b(?:in|at)\s+the\s+(?:middle|cent(?:re|er)|beginning|start|end|top)\b[^.;:$]{0,40},?\s*\Z",
     re.IGNORECASE,
 )
+# Words of a sentence that defines no letter: it denies, assumes or solves.
+_NO_DEFINITION = re.compile(
+    r"\b(?:not|never|nor|unless|instead|rather|wrong\w*|special|case|small|approximat\w+|initial\w*"
+    r"|instant|moment|optim\w+|extrem\w+|maxim\w+|minim\w+|largest|smallest|greatest|least|stationary"
+    r"|equilibri\w+|critical|roots?|zeros?|solutions?|suppos\w+|assum\w+|cho(?:os|s)\w+|taking|setting"
+    r"|gives?|yields?|obtain\w*|follows?|at\s+\$t\s*=[^$]*\$)(?!\w)[^.;:$]*\Z",
+    re.IGNORECASE,
+)
+_DEFINING = re.compile(r",\s*(?:with|where)\s+\Z")
+# What is said of a speed that is no constant.
+_VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+|changes?)\b")
 _BEFORE = 70
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
@@ -49,9 +60,9 @@ _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
 @dataclass(frozen=True)
 class Inline:
-    """What a sentence says of a letter, the line where, and whether words tell of a position.
+    """What a sentence says of a letter, the line where, and whether words tell of a case.
 
-    `end` is the place in the text behind it.
+    `is_varying` tells that they speak of a change; `end` is the place in the text behind it.
     """
 
     letter: str
@@ -60,6 +71,7 @@ class Inline:
     number: Numeral | None
     unit: str = ""
     is_case: bool = False
+    is_varying: bool = False
     end: int = 0
 
     def write_size(self, unit: str) -> str:
@@ -90,8 +102,17 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         line = source.files.locate(source.text.offsets[match.start()]).line
         behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
         number, unit = read_quantity(value, name_unit(behind))
-        is_case = bool(_CASE.search(text[max(match.start() - _BEFORE, 0) : match.start()]))
-        yield Inline(letter, value, line, number, unit, is_case, match.end())
+        before = text[max(match.start() - _BEFORE, 0) : match.start()]
+        is_case = bool(_CASE.search(before)) and letter in letters
+        sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
+        is_varying = bool(_VARYING.search(sentence))
+        is_case |= defines_nothing(before)
+        yield Inline(letter, value, line, number, unit, is_case, is_varying, match.end())
+
+
+def defines_nothing(before: str) -> bool:
+    """Return whether the words before an equation tell that it defines no letter."""
+    return bool(_NO_DEFINITION.search(before)) and not _DEFINING.search(before)
 
 
 def _find_unit_behind(text: str) -> tuple[str, Unit]:

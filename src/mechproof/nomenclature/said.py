@@ -46,7 +46,11 @@ _WORD = rf"(?!{_NO_NAME})[A-Za-z][a-z-]+"
 _HAD = (
     r"(?:(?:[a-z]+\s)?(?:radius|diameter|length|width|height|mass|weight|stiffness|speed|area)\b)"
 )
-_NOUN = rf"{_WORD}(?:\s+{_WORD}){{0,2}}(?:\s+of\s+(?:the\s+|(?!{_HAD})){_WORD}(?:\s+{_WORD})?)?"
+_CHANGE = r"(?:changes?|increases?|decreases?|differences?|variations?|deviations?|errors?)"
+_NOUN = (
+    rf"(?:{_CHANGE}\s+(?:of|in)\s+(?:the\s+)?{_WORD}"
+    rf"|{_WORD}(?:\s+{_WORD}){{0,2}}(?:\s+of\s+(?:the\s+|(?!{_HAD})){_WORD}(?:\s+{_WORD})?)?)"
+)
 _ALONE = r"\$[^$&|\n=<>]{1,30}\$"
 _PATTERNS = (
     re.compile(
