@@ -144,8 +144,7 @@ def draft_block(source: Source) -> str:
     running = {name: one.running for one in entries.values() for name in one.names}
     lines += propose_values(displays, running, said, inline)
     lines += propose_relations(source, [*running])
-    for claim, line in find_extremes(source, running):
-        lines += [f"# line {line} says:", f"claim {claim}"]
+    lines += find_extremes(source, running)
     lines += ask_extremes(displays, running)
     for display in displays:
         if zero := _ZERO.fullmatch(display.latex.string):

@@ -37,7 +37,10 @@ _PATTERNS = (
 _NUMBER = re.compile(
     r"[-\d.,\s{}]+(?:\\[,; ]?\s*\\(?:mathrm|text)\{[^{}]*\})?(?:\^\{?\\circ\}?)?\Z"
 )
-
+# A sentence with such a word may mean a case, or a part of the values.
+_CASE = re.compile(
+    r"\b(?:if|when|unless|without|for|range|interval|between|within|up\s+to|local|relative)\b", re.I
+)
 # A largest or least value that is printed as a letter, and marks of rates.
 _NAMED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
@@ -59,8 +62,8 @@ def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Ite
             yield rf"# claim \{said['kind']}_{{{by}}}{letter}={value}"
 
 
-def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[tuple[str, int]]:
-    """Yield equations with the lines of the sentences that say them.
+def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
+    """Yield equations that sentences say, as claims; to be confirmed where they tell of a case.
 
     `running` are the letters of the equations with those on which they depend, or none.
     """
@@ -77,10 +80,17 @@ def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[tuple[
             if known is None or (said["place"] and place is None):
                 continue
             line = source.files.locate(source.text.offsets[match.start()]).line
+            around = (
+                text[: match.start()].rpartition(".")[2] + text[match.end() :].partition(".")[0]
+            )
+            mark = "# " if _CASE.search(around) else ""
+            claims = []
             if by and not _NUMBER.match(said["value"]):
-                yield rf"\{_KINDS[said['kind']]}_{{{by}}}{known}={said['value']}", line
+                claims.append(rf"\{_KINDS[said['kind']]}_{{{by}}}{known}={said['value']}")
             if place:
-                yield rf"{known}={said['value']}\quad\text{{for }}{said['place']}", line
+                claims.append(rf"{known}={said['value']}\quad\text{{for }}{said['place']}")
+            for claim in claims:
+                yield from (f"# line {line} says:", f"{mark}claim {claim}")
 
 
 def _find_letter(before: str) -> str:

@@ -69,7 +69,7 @@ def propose_values(
                 yield from _ask(one.line, line)
                 continue
             for other, others in say_of_others(one, letters):
-                if name_symbol(other) not in {*defined, *named}:
+                if name_symbol(other) not in {*defined, *said}:
                     alike[other] = others
         is_special = one.number is None or one.number.value == 0 or one.letter in running.values()
         if one.number is not None and not is_special:
