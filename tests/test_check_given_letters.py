@@ -245,3 +245,16 @@ def test_a_derivative_of_a_value_is_told() -> None:
     ).taken
     assert taken[r"\dot{x}"] == r"= -\dot{\varphi}*r*sin(\varphi)"
     assert (taken["r"], taken[r"\varphi"]) == ("real, a constant", "real, depends on t")
+
+
+@pytest.mark.parametrize(
+    ("latex", "value", "told"),
+    [
+        ("y'=2xu", "y=x^2u", {"u": "real, a constant", "x": "real"}),
+        (r"\dot x=v", "x=vt", {"v": "real, a constant", "t": "real"}),
+        (r"y'=2\theta", r"y=\theta^2", {r"\theta": "real"}),
+    ],
+)
+def test_what_is_taken_as_a_constant_is_told(latex: str, value: str, told: dict[str, str]) -> None:
+    taken = judge_pasted(Pasted(latex, values=(value,))).taken
+    assert {letter: taken[letter] for letter in told} == told

@@ -114,10 +114,10 @@ def _judge(pasted: Pasted) -> Checked:
     named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
     read = tuple(judge(row, paper) for row in named)
     depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}
-    if depends:
-        steady = {v.symbol for v in variables if v.given is None} - {
-            by for by, _ in notation.moving.values()
-        }
+    moved = {by for by, _ in notation.moving.values()}
+    moved = moved or {s for s in free if letters.rates and s.name in ("t", "x")}
+    if moved:
+        steady = {v.symbol for v in variables if v.given is None} - moved
         steady -= {rate for _, rates in notation.moving.values() for rate in rates}
         depends = dict.fromkeys(steady, ", a constant") | depends
     taken = {v.latex[0]: describe(v) + depends.get(v.symbol, "") for v in variables if v.latex}
