@@ -41,11 +41,7 @@ from mechproof.document.judging import (
     name_equation,
     opened,
 )
-from mechproof.document.newer_prints import (
-    compare_newer_prints,
-    doubt_by_cases,
-    find_roots,
-)
+from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
 from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
 from mechproof.document.tasks import Task

@@ -6,13 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 
-from mechproof.nomenclature.inline import (
-    DISPLAY,
-    RATE,
-    Inline,
-    defines_nothing,
-    say_of_others,
-)
+from mechproof.nomenclature.inline import DISPLAY, RATE, Inline, defines_nothing, say_of_others
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
 from mechproof.sources.displays import Printed
@@ -94,10 +88,8 @@ def propose_relations(source: Source, letters: Sequence[str]) -> Iterator[str]:
         is_letter = name_symbol(left) in names or RATE.fullmatch(left)
         if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
             line = source.files.locate(source.text.offsets[match.start()]).line
-            if defines_nothing(before):
-                yield from _ask(line, f"claim {left}={right}")
-            else:
-                yield from (f"# line {line} says:", f"claim {left}={right}")
+            said = (f"# line {line} says:", f"claim {left}={right}")
+            yield from _ask(line, said[1]) if defines_nothing(before) else said
 
 
 def _ask(number: int, line: str) -> Iterator[str]:

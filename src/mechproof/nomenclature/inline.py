@@ -29,16 +29,13 @@ RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words before what holds in a case, as a speed does not "at" its value.
-_CASE = re.compile(
-    r"\b(?:when(?:ever)?|if|once|until|at|for|unless)\s+\Z"
-    r"|\b(?:in|at)\s+the\s+(?:middle|cent(?:re|er)|beginning|start|end|top)\b[^.;:$]{0,40},?\s*\Z",
-    re.IGNORECASE,
-)
-# Words of a sentence that defines no letter: it denies, assumes or solves.
+_CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at|for)\s+\Z", re.IGNORECASE)
+# Words of a sentence that defines no letter: it denies, assumes, solves or tells of a position.
 _NO_DEFINITION = re.compile(
     r"\b(?:not|never|nor|unless|instead|rather|wrong\w*|special|case|small|approximat\w+|initial\w*"
     r"|instant|moment|optim\w+|extrem\w+|maxim\w+|minim\w+|largest|smallest|greatest|least|stationary"
     r"|equilibri\w+|critical|roots?|zeros?|solutions?|suppos\w+|assum\w+|cho(?:os|s)\w+|taking|setting"
+    r"|(?:in|at)\s+the\s+(?:middle|cent(?:re|er)|beginning|start|end|top)"
     r"|gives?|yields?|obtain\w*|follows?|at\s+\$t\s*=[^$]*\$)(?!\w)[^.;:$]*\Z",
     re.IGNORECASE,
 )
@@ -103,10 +100,9 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
         number, unit = read_quantity(value, name_unit(behind))
         before = text[max(match.start() - _BEFORE, 0) : match.start()]
-        is_case = bool(_CASE.search(before)) and letter in letters
+        is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence))
-        is_case |= defines_nothing(before)
         yield Inline(letter, value, line, number, unit, is_case, is_varying, match.end())
 
 
