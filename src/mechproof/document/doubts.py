@@ -198,11 +198,8 @@ def doubt_by_unread(
         if not (is_certain and unread):
             continue
         letters = list_compared(task, tasks)
-        between = [
-            left
-            for place, name, left in unread
-            if place <= n and any(_is_named(one, name, letters) for one in tasks[:place])
-        ]
+        named = [defines(one, letters) and name_symbol(str(one.sign.letter)) for one in tasks]
+        between = [x for place, name, x in unread if place <= n and name in named[:place]]
         if names := ", ".join(left.number for left in between):
             first = "it differs" if _is_refuted(rows[n]) else "it holds"
             reason = f"{first}, but {names}, not read, may define a letter of it anew"
@@ -218,11 +215,6 @@ def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
         elif one.state is State.NOT_READ and "=" in one.printed_latex:
             unread.append((place, name_symbol(one.printed_latex.partition("=")[0].strip()), one))
     return unread
-
-
-def _is_named(task: Task, name: str, letters: Collection[sp.Basic]) -> bool:
-    """Return whether a row defines one of some letters, which has a name."""
-    return defines(task, letters) and name_symbol(str(task.sign.letter)) == name
 
 
 def _is_refuted(row: CheckedRow) -> bool:

@@ -142,7 +142,8 @@ def find_moving(
     unclear = {x for x in symbols.keys() - accented - {*steps} if not _is_constant(x, primed)}
     for base, (by, known) in steps.items():
         # The derivative of one that is nothing else may be a constant.
-        others = sorted(unclear - {by}) or [base] * _is_lone(base, known, symbols, of)
+        is_lone = len(known) + (base in symbols) < _FEWEST and base not in of
+        others = sorted(unclear - {by}) or [base] * is_lone
         if others and (by in below or "'" in differentials):
             raise ValueError(
                 f"{others[0]} may depend on {by} as others do: print its derivatives as well, or "
@@ -209,13 +210,6 @@ def _refuse_others(
 def _name_base(rate: re.Match[str]) -> str:
     """Return the letter of which something is the derivative, with its index."""
     return rate["primed"] or rate["dotted"] + rate["index"]
-
-
-def _is_lone(
-    base: str, known: Collection[int], symbols: Collection[str], of: Collection[str]
-) -> bool:
-    """Return whether one derivative is all that is printed of a letter."""
-    return len(known) + (base in symbols) < _FEWEST and base not in of
 
 
 def _is_constant(name: str, primed: Collection[str]) -> bool:
