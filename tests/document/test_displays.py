@@ -129,6 +129,15 @@ DISPLAYS = {
         r"\begin{align}x&=2a & y&=3a\\ z&=1\end{align}",
         [("(1), part 1", "x=2a"), ("(1), part 2", "y=3a"), ("(2)", "z=1")],
     ),
+    "columns, and numbers below a number": (
+        r"\begin{IEEEeqnarray}{rCl} a&=&1\IEEEyesnumber\IEEEyessubnumber\\"
+        r"b&=&2\IEEEyessubnumber\\c&=&3\IEEEnonumber\\d&=&4\\f&=&5\IEEEyessubnumber"
+        r"\end{IEEEeqnarray}\begin{IEEEeqnarray*}{l}g=6\\h=7\IEEEyesnumber\end{IEEEeqnarray*}",
+        [
+            *(("(1a)", "a=1"), ("(1b)", "b=2"), ("display 1", "c=3"), ("(2)", "d=4")),
+            *(("(3a)", "f=5"), ("display 2", "g=6"), ("(4)", "h=7")),
+        ],
+    ),
     "one column": (r"\begin{eqnarray}x&=&2a\end{eqnarray}", [("(1)", "x=2a")]),
     "sized brackets over lines": (
         r"\begin{align}y&=a\left(b\right.\nonumber\\&\quad\left.+c\right)\\x&=y\end{align}",

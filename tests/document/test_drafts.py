@@ -271,6 +271,13 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         ),
         (r"$$y=b_0^{\text{stat}}+c$$", [r"b_{0}^{\text{stat}} :"], ["b_{0} :"]),
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
+        # What a check would refuse is a question.
+        (
+            r"With $b=f(2c)$ the way is $$y=b+q$$ $$f(x)=2x$$",
+            ["c :", "# let b=f(2c)"],
+            ["let b=f(2c)"],
+        ),
+        (r"With $b=2q+h$ the way is $$y=b+q$$", ["h :", "let b=2q+h"], []),
     ],
 )
 def test_drafts_propose_what_prints_and_sentences_show(

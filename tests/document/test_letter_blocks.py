@@ -149,6 +149,17 @@ def test_factors_are_parted_by_commas_or_semicolons() -> None:
     assert outcomes("r=S(M+x)=M(S+x)", block="%% factor S\n") == ["not read"]
 
 
+def test_names_may_have_what_parts_others_in_their_braces() -> None:
+    lines = (
+        r"x_{k|k-1} | \hat x ; V_{a;0} : lengths",
+        r"V_{w,h_{10}} : length",
+        r"factor x_{k|k-1}, \hat x ; V_{w,h_{10}}",
+    )
+    rows = [r"V_{a;0}=x_{k|k-1}(1+V_{w,h_{10}})", r"V_{a;0}=\hat x+\hat xV_{w,h_{10}}"]
+    block = "".join(f"%% {line}\n" for line in lines)
+    assert outcomes(*rows, block=block) == ["DEFINITION", "PROVED"]
+
+
 @pytest.mark.parametrize("name", ["e", r"\mathrm{e}", r"\mathrm e"])
 def test_a_letter_may_be_eulers_number_by_its_meaning(name: str) -> None:
     meanings = ("base of natural logarithms", "Euler's number", "excess")

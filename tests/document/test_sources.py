@@ -76,7 +76,7 @@ WRONG = [
     ("a", "neither a letter"),
     ("7 : number", "has no letter"),
     ("skip (3)", "say why"),
-    ("a_{b;c} : one", "unbalanced braces"),
+    ("a_{b : one", "unbalanced braces"),
     ("constraint", "is needed"),
     ("factor", "nothing follows"),
     ("a : one {a>0", "a brace is not closed"),

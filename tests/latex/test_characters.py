@@ -8,6 +8,7 @@ import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.characters import find_alike, spell
+from mechproof.latex.tokens import list_signs
 from mechproof.record import Variable
 
 x, y, alpha, phi = (sp.Symbol(name, real=True) for name in ("x", "y", "alpha", "phi"))
@@ -39,6 +40,20 @@ READ = [
 def test_what_prints_alike_is_read_alike(latex: str, expression: sp.Expr) -> None:
     read = READER.parse(latex)
     assert sp.simplify(read.meaning().of(read.chains[0].members[0]).doit() - expression) == 0
+
+
+SAME = [
+    (r"\Dot{x}+\Vec{x}", r"\dot{x}+\vec{x}"),
+    (
+        r"\arraycolsep=2pt \begin{array}{c|c}1&2\\\hline 3&4\end{array}",
+        r"\begin{array}{cc}1&2\\3&4\end{array}",
+    ),
+]
+
+
+@pytest.mark.parametrize(("latex", "other"), SAME)
+def test_what_only_sets_type_has_no_sign(latex: str, other: str) -> None:
+    assert list_signs(latex) == list_signs(other)
 
 
 REFUSED = [

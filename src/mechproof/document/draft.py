@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from mechproof.document.complex_parts import find_imaginary_unit
+from mechproof.document.drafted_lines import ask_refused
 from mechproof.document.extremes import ask_extremes, find_extremes
 from mechproof.document.rows import Document
 from mechproof.document.said_values import ask_what_follows, propose_relations, propose_values
@@ -157,6 +158,7 @@ def draft_block(source: Source) -> str:
         lines += [f"factor {name}" for name in factors]
     lines += [f"imaginary {unit}"] if unit else []
     lines += [f"function {name} is {meant}" for name, meant in collected.functions.items()]
+    lines = ask_refused(lines, source)
     lines += ask_what_follows(source, displays)
     for display, latex in zip(displays, plain, strict=True):
         if error := collected.unread.get(latex):

@@ -13,11 +13,12 @@ from mechproof.latex.words import AND
 # What may stand behind \\, the end of a row: how far away the next one begins.
 _LENGTH = r"[\d.]+\s*(?:p[xtc]|e[mx]|[cm]m|in|bp|mu)|[\d.]*\\(?:jot|[a-z]*skip(?:amount)?)"
 SPACING = rf"\*?(?:\s*\[\s*-?(?:{_LENGTH})\s*\])?"
-_SIGN = re.compile(rf"\\\\{SPACING}|\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
+_SETTING = re.compile(rf"\\(?:arraycolsep|tabcolsep)\s*=?\s*(?:{_LENGTH})")
+_SIGN = re.compile(rf"\\\\{SPACING}|{_SETTING.pattern}|\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
 _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
-    *(r"\Bigg", r"\mathstrut", r"\it"),
+    *(r"\Bigg", r"\mathstrut", r"\it", r"\hline"),
 )
 # Blanks that part as often as they do nothing.
 WIDE, NARROW = r"\quad", "\\ "
@@ -55,6 +56,8 @@ _SAME = {
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     **{r"\neq": r"\ne", r"\textbf": r"\mathbf"},
+    # Accents that amsmath places above other accents.
+    **{f"\\{name.title()}": f"\\{name}" for name in ("vec", "hat", "tilde", "bar", "dot", "ddot")},
     **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
     r"\lt": "<",
     r"\gt": ">",
@@ -111,6 +114,8 @@ def find_command(latex: str, place: int) -> str:
 
 def _find_signs(latex: str) -> Iterator[Token]:
     for match in _SIGN.finditer(latex):
+        if _SETTING.fullmatch(match[0]):
+            continue
         if match[0].startswith(r"\\"):
             yield Token(r"\\", match.start(), match.start() + 2)
             continue

@@ -9,9 +9,11 @@ begins with a word: `factor`, `function`, `where`, `let`, `claim`, `branch`, `na
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import NamedTuple
 
 from mechproof.nomenclature.units import spell_unit
 from mechproof.sources.text import Files, LocatedText, Place
@@ -25,7 +27,6 @@ _INNER = r"(?:[^{}]|\{[^{}]*\})*"
 _BRACES = re.compile(rf"\{{((?:[^{{}}]|\{{{_INNER}\}})*)\}}\s*")
 _CONDITIONS = re.compile(rf"(?<![^\s\]])(?:{_BRACES.pattern})+\Z")
 _REFERENCES = re.compile(r"(?:\([^()]*\)|display \d+)(?:, part \d+)?|[^\s,()]+")
-_PARTS = re.compile(r"(?<!\\)[,;]\s*(?![^{(]*[})])")
 _FAMILY = re.compile(r"(.+?)_\{?([a-z ,]+)\}?\Z", re.DOTALL)
 _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
@@ -41,7 +42,24 @@ _EULER = re.compile(
 
 
 class BlockError(ValueError):
-    """A line of a block that cannot be read, with its place."""
+    """Lines of a block that cannot be read, with their places."""
+
+    def __init__(self, faults: Iterable[Fault]) -> None:
+        """Tell all faults, the first line first."""
+        self.faults = sorted({*faults})
+        super().__init__("\n".join(map(str, self.faults)))
+
+
+class Fault(NamedTuple):
+    """What is wrong with a line of a block, counted from 1; 0 stands for none in particular."""
+
+    number: int
+    reason: str
+    place: str = ""
+    line: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.place}: {self.reason}\n  {self.line}" if self.number else self.reason
 
 
 @dataclass(frozen=True)
@@ -88,7 +106,7 @@ class Block:
     claims: list[LocatedText] = field(default_factory=list)
     lines: list[tuple[Place, str]] = field(default_factory=list)
 
-    faults: list[tuple[int, str]] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
 
     @contextmanager
     def blame(self, text: str, place: Place | None = None) -> Iterator[None]:
@@ -99,17 +117,17 @@ class Block:
             whole = re.compile(rf"(?<![\w\\]){re.escape(text)}(?!\w)")
             found = (n for n, line in self.lines if (n == place if place else whole.search(line)))
             where = next(found, None)
-            told = _tell(error, where, dict(self.lines)[where]) if where else str(error)
-            self.faults.append((where.line if where else 0, told))
+            line = dict(self.lines)[where] if where else ""
+            self.faults.append(_find_fault(error, where, line))
 
     def refuse_faults(self) -> None:
         """Raise `BlockError` with all faults, if there are some."""
         if self.faults:
-            raise BlockError("\n".join(told for _, told in sorted({*self.faults})))
+            raise BlockError(self.faults)
 
 
-def _tell(error: ValueError, place: Place, line: str) -> str:
-    return f"{place}: {error}\n  {line}"
+def _find_fault(error: ValueError, place: Place | None, line: str) -> Fault:
+    return Fault(place.line if place else 0, str(error), str(place or ""), line)
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
@@ -133,7 +151,7 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
             else:
                 block.letters += [replace(x, place=place) for x in _read_letters(line.string)]
         except ValueError as error:
-            block.faults.append((place.line, _tell(error, place, line.string)))
+            block.faults.append(_find_fault(error, place, line.string))
     block.refuse_faults()
     block.values += _find_euler(block)
     return block
@@ -163,7 +181,7 @@ def _read_letters(line: str) -> list[Declared]:
     meaning = " ".join(_UNIT.sub("", right).split())
     said, last = tuple(_BRACES.findall(braces[0])) if braces else (), _SHAPE.search(left)
     found_letters = []
-    for text in left.split(";"):
+    for text in _split(left, ";"):
         if moved := _MOVED.search(text):
             raise ValueError(
                 f"a matrix that depends on {moved['by']}: leave ({moved['by']}) out, and declare "
@@ -184,11 +202,9 @@ def _read_letter(
     shape: tuple[int, int] | None,
 ) -> Declared:
     text, _, symbol = text.partition(" as ")
-    names = [name.strip() for name in text.split("|")]
+    names = _split(text, "|")
     if any(name.count("{") != name.count("}") for name in names):
-        raise ValueError(
-            f"the name {text.strip()!r} has unbalanced braces; a name contains no ; or |"
-        )
+        raise ValueError(f"the name {text.strip()!r} has unbalanced braces")
     if not all(any(sign.isalpha() for sign in name) for name in names):
         raise ValueError(f"the name {text.strip()!r} has no letter")
     running = None if shape else _RUNNING.search(names[0])
@@ -208,6 +224,18 @@ def _read_letter(
     return Declared(tuple(names), meaning, unit, conditions, shape, by, symbol.strip())
 
 
+def _split(text: str, at: str = ",;") -> list[str]:
+    """Return the parts of a line between such signs, but for those in brackets and braces."""
+    parts, depth = [""], 0
+    for before, sign in pairwise(f" {text}"):
+        depth += (sign in "([{") - (sign in ")]}")
+        if sign in at and depth == 0 and before != "\\":
+            parts.append("")
+        else:
+            parts[-1] += sign
+    return [part.strip() for part in parts]
+
+
 def _list_signs(index: str) -> list[str]:
     return [sign for sign in index if sign.isalpha()]
 
@@ -218,7 +246,7 @@ def _add(name: str) -> Callable[[Block, str], None]:
     def enter(block: Block, rest: str) -> None:
         if not rest:
             raise ValueError("nothing follows the word")
-        parts = [part.strip() for part in _PARTS.split(rest)]
+        parts = _split(rest)
         for part in parts:
             if part.partition(" ")[0] in (*_WORDS, *_TOLD, _CLAIM):
                 raise ValueError(f"a line has one word: {part!r} needs a line of its own")
@@ -242,10 +270,10 @@ def _find_references(rest: str) -> list[str]:
 
 
 def _branch(block: Block, rest: str) -> None:
-    for part in _PARTS.split(rest):
-        found = _BRANCH.match(part.strip())
+    for part in _split(rest):
+        found = _BRANCH.match(part)
         if found is None:
-            raise ValueError(rf"a branch is written letter=\pm1, not {part.strip()}")
+            raise ValueError(rf"a branch is written letter=\pm1, not {part}")
         block.branches.append(found[1])
 
 
@@ -273,7 +301,7 @@ def _function(block: Block, rest: str) -> None:
 
 def _read_pairs(text: str) -> dict[str, str]:
     """Read what is said to be something else, A is A_r, B is B_r; nothing if a part says none."""
-    pairs = [_MEANS.split(part.strip()) for part in _PARTS.split(text)]
+    pairs = [_MEANS.split(part) for part in _split(text)]
     return {} if any(len(pair) != 2 for pair in pairs) else dict(pairs)
 
 

@@ -38,7 +38,8 @@ _EVENT = re.compile(
 # Displays that are one equation with one number, however many lines they have.
 _SINGLE = ("", "equation", "displaymath", "multline")
 _LEVELS = ("chapter", "section", "subsection")
-_COLUMNS = re.compile(r"\A\s*\{\d+\}")
+# How many columns there are, or how each of them stands.
+_COLUMNS = re.compile(r"\A\s*\{(?:\d+|[A-Za-z'\"?,:;./*\s]+)\}")
 # What macros abbreviate that begins or ends a display.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
@@ -50,8 +51,11 @@ _SHOWN = re.compile(
 _ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 # A number that stands beside an equation without being a tag, as in Markdown.
 _BESIDE = re.compile(r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s)*\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z")
-_UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
-_NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED)))
+_UNNUMBERED = re.compile(r"\\(?:IEEE)?(?:nonumber|notag)(?![A-Za-z])")
+# The commands of IEEEeqnarray that number a line, (2), and one below the number before, (2a).
+_NUMBERED = re.compile(r"\\IEEEyes(?:sub)?number\*?(?![A-Za-z])")
+_BELOW = re.compile(r"\\IEEEyessubnumber(?![A-Za-z])")
+_NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED, _NUMBERED)))
 
 
 @dataclass(frozen=True)
@@ -83,6 +87,7 @@ class _Counter:
 
     count: int = 0
     letter: int = -1
+    below: int = 0
     within: str = ""
     shown: str = ""
     first: str = ""
@@ -93,8 +98,15 @@ class _Counter:
         if self.letter >= 0:
             self.letter += 1
             return f"({self._show_count()}{chr(ord('a') + self.letter - 1)})"
-        self.count += 1
+        self.count, self.below = self.count + 1, 0
         return f"({self._show_count()})"
+
+    def step_below(self, *, is_new: bool) -> str:
+        """Return the next number with a letter, of the equation before it or of a new one."""
+        if is_new or not self.below:
+            self.count, self.below = self.count + 1, 0
+        self.below += 1
+        return f"({self._show_count()}{chr(ord('a') + self.below - 1)})"
 
     def _show_count(self) -> str:
         if self.shown:
@@ -220,7 +232,7 @@ def _read_display(
     kind = environment.rstrip("*")
     part = next(group for group in ("body", "bracket", "dollars") if match[group] is not None)
     body, fault = text[match.start(part) : match.end(part)], ""
-    if kind == "alignat":
+    if kind in ("alignat", "IEEEeqnarray"):
         body = body.replace(_COLUMNS, lambda _: "")
     try:
         body = expand(body, macros)
@@ -273,4 +285,7 @@ def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
         return named if tag[1] else f"({named})"
     if beside := _BESIDE.search(line.string):
         return f"({beside[1]})"
-    return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""
+    if _BELOW.search(line.string):
+        return counter.step_below(is_new=r"\IEEEyesnumber" in line.string)
+    is_numbered = is_numbered and not _UNNUMBERED.search(line.string)
+    return counter.step() if is_numbered or _NUMBERED.search(line.string) else ""
