@@ -138,6 +138,10 @@ DISPLAYS = {
             *(("(3a)", "f=5"), ("display 2", "g=6"), ("(4)", "h=7")),
         ],
     ),
+    "arrows between lines": (
+        r"$$\begin{aligned}a&=1\Leftrightarrow\\b&=2\\&\Longleftrightarrow\\c&=3\end{aligned}$$",
+        [("display 1", "a=1"), ("display 2", "b=2"), ("display 3", "c=3")],
+    ),
     "one column": (r"\begin{eqnarray}x&=&2a\end{eqnarray}", [("(1)", "x=2a")]),
     "sized brackets over lines": (
         r"\begin{align}y&=a\left(b\right.\nonumber\\&\quad\left.+c\right)\\x&=y\end{align}",

@@ -204,6 +204,11 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [],
         ),
         (r"$b$ is the pitch and it is small. $$y=2b$$", ["b : pitch"], []),
+        (
+            r"$$C\frac{d T_\text{wall}}{d t}=y_\text{in}+\frac{d q_{\mathrm{a}}}{dt}$$",
+            [r"T_{\text{wall}}(t) :", r"q_{\mathrm{a}}(t) :"],
+            [],
+        ),
         (r"$$y=e^*+b$$", ["e^* :"], ["e :"]),
         (r"With the speed $b$ the power is $$y=b+c$$", ["b : speed"], []),
         (r"For $b=2$ and then $b=3$ $$y=2b$$", [], ["sizes b=2", "sizes b=3"]),
@@ -271,6 +276,11 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         ),
         (r"$$y=b_0^{\text{stat}}+c$$", [r"b_{0}^{\text{stat}} :"], ["b_{0} :"]),
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
+        (
+            r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$ $$T_x=b$$",
+            ["R 2x2 :", "T_x :"],
+            ["T :"],
+        ),
         # What a check would refuse is a question.
         (
             r"With $b=f(2c)$ the way is $$y=b+q$$ $$f(x)=2x$$",

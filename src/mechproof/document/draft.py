@@ -43,10 +43,11 @@ _LIMIT = 10.0
 _ARGUMENTS = re.compile(r"(?<=.)\([^()]*\)\Z")
 _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 # A derivative of a letter by another.
+_D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*"
+_INDEX = r"_(?:\w|\{\w+\}|(?:\{\s*)?\\(?:text|mathrm|mbox)\s*\{[^{}]*\}\s*\}?)"
 _QUOTIENT = re.compile(
-    r"\\frac\s*\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?:\^\s*\{?\d\}?)?\s*"
-    r"(?P<of>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\}\s*"
-    r"\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*(?P<by>\\?[A-Za-z]+)[^{}]*\}"
+    rf"\\frac\s*\{{\s*{_D}(?:\^\s*\{{?\d\}}?)?\s*"
+    rf"(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*\}}\s*\{{\s*{_D}(?P<by>\\?[A-Za-z]+)[^{{}}]*\}}"
 )
 _RESPECT = re.compile(
     r"(?P<noun>\b(?:primes?|dash(?:es)?|derivatives?)\b[^$.]{0,60})?"

@@ -18,6 +18,9 @@ from mechproof.nomenclature.names import ORDERS
 from mechproof.nomenclature.relations import narrow
 from mechproof.record import Conjunction, Equality, Part, Row, Statement
 
+# A derivative of what has so many operations takes long, and nothing is found to follow from it.
+_MOST = 1_000
+
 
 def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
     """Return the values of letters without a formula that the condition of a row says, e=0."""
@@ -140,6 +143,7 @@ def split_branches(says: Statement, known: Known) -> Statement:
 def list_rates(residual: sp.Expr, at: Iterable[sp.Basic], known: Known) -> Iterator[sp.Expr]:
     """Yield the derivatives of a residual by letters on which others depend, up to the second.
 
+    What has too many operations is not differentiated.
     By a letter at a value of which, or of what depends on it, the residual is, there are none.
     """
     fixed = {known.symbols.find_steps(letter)[0] for letter in at}
@@ -148,6 +152,8 @@ def list_rates(residual: sp.Expr, at: Iterable[sp.Basic], known: Known) -> Itera
     for by in dict.fromkeys(by for by, _ in moving.values() if by not in fixed):
         rate = residual
         for _ in ORDERS:
+            if rate.count_ops() > _MOST:
+                break
             try:
                 rate = known.settle(differentiate(rate, by, moving))
             except ValueError:

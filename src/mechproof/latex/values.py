@@ -79,11 +79,12 @@ def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
     Raises `ValueError` for a derivative of a higher order than the letters have symbols for.
     """
     total = value.diff(by)
+    met = value.free_symbols
     for symbol, (other, rates) in moving.items():
         steps = (symbol, *rates) if other == by else ()
         for one, derivative in pairwise(steps):
-            total += value.diff(one) * derivative
-        if steps and steps[-1] in value.free_symbols:
+            total += value.diff(one) * derivative if one in met else 0
+        if steps and steps[-1] in met:
             raise ValueError(f"no symbol is declared for the derivative of {steps[-1]} by {by}")
     # SymPy writes x^(a - 1) as x^a/x, which has no value at zero for any a.
     return total.replace(_is_power_product, partial(sp.powsimp, combine="exp"))

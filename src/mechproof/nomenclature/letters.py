@@ -56,8 +56,8 @@ _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
     for sign in (r"\delta", r"\Delta")
 }
-# The letter, where it is no sign of a transposed matrix.
-_PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z])")
+# The letter, where it is no sign of a transposed matrix, and no other one with an index.
+_PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z]|\s*_)")
 # The beginning of the print of a rate.
 _RATE = re.compile(r"\A\\d*dot\{")
 _MATRIX = re.compile(

@@ -52,12 +52,16 @@ _LIST = re.compile(
 )
 _INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
 _TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
-_LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
+_LEADS = (
+    *(r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to"),
+    *(r"\Leftrightarrow", r"\Longleftrightarrow"),
+)
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
 _WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
-_AND = re.compile(rf"(?:{_WORD}|\\(?:Rightarrow|Longrightarrow|implies|iff)(?![A-Za-z])\s*)\Z")
+_ARROW = "|".join(map(re.escape, _LEADS))
+_AND = re.compile(rf"(?:{_WORD}|(?:{_ARROW})(?![A-Za-z])\s*)\Z")
 _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
 # The conditions of its pieces are no condition of a law.
