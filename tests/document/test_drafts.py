@@ -111,7 +111,7 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"$$y=\sum_{i=1}^nb_i$$", [], ["i :"]),
         # What is said to count, and what may be zero in one case only.
         (r"$$y=bk,\qquad k\in\mathbb N$$", ["k :", "natural k"], []),
-        (r"$$y=bk_1,\quad k_1\in\mathbb{Z}$$", ["k_{1} :", "integer k_1"], []),
+        (r"$$y=bk_1,\quad k_1\in\mathbb{Z}$$", ["k_{1} :", "integer k_{1}"], []),
         (r"$$C_2=0$$ $$y=C_2b$$", ["# let C_2=0"], ["let C_2=0"]),
         (r"$$y_i=2b_i,\quad i=1,\dots,n$$", [], ["i :"]),
         (r"where $d$ is the width, $$\frac{dy}{dx}=2d+b$$", ["d : width", "y(x) :"], []),
@@ -281,6 +281,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["R 2x2 :", "T_x :"],
             ["T :"],
         ),
+        # What stands in sums with an index that runs is a family: its members are no letters.
+        (
+            r"The weights $q_k$ are $$b=\sum_{k=1}^nq_kh_{bk}$$ $$c_k=2q_k$$ $$q_1=h_{b1}+q_r$$",
+            ["q_{k}(k) : weights", "h_{bi}(i) :", "c_{i}(i) :", "natural n", "q_{r} :"],
+            ["q_{1} :", "h_{b1} :", "c_{k} :"],
+        ),
         # What a check would refuse is a question.
         (
             r"With $b=f(2c)$ the way is $$y=b+q$$ $$f(x)=2x$$",
@@ -386,6 +392,20 @@ def test_what_refers_to_a_display_asks_for_all_its_parts() -> None:
         r"\begin{equation}N=2kc\end{equation}"
     )
     assert "%% # follows (2): (1), part 1, (1), part 2\n" in found
+
+
+MASSES = r"""
+$$M=\sum_{i=1}^nm_i$$
+$$x_s=\frac1M\sum_{i=1}^nm_ix_i$$
+$$J=\sum_{i=1}^nm_i(x_i-x_s)^2=\sum_{i=1}^nm_ix_i^2-Mx_s^2$$
+$$J=\sum_{i=1}^nm_ix_i^2+Mx_s^2$$
+"""
+
+
+def test_sums_over_families_are_judged_with_a_draft() -> None:
+    rows = mechproof.check("paper.tex", draft(MASSES) + MASSES).rows
+    expected = ["DEFINITION", "DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
+    assert [row.outcome for row in rows] == expected
 
 
 def test_what_a_draft_names_is_read(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from mechproof.document.extremes import ask_extremes, find_extremes
 from mechproof.document.rows import Document
 from mechproof.document.said_values import ask_what_follows, propose_relations, propose_values
 from mechproof.latex.left_scripts import GREEK
+from mechproof.nomenclature.counting_letters import find_counts
 from mechproof.nomenclature.inline import (
     RATE,
     Inline,
@@ -22,11 +23,13 @@ from mechproof.nomenclature.inline import (
     find_printed_units,
 )
 from mechproof.nomenclature.letters import (
+    INDICES,
     Collected,
     collect_letters,
     drop_transposition,
     is_vector,
     name_symbol,
+    print_member,
 )
 from mechproof.nomenclature.said import Said, find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
@@ -135,14 +138,23 @@ def draft_block(source: Source) -> str:
         for name, entry in entries.items()
         for line in _write(name, entry, shapes.get(name), said.get(name))
     ]
+    for family in collected.families:
+        members = {x: print_member(family, x) for x in INDICES}
+        index = next((x for x in members if name_symbol(members[x]) in said), INDICES[0])
+        about = said.get(name_symbol(members[index]))
+        lines += _write(family, _Entry({members[index]: None}, index), None, about)
     lines += [f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses]
     for name in dict.fromkeys(map(_strip_arguments, unclear)):
         lines.append(f"# {name} has several sizes: declare a letter for each, and say where it is")
         lines.append(f"# which: in (1): {name} is …")
     lines += _EULER if has_euler else []
+    met = find_counts((x for x in plain if x not in collected.unread), ())
+    counts = dict.fromkeys(map(name_symbol, met), "natural")
     for match in counting:
-        kind = "natural" if match["set"] == "N" and not match["zero"] else "integer"
-        lines.append(f"{kind} {match['letter']}")
+        is_natural = match["set"] == "N" and not match["zero"]
+        counts[name_symbol(match["letter"])] = "natural" if is_natural else "integer"
+    counted = ((kind, entries[name].names) for name, kind in counts.items() if name in entries)
+    lines += [f"{kind} {next(iter(names))}" for kind, names in counted]
     running = {name: one.running for one in entries.values() for name in one.names}
     lines += propose_values(displays, running, said, inline)
     lines += propose_relations(source, [*running])

@@ -187,7 +187,7 @@ def _refuse_running_index(parser: Parser, match: Match) -> None:
     if letters and all(letter in parser.bound for letter in letters):
         raise parser.refuse(
             f"{match.name.latex} is declared as one quantity, but its index runs here",
-            parser.remedies.family.format(match.name.latex),
+            parser.remedies.family.format(match.name.latex, "".join(letters)),
         )
 
 

@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
-from mechproof.latex.names import INDEX, Name, find_brace
+from mechproof.latex.names import INDEX, Name, find_brace, strip_braces
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import SUFFIXES, Token, find_command
 from mechproof.latex.tree import Letter, Node
@@ -78,7 +78,9 @@ def read_undeclared(parser: Parser) -> Node:
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
     near = f" (declared are {', '.join(begun[:4])})" if begun else ""
     hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "") or _advise_rate(parser)
-    remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
+    index = _find_running_index(parser, parser.place, _find_end(parser, parser.place))
+    name = parser.remedies.family if index else parser.remedies.name
+    remedy = " ".join(filter(None, (hint, name.format(printed, index))))
     raise parser.refuse(f"{printed} is not declared{near}", remedy)
 
 
@@ -188,15 +190,24 @@ def _collect(parser: Parser) -> Letter:
             ),
             letter.start,
         )
-    base, _, index = letter.text.partition("_")
-    signs = {token.text for token in parser.tokens[place : parser.place]}
-    if index and signs & set(parser.bound):
-        parser.collected.append(f"{base}_{INDEX}")
+    index = _find_running_index(parser, place, parser.place)
+    if index:
+        base, _, script = letter.text.partition("_")
+        before = strip_braces(script).removesuffix(index)
+        parser.collected.append(f"{base}_{{{before}{INDEX}}}" if before else f"{base}_{INDEX}")
     elif parser.integrals:
         parser.integrals[-1].running.append(letter)
     else:
         parser.collected.append(letter.text)
     return letter
+
+
+def _find_running_index(parser: Parser, start: int, end: int) -> str:
+    """Return the letters that run here at the end of the index of a letter: i of d_{bi}."""
+    texts = [token.text for token in parser.tokens[start:end]]
+    index = texts[texts.index("_") + 2 :] if "_" in texts else []
+    own = next((n for n, text in enumerate(index) if text in parser.bound), len(index))
+    return "".join(index[own:]).replace("}", "")
 
 
 def _find_end(parser: Parser, place: int) -> int:

@@ -13,7 +13,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
-from mechproof.latex.names import strip_braces, to_signs
+from mechproof.latex.names import INDEX, strip_braces, to_signs
 from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
@@ -24,7 +24,7 @@ REMEDIES = Remedies(
     function=r"Say in the block of letters which function it is: function \{0} is …",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say in the block of letters: from 0, or where else it starts.",
-    family="Leave {0} out of the block of letters.",
+    family="Declare a family in the block of letters: {0} ({1}) : its meaning",
     membership="Say in the block of letters natural or integer for a letter that counts; "
     "an interval is printed as a relation, 0<x<1.",
     rate="If it is a derivative, say what {0} depends on: {0}({1}) : its meaning. Otherwise:",
@@ -51,6 +51,10 @@ _NO_LETTER = {
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
     "i": re.compile(rf"i\s*(?:=\s*\d+\s*{_RUNS_ON}|\\in)|e\s*\^{_NO_SQUARE}"),
 }
+# Letters that mostly run through families.
+INDICES = "ijklmn"
+# The letter that runs through a sum or a product.
+_RUNNING = re.compile(r"\\(?:sum|prod)\s*(?:\\limits\s*)?_\s*\{?\s*([A-Za-z])")
 # Signs of an increment, where they stand alone: they are letters then.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
@@ -97,8 +101,9 @@ def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
 class Collected:
     """Letters that are not declared, those before a bracket, functions with the power -1.
 
-    `guessed` are letters that the reader asks for, whole prints as f(x) among them. What could not
-    be read is keyed by its print, with the refusal.
+    `guessed` are letters that the reader asks for, whole prints as f(x) among them; `families` are
+    those of which members stand in sums, `a_i` of `a`, `d_{bi}` of `d_{b#}`. What could not be read
+    is keyed by its print, with the refusal.
     """
 
     letters: list[str]
@@ -107,6 +112,7 @@ class Collected:
     unread: Mapping[str, ReadingError]
     guessed: list[str] = field(default_factory=list)
     imaginary: str = ""
+    families: list[str] = field(default_factory=list)
 
 
 def collect_letters(
@@ -130,10 +136,32 @@ def collect_letters(
             unread[latex] = found
         else:
             letters |= dict.fromkeys(found)
-    kept = [x for x in letters if "#" not in x]
+    families = _find_families(letters, guesses.all_prints) if guess else {}
+    of_families = re.compile("|".join(families.values()) or r"(?!)")
+    kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
     signs = {*map(to_signs, kept)}
     guessed = [x for x in guesses.letters if to_signs(x) not in signs]
-    return Collected(kept, [*guesses.factors], guesses.functions, unread, guessed, imaginary)
+    factors = [*guesses.factors]
+    return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
+
+
+def _find_families(letters: Iterable[str], prints: str) -> dict[str, str]:
+    """Return families, and what their members are printed like, as a pattern without braces.
+
+    Their index runs through a sum somewhere; so is F_k = m_k a printed for each k.
+    """
+    running = {*_RUNNING.findall(prints)} & {*INDICES}
+    ends = tuple(f"_{index}" for index in running)
+    stems = {x: x.removesuffix(f"_{INDEX}") for x in letters if INDEX in x}
+    stems |= {x: x.partition("_")[0] for x in letters if strip_braces(x).endswith(ends)}
+    index = rf"[\d{''.join(sorted(running))}]+"
+    names = ((x, strip_braces(print_member(x, INDEX))) for x in stems.values())
+    return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
+
+
+def print_member(family: str, index: str) -> str:
+    """Return how a member of a family is printed."""
+    return family.replace(INDEX, index) if INDEX in family else f"{family}_{{{index}}}"
 
 
 @dataclass

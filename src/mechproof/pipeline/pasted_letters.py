@@ -14,10 +14,10 @@ from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
 from mechproof.latex.undeclared import UNSURE
 from mechproof.nomenclature.adjacent_letters import find_factors, find_increments, find_phases
+from mechproof.nomenclature.counting_letters import find_counts
 from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
 from mechproof.nomenclature.relations import read_relations
 from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_unclear, show_entries
-from mechproof.pipeline.counting_letters import find_counts
 from mechproof.pipeline.given_letters import (
     find_all_rates,
     find_given_moving,
