@@ -250,6 +250,12 @@ def test_members_of_families_are_accused_of_nothing(latex: str, reason: str) -> 
     assert reason in row.reason
 
 
+def test_a_family_of_times_is_not_the_time() -> None:
+    block = "%% q(t) : way\n%% t_i (i) :\n%% a :\n"
+    rows = [r"q=at^2", r"\dot q=2at", r"\sum_{i=1}^2t_i=t_1+t_2"]
+    assert outcomes(*rows, block=block) == ["DEFINITION", "PROVED", "PROVED"]
+
+
 def test_a_family_may_have_more_in_its_index() -> None:
     sums = r"$$c=\sum_{i=1}^2d_{bi}=d_{b1}+d_{b2}=d_{b1}+d_2$$"
     found = [row.outcome for row in check("paper.tex", MEMBERS + sums).rows]

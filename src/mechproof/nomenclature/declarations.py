@@ -152,7 +152,7 @@ def _add_running(letters: Sequence[Declared]) -> list[Declared]:
 
     Those that are declared are named as they are declared, t_{2} where it is t_2.
     """
-    known = {name_symbol(name): name for letter in letters for name in letter.names}
+    known = {name_symbol(name): name for x in letters if not x.is_family for name in x.names}
     letters = [replace(x, running=known.get(name_symbol(x.running), x.running)) for x in letters]
     new = dict.fromkeys(x.running for x in letters if x.running not in ("", *known.values()))
     return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]

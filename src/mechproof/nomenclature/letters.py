@@ -13,7 +13,8 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
-from mechproof.latex.names import INDEX, strip_braces, to_signs
+from mechproof.latex.names import INDEX, strip_braces
+from mechproof.latex.tokens import tokenize
 from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
@@ -139,8 +140,8 @@ def collect_letters(
     families = _find_families(letters, guesses.all_prints) if guess else {}
     of_families = re.compile("|".join(families.values()) or r"(?!)")
     kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
-    signs = {*map(to_signs, kept)}
-    guessed = [x for x in guesses.letters if to_signs(x) not in signs]
+    names = {*map(name_symbol, kept)}
+    guessed = [x for x in guesses.letters if name_symbol(x) not in names]
     factors = [*guesses.factors]
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
 
@@ -245,7 +246,11 @@ def _collect_from(latex: str, guesses: _Guesses) -> list[str] | ReadingError:
     """Return the letters of a print, or why it cannot be read."""
     while True:
         try:
-            return make_reader(guesses.letters, guesses).collect(latex)
+            found = make_reader(guesses.letters, guesses).collect(latex)
+            for letter in found:
+                # A name may have scripts that no print has: a second index behind a power.
+                tokenize(letter)
+            return found
         except ReadingError as error:
             if not guesses.take(error):
                 return error
