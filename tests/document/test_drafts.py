@@ -399,13 +399,21 @@ $$M=\sum_{i=1}^nm_i$$
 $$x_s=\frac1M\sum_{i=1}^nm_ix_i$$
 $$J=\sum_{i=1}^nm_i(x_i-x_s)^2=\sum_{i=1}^nm_ix_i^2-Mx_s^2$$
 $$J=\sum_{i=1}^nm_ix_i^2+Mx_s^2$$
+$$M=\sum_{k=1}^{n-1}m_k+m_n$$
+$$F=\sum_{i=1}^nF_i$$
+$$F=g\sum_{k=1}^nm_k$$
+$$F_i=m_ig$$
+$$x_{i+1}=x_i+h$$
 """
 
 
 def test_sums_over_families_are_judged_with_a_draft() -> None:
     rows = mechproof.check("paper.tex", draft(MASSES) + MASSES).rows
     expected = ["DEFINITION", "DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
+    expected += ["PROVED", "DEFINITION", *3 * ["not judged"]]
     assert [row.outcome for row in rows] == expected
+    assert "has other letters" in rows[-3].reason
+    assert all("for each i" in row.reason for row in rows[-2:])
 
 
 def test_what_a_draft_names_is_read(tmp_path: Path) -> None:

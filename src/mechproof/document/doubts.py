@@ -86,7 +86,12 @@ def _list_indices(task: Task) -> set[sp.Basic]:
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     sides = (says.printed, says.symbol) if isinstance(says, Definition) else sides
     indices = [
-        {i for s in find_free(side) if isinstance(s, sp.Indexed) for i in s.indices}
+        {
+            i
+            for s in find_free(side)
+            if isinstance(s, sp.Indexed)
+            for i in sp.Tuple(*s.indices).free_symbols
+        }
         # A sum has its members among its free symbols, though not its index.
         & find_free(side)
         for side in sides

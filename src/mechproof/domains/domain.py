@@ -213,7 +213,8 @@ class Domain:
 
         Relations of families are taken for the elements whose numbers are among the names.
         """
-        numbers = sorted({k for s in names if isinstance(s, sp.Indexed) for k in s.indices})
+        indices = {k for s in names if isinstance(s, sp.Indexed) for k in s.indices}
+        numbers = sorted(indices, key=sp.default_sort_key)
         stated = dict.fromkeys(r for whole in self.where for r in _write(whole, numbers, fixed))
         tied: list[sp.Basic] = []
         for _ in stated:

@@ -151,11 +151,11 @@ def _find_families(letters: Iterable[str], prints: str) -> dict[str, str]:
 
     Their index runs through a sum somewhere; so is F_k = m_k a printed for each k.
     """
-    running = {*_RUNNING.findall(prints)} & {*INDICES}
-    ends = tuple(f"_{index}" for index in running)
+    ends = tuple(f"_{index}" for index in {*_RUNNING.findall(prints)} & {*INDICES})
     stems = {x: x.removesuffix(f"_{INDEX}") for x in letters if INDEX in x}
     stems |= {x: x.partition("_")[0] for x in letters if strip_braces(x).endswith(ends)}
-    index = rf"[\d{''.join(sorted(running))}]+"
+    # The last one is printed by its number: m_n, x_N.
+    index = rf"[-+\d{INDICES}MN]+"
     names = ((x, strip_braces(print_member(x, INDEX))) for x in stems.values())
     return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
 
