@@ -1,31 +1,141 @@
-"""Lines of a draft as a check would read them: what it refuses is left as a question."""
+"""Lines of a draft: what is found of letters, and as questions what has to be confirmed."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 
+from mechproof.document.drafted_letters import Entry
 from mechproof.document.rows import Document
+from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.block import BlockError
+from mechproof.nomenclature.counting_letters import find_counts
+from mechproof.nomenclature.letters import (
+    INDICES,
+    Collected,
+    is_vector,
+    name_symbol,
+    print_member,
+)
+from mechproof.nomenclature.said import Said
+from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 from mechproof.sources.text import Files
+
+# A letter that is printed to be zero.
+_ZERO = re.compile(r"\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*=\s*0\s*[.,;]?\s*")
+# What is said to count, and how the block says so.
+COUNTING = re.compile(
+    r"(?P<letter>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\\in\s*\\mathbb\s*"
+    r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
+)
+# What is never negative: not what is said of it, the position of a mass or a mass ratio.
+_POSITIVE = re.compile(
+    r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
+    r"(?:radius|radii|diameters?|lengths?|mass(?:es)?)(?!\s+of\s+curvature)"
+    r"(?:\s+(?:of|in|at|on|for|to|from|between|and)\b|[^\w\s]|\s*\Z)",
+    re.IGNORECASE,
+)
+# A word below a letter, as it is read.
+_WORD_BELOW = re.compile(r"_\{\\([A-Za-z]+)\}")
+# Letters that could be something else where nothing declares them.
+_ASKED = {
+    "e": r"a letter here, Euler's number elsewhere",
+    "d": "a letter here, a differential elsewhere",
+    "i": "a letter here, an index or the imaginary unit elsewhere",
+}
+
+
+def write_letter(
+    name: str, entry: Entry, size: tuple[int, int] | None, found: Said | None
+) -> Iterator[str]:
+    """Yield the line of a letter, behind what is asked of it and where its words stand."""
+    first, *alike = entry.names
+    if is_vector(first) and not size:
+        yield "# A vector or a matrix? Give its size after the name: 3x1"
+    if first in _ASKED:
+        yield f"# {_ASKED[first]}:"
+    if found:
+        yield f"# line {found.line} says:"
+    running = f"({entry.running})" if entry.running else ""
+    others = "".join(f" | {other}" for other in alike)
+    shape = f" {size[0]}x{size[1]}" if size else ""
+    unit = f" [{found.unit}]" if found and found.unit else ""
+    meaning = f"{found.meaning if found else ''}{unit}".strip()
+    if found and not running and _POSITIVE.match(found.meaning):
+        meaning += f" {{{first}>0}}"
+    yield show_line(f"{first}{running}{others}{shape} : {meaning}".rstrip())
+
+
+def write_families(families: Iterable[str], said: Mapping[str, Said]) -> Iterator[str]:
+    """Yield the lines of families, whose members stand in sums."""
+    for family in families:
+        members = {x: print_member(family, x) for x in INDICES}
+        index = next((x for x in members if name_symbol(members[x]) in said), INDICES[0])
+        found = said.get(name_symbol(members[index]))
+        yield from write_letter(family, Entry({members[index]: None}, index), None, found)
+
+
+def write_counts(
+    prints: Sequence[str], plain: Iterable[str], entries: Mapping[str, Entry]
+) -> Iterator[str]:
+    r"""Yield which letters count: n of \sum^n in plain prints, and k of k\in\mathbb{N}."""
+    counts = dict.fromkeys(map(name_symbol, find_counts(plain, ())), "natural")
+    for match in (match for latex in prints for match in COUNTING.finditer(latex)):
+        is_natural = match["set"] == "N" and not match["zero"]
+        counts[name_symbol(match["letter"])] = "natural" if is_natural else "integer"
+    counted = ((kind, entries[name].names) for name, kind in counts.items() if name in entries)
+    yield from (f"{kind} {next(iter(names))}" for kind, names in counted)
+
+
+def write_factors(factors: Iterable[str], entries: Mapping[str, Entry]) -> Iterator[str]:
+    """Yield the letters that a bracket behind them multiplies: they depend on nothing."""
+    depending = {name for name, entry in entries.items() if entry.running}
+    found = [x for x in factors if name_symbol(x).rstrip("'") not in depending]
+    if found:
+        yield "# A bracket follows each of these: they are taken to multiply it."
+        yield from (f"factor {name}" for name in found)
+
+
+def ask_sizes(letters: Iterable[str]) -> Iterator[str]:
+    """Yield questions for matrices of several sizes."""
+    for name in dict.fromkeys(letters):
+        yield f"# {name} has several sizes: declare a letter for each, and say where it is"
+        yield f"# which: in (1): {name} is …"
+
+
+def ask_zeros(displays: Iterable[Printed]) -> Iterator[str]:
+    """Yield questions for letters that are printed to be zero."""
+    for display in displays:
+        if zero := _ZERO.fullmatch(display.latex.string):
+            yield f"# {display.name}: a constant of integration, which is zero throughout?"
+            yield f"# let {zero[1]}=0"
+
+
+def tell_unread(
+    displays: Sequence[Printed], plain: Sequence[str], collected: Collected, source: Source
+) -> Iterator[str]:
+    """Yield which displays could not be read, so that their letters are missing."""
+    for display, latex in zip(displays, plain, strict=True):
+        if error := collected.unread.get(latex):
+            place = source.files.locate(display.latex.offsets[0])
+            yield f"# {display.name}, line {place.line}: its letters are missing here:"
+            yield f"#   {' '.join(error.reason.split())}"
 
 
 def ask_refused(lines: Sequence[str], source: Source) -> list[str]:
     """Return the lines of a draft, those that a check would refuse as comments that say why."""
     kept = [*lines]
     while refused := _find_refused(kept, source):
-        kept = [x for n, line in enumerate(kept, 1) for x in _ask(line, refused.get(n, ""))]
+        asked = ([refused[n], f"# {x}"] if n in refused else [x] for n, x in enumerate(kept, 1))
+        kept = list(chain.from_iterable(asked))
     return kept
 
 
-def _ask(line: str, reason: str) -> list[str]:
-    return [f"# {reason.splitlines()[0]}:", f"# {line}"] if reason else [line]
-
-
 def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
-    """Return the lines that are refused by their numbers, counted from 1, with the reasons."""
+    """Return what is wrong with lines that are refused, by their numbers, counted from 1."""
     files = Files([*source.files.names], [*source.files.contents])
     text = files.add("draft", "\n".join(lines))
     ends = [-1, *(n for n, sign in enumerate(f"{text.string}\n") if sign == "\n")]
@@ -34,8 +144,20 @@ def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
     try:
         Document(replace(source, files=files, lines=said, has_block=True))
     except BlockError as error:
-        return {fault.number: fault.reason for fault in error.faults if fault.number}
+        faults = ((x.number, x.reason.partition("\n")[0]) for x in error.faults if x.number)
+        return {number: f"# {reason}:" for number, reason in faults}
     except ValueError:
         # It is no line of its own that is refused: the check will say it.
         pass
     return {}
+
+
+def show_line(line: str) -> str:
+    """Return a line with words below letters as they may be printed."""
+    return _WORD_BELOW.sub(_write_upright, line)
+
+
+def _write_upright(match: re.Match[str]) -> str:
+    r"""Write a word below a letter as it may be printed: \mathrm{in}, which is read as \in."""
+    is_macro = match[1] in GREEK or match[1] in ("max", "min")
+    return match[0] if is_macro else rf"_{{\mathrm{{{match[1]}}}}}"
