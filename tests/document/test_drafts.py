@@ -283,8 +283,9 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         ),
         # What stands in sums with an index that runs is a family: its members are no letters.
         (
-            r"The weights $q_k$ are $$b=\sum_{k=1}^nq_kh_{bk}$$ $$c_k=2q_k$$ $$q_1=h_{b1}+q_r$$",
-            ["q_{k}(k) : weights", "h_{bi}(i) :", "c_{i}(i) :", "natural n", "q_{r} :"],
+            r"The weights $q_k$ are $$b=\sum_{k=1}^nq_kh_{bk}$$ $$c_k=2q_k$$"
+            r"$$q_1=h_{b1}+q_r+d_k$$",
+            ["q_{k}(k) : weights", "h_{bi}(i) :", "c_{i}(i) :", "natural n", "q_{r} :", "d_{k} :"],
             ["q_{1} :", "h_{b1} :", "c_{k} :"],
         ),
         # What a check would refuse is a question.

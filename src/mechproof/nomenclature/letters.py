@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from types import MappingProxyType
 
 import sympy as sp
@@ -54,8 +55,6 @@ _NO_LETTER = {
 }
 # Letters that mostly run through families.
 INDICES = "ijklmn"
-# The letter that runs through a sum or a product.
-_RUNNING = re.compile(r"\\(?:sum|prod)\s*(?:\\limits\s*)?_\s*\{?\s*([A-Za-z])")
 # Signs of an increment, where they stand alone: they are letters then.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
@@ -128,7 +127,7 @@ def collect_letters(
     `imaginary` is the letter of the imaginary unit; `said` are letters that words explain.
     """
     prints = list(printed)
-    letters: dict[str, None] = {}
+    displays: list[list[str]] = []
     guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
     unread: dict[str, ReadingError] = {}
     for latex in prints:
@@ -136,8 +135,9 @@ def collect_letters(
         if isinstance(found, ReadingError):
             unread[latex] = found
         else:
-            letters |= dict.fromkeys(found)
-    families = _find_families(letters, guesses.all_prints) if guess else {}
+            displays.append(found)
+    letters = dict.fromkeys(chain.from_iterable(displays))
+    families = _find_families(displays) if guess else {}
     of_families = re.compile("|".join(families.values()) or r"(?!)")
     kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
     names = {*map(name_symbol, kept)}
@@ -146,17 +146,20 @@ def collect_letters(
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
 
 
-def _find_families(letters: Iterable[str], prints: str) -> dict[str, str]:
+def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
     """Return families, and what their members are printed like, as a pattern without braces.
 
-    Their index runs through a sum somewhere; so is F_k = m_k a printed for each k.
+    Their index runs through a sum somewhere. So is F_k = m_k a, beside a member of such a family.
     """
-    ends = tuple(f"_{index}" for index in {*_RUNNING.findall(prints)} & {*INDICES})
-    stems = {x: x.removesuffix(f"_{INDEX}") for x in letters if INDEX in x}
-    stems |= {x: x.partition("_")[0] for x in letters if strip_braces(x).endswith(ends)}
+    summed = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
+    families = dict(summed)
+    for letters in displays:
+        indexed = [x.partition("_") for x in map(strip_braces, letters)]
+        running = {index for stem, _, index in indexed if stem in summed} & {*INDICES}
+        families |= {stem: None for stem, _, index in indexed if index in running}
     # The last one is printed by its number: m_n, x_N.
     index = rf"[-+\d{INDICES}MN]+"
-    names = ((x, strip_braces(print_member(x, INDEX))) for x in stems.values())
+    names = ((x, strip_braces(print_member(x, INDEX))) for x in families)
     return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
 
 
