@@ -288,6 +288,8 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["q_{k}(k) : weights", "h_{bi}(i) :", "c_{i}(i) :", "natural n", "q_{r} :", "d_{k} :"],
             ["q_{1} :", "h_{b1} :", "c_{k} :"],
         ),
+        # A print may be wrapped, a line of a block is one line.
+        ("$$y=c(b,\nq)$$", ["c(b, q) :"], ["q) :"]),
         # What a check would refuse is a question.
         (
             r"With $b=f(2c)$ the way is $$y=b+q$$ $$f(x)=2x$$",

@@ -127,7 +127,8 @@ def tell_unread(
 
 def ask_refused(lines: Sequence[str], source: Source) -> list[str]:
     """Return the lines of a draft, those that a check would refuse as comments that say why."""
-    kept = [*lines]
+    # Prints may be wrapped; a line of a block is one line.
+    kept = [" ".join(line.split("\n")) for line in lines]
     while refused := _find_refused(kept, source):
         asked = ([refused[n], f"# {x}"] if n in refused else [x] for n, x in enumerate(kept, 1))
         kept = list(chain.from_iterable(asked))
