@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from mechproof.document.checking import CheckedPaper, check
+from mechproof.document.draft import draft_block
+from mechproof.sources.files import read_source
 
 LETTERS = r"""%% mechproof
 %% r ; l : crank and rod [mm] {r>0}
@@ -33,6 +35,10 @@ def outcomes(*equations: str, block: str = "") -> list[str]:
 
 def run(*equations: str, block: str = "") -> CheckedPaper:
     return check("paper.tex", paper(*equations, block=block))
+
+
+def draft(text: str, name: str = "paper.tex") -> str:
+    return draft_block(read_source(name, text))
 
 
 def judge_parts(block: str, *parts: str) -> list[str]:

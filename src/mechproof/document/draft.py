@@ -83,7 +83,7 @@ def draft_block(source: Source) -> str:
         *(f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses),
         *ask_sizes(map(strip_arguments, unclear)),
         *(_EULER if has_euler else ()),
-        *write_counts(prints, (x for x in plain if x not in collected.unread), entries),
+        *write_counts(prints, (x for x in plain if x not in collected.unread), entries, said),
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running]),
         *find_extremes(source, running),

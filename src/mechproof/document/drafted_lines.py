@@ -31,6 +31,8 @@ COUNTING = re.compile(
     r"(?P<letter>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\\in\s*\\mathbb\s*"
     r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
 )
+# Words for what counts.
+_NUMBER = re.compile(r"\b(?:number|count|order|index|integer)", re.IGNORECASE)
 # What is never negative: not what is said of it, the position of a mass or a mass ratio.
 _POSITIVE = re.compile(
     r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
@@ -79,10 +81,19 @@ def write_families(families: Iterable[str], said: Mapping[str, Said]) -> Iterato
 
 
 def write_counts(
-    prints: Sequence[str], plain: Iterable[str], entries: Mapping[str, Entry]
+    prints: Sequence[str],
+    plain: Iterable[str],
+    entries: Mapping[str, Entry],
+    said: Mapping[str, Said],
 ) -> Iterator[str]:
-    r"""Yield which letters count: n of \sum^n in plain prints, and k of k\in\mathbb{N}."""
-    counts = dict.fromkeys(map(name_symbol, find_counts(plain, ())), "natural")
+    r"""Yield which letters count: k of k\in\mathbb{N}, and n of \sum^n in plain prints.
+
+    The latter is asked of a letter that has another meaning in words.
+    """
+    counts: dict[str, str] = {}
+    for name in map(name_symbol, find_counts(plain, ())):
+        meaning = said[name].meaning if name in said else ""
+        counts[name] = "natural" if not meaning or _NUMBER.search(meaning) else "# natural"
     for match in (match for latex in prints for match in COUNTING.finditer(latex)):
         is_natural = match["set"] == "N" and not match["zero"]
         counts[name_symbol(match["letter"])] = "natural" if is_natural else "integer"

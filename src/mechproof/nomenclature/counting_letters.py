@@ -1,9 +1,9 @@
-r"""Letters of a single equation that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n."""
+r"""Letters that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import takewhile
+from itertools import accumulate, takewhile
 
 from mechproof.latex.tokens import list_signs
 
@@ -15,7 +15,7 @@ _RELATIONS = ("=", "<", ">", r"\le", r"\ge")
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
     r"""Return what is said to count, the letters of n! and those up to which sums go.
 
-    It is n also in \sum_{k=1}^{n-1}, and in \dots+n^2.
+    It is n also in \sum_{k=1}^{n-1}, in \dots+n^2, and alone in \dots+kx_n.
     """
     found = dict.fromkeys(said)
     for texts in map(list_signs, prints):
@@ -25,11 +25,23 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
             if text == "!":
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
             if text == r"\dots":
-                behind = takewhile(lambda sign: sign not in _RELATIONS, texts[place:])
-                found |= dict.fromkeys(sign for sign in behind if sign in _LAST)
+                found |= dict.fromkeys(_letters_of_last(texts[place + 1 :]))
             if text == r"\binom":
                 found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(found)
+
+
+def _letters_of_last(texts: list[str]) -> Iterator[str]:
+    """Yield the letters of a last term, those of its index if it has one."""
+    behind = [*takewhile(lambda sign: sign not in _RELATIONS, texts)]
+    inside = list(accumulate(behind, _step_index, initial=False))[1:]
+    indices = [sign for sign, is_index in zip(behind, inside, strict=True) if is_index]
+    yield from (sign for sign in (indices or behind) if sign in _LAST)
+
+
+def _step_index(is_inside: bool, sign: str) -> bool:
+    """Return whether an index goes on or begins."""
+    return sign == "_" or (is_inside and sign != "}")
 
 
 def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
