@@ -1,37 +1,22 @@
 """What papers that measure share: type A evaluation, normal laws, coverage."""
 
-from sympy import (
-    Expr,
-    IndexedBase,
-    Interval,
-    KroneckerDelta,
-    Rational,
-    S,
-    Sum,
-    Symbol,
-    betainc_regularized,
-    erf,
-    erfc,
-    oo,
-    sqrt,
-    symbols,
-)
+import sympy as sp
 
 from mechproof.record import Claim, Equality, Variable, ours
 
-POSITIVE = Interval.open(0, oo)
+POSITIVE = sp.Interval.open(0, sp.oo)
 
 # Type A evaluation (GUM 4.2) --------------------------------------------------------------------
 
-n = Symbol("n", integer=True, positive=True)
-q = IndexedBase("q", real=True)
-qbar, s2, s2_mean, u_mean, sigma2 = symbols("qbar s2 s2_mean u_mean variance", real=True)
-i, j, m = symbols("i j m", integer=True)
-mean = Sum(q[j], (j, 1, n)) / n
-variance = Sum((q[i] - qbar) ** 2, (i, 1, n)) / (n - 1)
+n = sp.Symbol("n", integer=True, positive=True)
+q = sp.IndexedBase("q", real=True)
+qbar, s2, s2_mean, u_mean, sigma2 = sp.symbols("qbar s2 s2_mean u_mean variance", real=True)
+i, j, m = sp.symbols("i j m", integer=True)
+mean = sp.Sum(q[j], (j, 1, n)) / n
+variance = sp.Sum((q[i] - qbar) ** 2, (i, 1, n)) / (n - 1)
 
 TYPE_A_VARIABLES = (
-    Variable(n, "number of observations", within=S.Naturals, latex=("n",)),
+    Variable(n, "number of observations", within=sp.S.Naturals, latex=("n",)),
     Variable(q, "measurement errors", latex=("q",)),
     Variable(qbar, "mean measurement error", latex=(r"\bar q",)),
     Variable(s2, "sample variance", latex=("s^2(q_k)",)),
@@ -41,11 +26,11 @@ TYPE_A_VARIABLES = (
 )
 
 
-def expected_squares() -> Expr:
+def expected_squares() -> sp.Expr:
     """Return the expected sum of (q_k - mean)^2 over independent readings of one variance."""
-    deviations = (KroneckerDelta(i, j) - 1 / n) * (KroneckerDelta(i, m) - 1 / n)
-    covariance = sigma2 * KroneckerDelta(j, m)
-    return Sum(deviations * covariance, (i, 1, n), (j, 1, n), (m, 1, n))
+    deviations = (sp.KroneckerDelta(i, j) - 1 / n) * (sp.KroneckerDelta(i, m) - 1 / n)
+    covariance = sigma2 * sp.KroneckerDelta(j, m)
+    return sp.Sum(deviations * covariance, (i, 1, n), (j, 1, n), (m, 1, n))
 
 
 def unbiased_row(number: str) -> Claim:
@@ -71,7 +56,7 @@ def estimate_row(
         latex,
         Equality(
             expected_squares(),
-            n * (n - 1) * Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
+            n * (n - 1) * sp.Sum(sigma2 * sp.KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
         ),
         note="Its expected value is the variance of the mean of independent observations of equal "
         "variance; both sides are multiplied by n (n - 1).",
@@ -83,19 +68,19 @@ def estimate_row(
 # Laws and coverage ------------------------------------------------------------------------------
 
 
-def normal_between(centre: Expr, variance: Expr, low: Expr, high: Expr) -> Expr:
+def normal_between(centre: sp.Expr, variance: sp.Expr, low: sp.Expr, high: sp.Expr) -> sp.Expr:
     """Probability of a normal law between limits."""
-    root = sqrt(2 * variance)
-    return (erf((high - centre) / root) - erf((low - centre) / root)) / 2
+    root = sp.sqrt(2 * variance)
+    return (sp.erf((high - centre) / root) - sp.erf((low - centre) / root)) / 2
 
 
-def normal_outside(centre: Expr, variance: Expr, low: Expr, high: Expr) -> Expr:
+def normal_outside(centre: sp.Expr, variance: sp.Expr, low: sp.Expr, high: sp.Expr) -> sp.Expr:
     """Probability of a normal law outside limits, from its two tails."""
-    root = sqrt(2 * variance)
-    return (erfc((centre - low) / root) + erfc((high - centre) / root)) / 2
+    root = sp.sqrt(2 * variance)
+    return (sp.erfc((centre - low) / root) + sp.erfc((high - centre) / root)) / 2
 
 
-def student_coverage(count: int, multiple: Expr) -> Expr:
+def student_coverage(count: int, multiple: sp.Expr) -> sp.Expr:
     """Percentage of Student's t with count - 1 degrees of freedom inside -multiple ... multiple."""
-    freedom, square = Rational(count - 1), multiple**2
-    return 100 * betainc_regularized(S.Half, freedom / 2, 0, square / (square + freedom))
+    freedom, square = sp.Rational(count - 1), multiple**2
+    return 100 * sp.betainc_regularized(sp.S.Half, freedom / 2, 0, square / (square + freedom))

@@ -1,34 +1,19 @@
 """The mechanics of paper 1: velocity plan, inversion, ellipse, position."""
 
-from sympy import (
-    Eq,
-    Expr,
-    Integral,
-    Matrix,
-    atan,
-    atan2,
-    cancel,
-    cos,
-    diff,
-    factor_terms,
-    fraction,
-    sin,
-    symbols,
-    tan,
-)
+import sympy as sp
 
 from .._linear import solve_linear
 from .symbols import *
 
 # Velocity plan on the line A-C at one instant. The carrier turns about A = E = 0, the satellite
 # rolls inside the fixed epicycle, so the point B at the coordinate R1 is at rest.
-s, omega_satellite, omega_out = symbols("s omega_5 omega_3", real=True)
-centre_c = solve_linear(Eq(at_c + R2, R1), at_c)
+s, omega_satellite, omega_out = sp.symbols("s omega_5 omega_3", real=True)
+centre_c = solve_linear(sp.Eq(at_c + R2, R1), at_c)
 satellite_velocity = omega1 * centre_c + omega_satellite * (s - centre_c)
 rolling = solve_linear(satellite_velocity.subs(s, R1), omega_satellite)
 point_d = centre_c - rho
 PLACES = {at_b: R1, at_c: centre_c, at_d: point_d}
-driven = Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
+driven = sp.Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
 ratio_by_plan = solve_linear(driven, omega_out) / omega1
 
 # Inversion (Willis), in units of omega1: seen from the carrier the epicycle turns with -1, an
@@ -38,36 +23,36 @@ wheel_3_against_carrier = -satellite_against_carrier * rho / (2 * a - rho)
 ratio_by_inversion = 1 + wheel_3_against_carrier
 
 
-def radius_of_mate(angle: Expr) -> Expr:
+def radius_of_mate(angle: sp.Expr) -> sp.Expr:
     """Radius of the congruent ellipse at the angle it has reached by rolling from its far end.
 
     It has turned by angle + 2 delta, tan(delta) = y/x below; its polar angle is measured from
     the side away from its own centre of rotation.
     """
-    y, x_ = e * sin(angle), 1 - e * cos(angle)
+    y, x_ = e * sp.sin(angle), 1 - e * sp.cos(angle)
     cos_2delta = (x_**2 - y**2) / (x_**2 + y**2)
     sin_2delta = 2 * x_ * y / (x_**2 + y**2)
-    cos_turned = cos(angle) * cos_2delta - sin(angle) * sin_2delta
+    cos_turned = sp.cos(angle) * cos_2delta - sp.sin(angle) * sin_2delta
     return a * (1 - e**2) / (1 + e * cos_turned)
 
 
 # Position: the ratio integrated from phi10 = 0, phi30 = 0, over any number of turns.
 on_ellipse = wheel_3_against_carrier.subs(rho, focal_radius.subs(theta, k * tau))
-above, below = fraction(cancel(on_ellipse))
-position = Integral(1 + factor_terms(above) / below, (tau, 0, phi1))
-lead = atan2(e * sin(x), 1 - e * cos(x))
+above, below = sp.fraction(sp.cancel(on_ellipse))
+position = sp.Integral(1 + sp.factor_terms(above) / below, (tau, 0, phi1))
+lead = sp.atan2(e * sp.sin(x), 1 - e * sp.cos(x))
 position_closed = (1 + k) * phi1 + 2 * lead
-position_principal = phi1 + 2 * atan((1 + e) / (1 - e) * tan(x / 2))
+position_principal = phi1 + 2 * sp.atan((1 + e) / (1 - e) * sp.tan(x / 2))
 
 # Planar vectors for the sentences of the velocity plan.
-along_carrier = Matrix([cos(phi1), sin(phi1)])
+along_carrier = sp.Matrix([sp.cos(phi1), sp.sin(phi1)])
 axis_c, axis_b = along_carrier * centre_c, along_carrier * R1
-quarter_turn = Matrix([[0, -1], [1, 0]])
+quarter_turn = sp.Matrix([[0, -1], [1, 0]])
 
 
-def velocity_at(distance: Expr) -> Matrix:
+def velocity_at(distance: sp.Expr) -> sp.Matrix:
     """Velocity of the carrier's point at a distance from the fixed axis, in units of omega1."""
-    return diff(along_carrier * distance, phi1)
+    return sp.diff(along_carrier * distance, phi1)
 
 
 velocity_c = velocity_at(centre_c)

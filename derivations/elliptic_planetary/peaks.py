@@ -4,23 +4,7 @@ By c = cos(x) the derivative of either changes its sign once at most: the place 
 peak is the value there. Everything is written without differences of like numbers.
 """
 
-from sympy import (
-    Abs,
-    Eq,
-    Expr,
-    Ge,
-    Interval,
-    Max,
-    Or,
-    Piecewise,
-    Rational,
-    atan2,
-    cos,
-    diff,
-    pi,
-    sin,
-    sqrt,
-)
+import sympy as sp
 
 from mechproof.record import (
     SLOPES,
@@ -55,17 +39,17 @@ from .symbols import (
     x,
 )
 
-JERK = diff(kernels.ACCELERATION, x) * k
-SPREAD = 1 + e**2 - 2 * e * cos(x)
+JERK = sp.diff(kernels.ACCELERATION, x) * k
+SPREAD = 1 + e**2 - 2 * e * sp.cos(x)
 
 # Acceleration: it grows and falls with sin(x)/(square - 2 e c)**2, extreme where
 # 2 e c**2 + square*c - 4 e = 0.
 BOTH = square + root_acceleration
 SMALLEST_ACCELERATION = (
     2
-    * atan2(
-        (1 - e) * sqrt(peak_acceleration),
-        sqrt(BOTH + 8 * e),
+    * sp.atan2(
+        (1 - e) * sp.sqrt(peak_acceleration),
+        sp.sqrt(BOTH + 8 * e),
     )
     / k
 )
@@ -74,7 +58,7 @@ LARGEST_ACCELERATION = (
     * e
     * k**2
     * (1 + e)
-    * sqrt(peak_acceleration * (BOTH + 8 * e))
+    * sp.sqrt(peak_acceleration * (BOTH + 8 * e))
     * BOTH
     / ((1 - e) ** 2 * (BOTH + 2 * e * peak_acceleration) ** 2)
 )
@@ -90,12 +74,12 @@ JERK_WITHIN = (
     * (3 * square + root_jerk) ** 2
     / (36 * ((1 - e) * (1 + e)) ** 3 * (2 * root_jerk + 3 * square))
 )
-ANGLE_WITHIN = 2 * atan2(
-    (1 - e) * sqrt((square + 10 * e) * (root_jerk + 2 * square - 2 * e)),
-    (1 + e) * sqrt((10 * e - square) * (root_jerk + 2 * square + 2 * e)),
+ANGLE_WITHIN = 2 * sp.atan2(
+    (1 - e) * sp.sqrt((square + 10 * e) * (root_jerk + 2 * square - 2 * e)),
+    (1 + e) * sp.sqrt((10 * e - square) * (root_jerk + 2 * square + 2 * e)),
 )
-LARGEST_JERK = Piecewise((JERK_AT_HALF_TURN, AT_HALF_TURN), (JERK_WITHIN, True))
-ANGLE_OF_JERK = Piecewise((pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
+LARGEST_JERK = sp.Piecewise((JERK_AT_HALF_TURN, AT_HALF_TURN), (JERK_WITHIN, True))
+ANGLE_OF_JERK = sp.Piecewise((sp.pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
 
 # Accuracy, in eps, every rounding 1/2 and all in one direction; atan2 within an ulp. square 0.75,
 # root_acceleration 1.75, BOTH 2.25, peak_acceleration 2.7: the angle 6.7; the acceleration 19.5,
@@ -105,7 +89,7 @@ ANGLE_OF_JERK = Piecewise((pi, AT_HALF_TURN), (ANGLE_WITHIN, True)) / k
 # The cube of R1/R2 over the fifth power of 1 - e is met on the way, and is a double.
 SIZES = (R1 >= kernels.LEAST, R2 >= kernels.LEAST, R1 <= 10**75 * R2)
 # Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
-NO_UNDERFLOW = (Or(Eq(e, 0), Ge(e, Rational(1, 10**100))),)
+NO_UNDERFLOW = (sp.Or(sp.Eq(e, 0), sp.Ge(e, sp.Rational(1, 10**100))),)
 EITHER_TERM = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
     jerk_terms(2 * e * k**3 * (1 - e**2), e, x, kernels.EPS_X),
@@ -113,7 +97,7 @@ EITHER_TERM = Scale(
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
-    ANGLE_OF_JERK + 1 / (k * sqrt(Max(Abs(10 * e - square), kernels.EPS))),
+    ANGLE_OF_JERK + 1 / (k * sp.sqrt(sp.Max(sp.Abs(10 * e - square), kernels.EPS))),
 )
 OF_SIZES = f"extremes of the derivatives of {kernels.SOURCE}, equation (8)"
 
@@ -121,7 +105,7 @@ OF_SIZES = f"extremes of the derivatives of {kernels.SOURCE}, equation (8)"
 def of_sizes(
     name: str,
     summary: str,
-    value: Expr,
+    value: sp.Expr,
     accuracy: Accuracy,
     singular: tuple[Singular, ...] = (),
     charts: tuple[Chart, ...] = (),
@@ -142,7 +126,7 @@ def of_sizes(
     )
 
 
-AT_THRESHOLD = (Singular(Eq(10 * e, square)),)
+AT_THRESHOLD = (Singular(sp.Eq(10 * e, square)),)
 PEAK_QUANTITIES = (
     Quantity(
         "jerk",
@@ -152,7 +136,12 @@ PEAK_QUANTITIES = (
         (
             Form(
                 "half-angle quotient with low word",
-                -2 * e * k**3 * (1 - e**2) * (cos(x) * SPREAD - 4 * e * sin(x) ** 2) / SPREAD**3,
+                -2
+                * e
+                * k**3
+                * (1 - e**2)
+                * (sp.cos(x) * SPREAD - 4 * e * sp.sin(x) ** 2)
+                / SPREAD**3,
                 ("low_word", "half_angle_tangent"),
                 charts=OF_JERK,
                 mirrors=((phi1,),),
@@ -162,7 +151,7 @@ PEAK_QUANTITIES = (
         f"second derivative of {kernels.SOURCE}, equation (8)",
         accuracy=Accuracy(24, EITHER_TERM, (*kernels.LOW_WORD, *SIZES, *NO_UNDERFLOW)),
         singular=kernels.SINGULAR,
-        periodicity=Periodicity(2 * pi / k),
+        periodicity=Periodicity(2 * sp.pi / k),
     ),
     of_sizes(
         "largest_acceleration",
@@ -205,9 +194,9 @@ PEAK_QUANTITIES = (
 # Why they are there -------------------------------------------------------------------------------
 
 FACTOR = 2 * e * k**2 * (1 - e**2)
-PROPER = Part("0 < e < 1", {e: Interval.open(0, 1)})
-BEYOND = Part("5 - 2 sqrt(6) < e < 1", {e: Interval.open(5 - 2 * sqrt(6), 1)})
-UP_TO_THRESHOLD = Part("1 + e^2 >= 10 e", {e: Interval.open(0, 1)}, (1 + e**2 >= 10 * e,))
+PROPER = Part("0 < e < 1", {e: sp.Interval.open(0, 1)})
+BEYOND = Part("5 - 2 sqrt(6) < e < 1", {e: sp.Interval.open(5 - 2 * sp.sqrt(6), 1)})
+UP_TO_THRESHOLD = Part("1 + e^2 >= 10 e", {e: sp.Interval.open(0, 1)}, (1 + e**2 >= 10 * e,))
 
 # By c = cos(x): what the derivatives have the sign of.
 turn_of_acceleration = 2 * e * c**2 + square * c - 4 * e
@@ -225,7 +214,7 @@ C_ACCELERATION = (root_acceleration - square) / (4 * e)
 C_JERK = (root_jerk - 2 * square) / (2 * e)
 
 
-def cosine_of(t_squared: Expr) -> Expr:
+def cosine_of(t_squared: sp.Expr) -> sp.Expr:
     """Cosine of an angle by the square of the tangent of its half."""
     return (1 - t_squared) / (1 + t_squared)
 
@@ -237,10 +226,10 @@ PEAK_ROWS = (
         r"\frac{2e\cos^2x+(1+e^2)\cos x-4e}{(1+e^2-2e\cos x)^3},\ "
         r"\cos x=\frac{-(1+e^2)+\sqrt{(1+e^2)^2+32e^2}}{4e}",
         all_of(
-            Equality(diff(kernels.ACCELERATION, x), -FACTOR * jerk_by_c.subs(c, cos(x))),
+            Equality(sp.diff(kernels.ACCELERATION, x), -FACTOR * jerk_by_c.subs(c, sp.cos(x))),
             less(turn_of_acceleration.subs(c, -1), 0 * e),
             less(0 * e, turn_of_acceleration.subs(c, 1)),
-            Equality(diff(turn_of_acceleration, c, 2), 4 * e),
+            Equality(sp.diff(turn_of_acceleration, c, 2), 4 * e),
             Equality(turn_of_acceleration.subs(c, C_ACCELERATION), 0 * e),
             Equality(C_ACCELERATION, 8 * e / BOTH),
             less(0 * e, 8 * e / BOTH),
@@ -274,11 +263,11 @@ PEAK_ROWS = (
         r"{(1+e^2-2ec)^3},\ c=\cos x;\ \frac{d}{dc}\text{ of the quotient}=\frac{4e^2c^2"
         r"+8e(1+e^2)c+(1+e^2)^2-24e^2}{(1+e^2-2ec)^4}",
         all_of(
-            Equality(JERK, -k * FACTOR * jerk_by_c.subs(c, cos(x))),
-            Equality(diff(jerk_by_c, c), turn_of_jerk / (square - 2 * e * c) ** 4),
+            Equality(JERK, -k * FACTOR * jerk_by_c.subs(c, sp.cos(x))),
+            Equality(sp.diff(jerk_by_c, c), turn_of_jerk / (square - 2 * e * c) ** 4),
             Equality(turn_of_jerk.subs(c, C_JERK), 0 * e),
             less(0 * e, turn_of_jerk.subs(c, 1)),
-            less(0 * e, diff(turn_of_jerk, c)),
+            less(0 * e, sp.diff(turn_of_jerk, c)),
             Equality(SMALLEST_JERK, -k * FACTOR * jerk_by_c.subs(c, 1)),
         ),
         note="The numerator rises from c = -1 to c = 1, where it is above zero: the jerk is "

@@ -4,22 +4,13 @@ import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, FollowingRow, Weight
 
+from . import table
 from .mechanics import product_of
 from .symbols import *
-from .table import (
-    FARTHEST,
-    HALF,
-    LARGEST_HEIGHT_ERROR,
-    SUM_OF_PRINTED_SQUARES,
-    UNIFORM,
-    gain,
-    total_by_corrected_sum,
-    total_by_printed_sum,
-)
 
-RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
-SYSTEMATIC_TOTAL = sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)
-TURN, FARTHEST_APART = PRINTED_VALUES[beta], 2 * FARTHEST
+RIGHT_TOTAL = table.total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
+SYSTEMATIC_TOTAL = sp.sqrt(table.SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)
+TURN, FARTHEST_APART = PRINTED_VALUES[beta], 2 * table.FARTHEST
 LIKE_TABLE_1 = {symbol: PRINTED_VALUES[symbol] for symbol in (radius, amplitude, *ANGLES)}
 
 # What (7) calls the errors of (6).
@@ -38,10 +29,10 @@ def along_y(matrix: sp.Matrix) -> sp.Expr:
 def total_of_five(factor_of_mounting: sp.Expr) -> sp.Expr:
     """Root of the five squares, the mounting error by a sensitivity of its own."""
     more = (factor_of_mounting**2 - 1) * PRINTED_VALUES[mounting] ** 2
-    return sp.sqrt(SUM_OF_PRINTED_SQUARES + more)
+    return sp.sqrt(table.SUM_OF_PRINTED_SQUARES + more)
 
 
-WITHOUT_ELASTIC = sp.sqrt(SUM_OF_PRINTED_SQUARES - PRINTED_VALUES[elastic] ** 2)
+WITHOUT_ELASTIC = sp.sqrt(table.SUM_OF_PRINTED_SQUARES - PRINTED_VALUES[elastic] ** 2)
 FIVE = total_of_five(sp.S.One)
 ABC = product_of("ABC")
 
@@ -66,16 +57,16 @@ FINDINGS = (
                 "without any elastic error the total falls by",
                 "%",
                 1,
-                gain(elastic) / 100,
-                gain(elastic, own=UNIFORM) / 100,
+                table.gain(elastic) / 100,
+                table.gain(elastic, own=table.UNIFORM) / 100,
                 ("if all errors are of one law", "if the elastic error alone is uniform"),
             ),
             Cost(
                 "halving one error lowers the total by",
                 "%",
                 1,
-                gain(elastic, left=HALF) / 100,
-                gain(mounting, left=HALF) / 100,
+                table.gain(elastic, left=table.HALF) / 100,
+                table.gain(mounting, left=table.HALF) / 100,
                 ("for the elastic error", "for the mounting error"),
             ),
         ),
@@ -99,7 +90,7 @@ FINDINGS = (
                 f"total of Table 1, all K = 1, Δ_T {kind}, computed in {unit}",
                 "mm",
                 4,
-                total_by_printed_sum(length),
+                table.total_by_printed_sum(length),
                 right,
             )
             for kind, right in (("random", RIGHT_TOTAL), ("systematic", SYSTEMATIC_TOTAL))
@@ -111,8 +102,8 @@ FINDINGS = (
             "All K = 1, in mm: Δ² = 0.005061 + 0.15Δ gives {0}; in µm: Δ² = 5061 + 0.15Δ gives "
             "{1}; with the temperature error squared, (1 - 0.15²)Δ² = 0.005061 gives {2}.",
             (
-                total_by_printed_sum(sp.Integer(1)),
-                total_by_printed_sum(sp.Rational(1, 1000)),
+                table.total_by_printed_sum(sp.Integer(1)),
+                table.total_by_printed_sum(sp.Rational(1, 1000)),
                 RIGHT_TOTAL,
             ),
             4,
@@ -131,7 +122,7 @@ FINDINGS = (
                 "turns of Table 1, points at R + A and z_13 = 0",
                 "mm",
                 4,
-                LARGEST_HEIGHT_ERROR,
+                table.LARGEST_HEIGHT_ERROR,
                 sp.S.Zero,
                 ("largest error of position along Z_0", "deviation of form"),
             ),
@@ -158,14 +149,14 @@ FINDINGS = (
                 "mm",
                 3,
                 RIGHT_TOTAL,
-                total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES),
+                table.total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES),
                 ("all K_i = 1 (normal laws)", "all K_i = √3 (uniform laws)"),
             ),
         ),
         weight=Weight.NUMBER,
         check=Check(
             "√(5061/(1 - 0.15²)) = {0}; √(3·5061/(1 - 3·0.15²)) = {1}.",
-            (RIGHT_TOTAL, total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES)),
+            (RIGHT_TOTAL, table.total_by_corrected_sum(sp.sqrt(3)).subs(PRINTED_VALUES)),
             1,
             "µm",
         ),
