@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.draft import draft_block
 from mechproof.sources.files import read_source
@@ -41,13 +42,18 @@ def draft(text: str, name: str = "paper.tex") -> str:
     return draft_block(read_source(name, text))
 
 
-def judge_parts(block: str, *parts: str) -> list[str]:
-    """Return the outcomes of displays; what begins with # are words before the next one."""
+def judge_rows(block: str, *parts: str) -> tuple[CheckedRow, ...]:
+    """Return the rows of displays; what begins with # are words before the next one."""
     shown = (
         f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
         for part in parts
     )
-    return [row.outcome for row in check("paper.tex", block + "".join(shown)).rows]
+    return check("paper.tex", block + "".join(shown)).rows
+
+
+def judge_parts(block: str, *parts: str) -> list[str]:
+    """Return their outcomes."""
+    return [row.outcome for row in judge_rows(block, *parts)]
 
 
 ROD = r"x=r\cos\varphi"

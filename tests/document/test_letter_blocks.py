@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from small_papers import judge_parts
 
 from mechproof.document.checking import check
 from mechproof.nomenclature.block import BlockError
@@ -27,9 +28,7 @@ AREA = r"A=\pi r^2"
 
 
 def outcomes(*equations: str, block: str = "") -> list[str]:
-    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
-    rows = check("paper.tex", f"{LETTERS}{block}%% end\n{lines}").rows
-    return [row.outcome for row in rows]
+    return judge_parts(f"{LETTERS}{block}%% end\n", *equations)
 
 
 def test_a_print_means_another_letter_in_a_range_of_equations() -> None:

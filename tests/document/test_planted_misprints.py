@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from command import answer_here
-from small_papers import judge_parts
+from small_papers import judge_parts, judge_rows
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
@@ -230,8 +230,7 @@ def test_a_misprint_is_refuted_where_all_else_holds(name: str, wrong: str) -> No
 @pytest.mark.parametrize("name", CONTRADICTIONS)
 def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) -> None:
     equations, pair = CONTRADICTIONS[name]
-    text = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
-    rows = {row.name: row for row in check("paper.tex", f"{BLOCK}%% end\n{text}").rows}
+    rows = {row.name: row for row in judge_rows(f"{BLOCK}%% end\n", *equations)}
     assert "REFUTED" not in {row.outcome for row in rows.values()}
     told = [name for name, row in rows.items() if "contradict each other" in row.reason]
     assert told == pair
@@ -358,8 +357,7 @@ LEVER = r"T_1=\frac{mw_2}{nw_1\tan(\alpha+\beta)}=\frac{\tan\alpha}{\tan(\alpha+
 def test_a_step_of_a_chain_is_a_constraint_if_further_rows_follow_from_it(
     equations: tuple[str, ...], number: int, outcome: str
 ) -> None:
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    row = check("paper.tex", f"{BLOCK}%% end\n{text}").rows[number]
+    row = judge_rows(f"{BLOCK}%% end\n", *equations)[number]
     assert row.outcome == outcome, row.reason
 
 
@@ -377,8 +375,7 @@ SUM, WRONG_SUM = (rf"m_1\ddot x_1{sign}m_2\ddot x_2=0" for sign in "+-")
 @pytest.mark.parametrize(("latex", "outcome"), [(SUM, "PROVED"), (WRONG_SUM, "not judged")])
 def test_nothing_follows_from_what_is_contradicted(latex: str, outcome: str) -> None:
     equations = (*SPRUNG, r"\mu\ddot u+cu=0", r"\mu\ddot u-cu=0", latex)
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    assert check("paper.tex", PREMISES + text).rows[-1].outcome == outcome
+    assert judge_rows(PREMISES, *equations)[-1].outcome == outcome
 
 
 @pytest.mark.slow
@@ -394,8 +391,7 @@ def test_of_prints_that_contradict_each_other_one_may_be_right() -> None:
     speed = r"u_1=v_1-\frac{m_2}{m_1+m_2}(1+e)(v_1-v_2)"
     plastic = r"u_1=u_2=\frac{m_1v_1+m_2v_2}{m_1+m_2}"
     equations = (momentum, r"e=\frac{u_2-u_1}{v_1-v_2}", speed, plastic)
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    rows = {row.name: row for row in check("paper.tex", block + text).rows}
+    rows = {row.name: row for row in judge_rows(block, *equations)}
     assert "contradict each other" in rows["(1)"].reason
     assert rows["(3)"].outcome == "PROVED"
 
@@ -403,8 +399,7 @@ def test_of_prints_that_contradict_each_other_one_may_be_right() -> None:
 def test_nothing_follows_from_what_only_zeros_satisfy() -> None:
     block = "%% mechproof\n%% n ; w ; v ; d : numbers\n%% end\n"
     equations = (r"w=n=2\pi n", r"v=\pi dn=\frac{dn}2")
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    assert check("paper.tex", block + text).rows[-1].outcome == "REFUTED"
+    assert judge_rows(block, *equations)[-1].outcome == "REFUTED"
 
 
 @pytest.mark.slow
@@ -490,8 +485,7 @@ def test_what_follows_from_the_first_of_two_prints_tells_which_is_wrong(
 ) -> None:
     block = "%% mechproof\n%% r ; l ; x : lengths {r>0}\n%% where l>r\n%% \\alpha : angle\n"
     block += "%% \\beta : angle {-\\pi/2<\\beta<\\pi/2}\n%% end\n"
-    shown = [f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations]
-    rows = check("paper.tex", "".join([block, *shown])).rows
+    rows = judge_rows(block, *equations)
     assert [row.name for row in rows if row.outcome == "REFUTED"] == refuted
     assert [row.name for row in rows if "contradict each other" in row.reason] == contested
 
@@ -506,5 +500,4 @@ def test_no_change_is_offered_that_makes_nothing_of_both_sides() -> None:
     block = "%% mechproof\n%% b ; t ; M ; E ; K : numbers {b>0, t>0, E>0}\n%% \\varphi : angle\n"
     turn = r"\varphi=\int_{-\pi/2}^{\pi/2}\frac{M\cos\theta}{Ebt^2}\,d\theta"
     equations = (turn, r"\frac{6K\varphi}{bt^2}=3E\varphi")
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    assert check("paper.tex", f"{block}%% end\n{text}").rows[-1].outcome == "DEFINITION"
+    assert judge_rows(f"{block}%% end\n", *equations)[-1].outcome == "DEFINITION"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from small_papers import judge_rows
 
 from mechproof.document.checking import check
 
@@ -355,8 +356,7 @@ UNKNOWN = r"""%% mechproof
 def test_what_depends_on_a_letter_has_no_value_where_nothing_says_how(
     equations: tuple[str, ...],
 ) -> None:
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    rows = check("paper.tex", UNKNOWN + text).rows
+    rows = judge_rows(UNKNOWN, *equations)
     assert [row.outcome for row in rows] == ["DEFINITION", "not read", "not read", "DEFINITION"]
     assert "nothing says what" in rows[1].reason
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import pytest
-
-from mechproof.document.checking import check
+from small_papers import judge_rows
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 
@@ -74,8 +73,7 @@ PAPERS = {
 @pytest.mark.parametrize("name", PAPERS)
 def test_nothing_that_is_tied_is_held(name: str) -> None:
     equations, outcome = PAPERS[name]
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    row = check("paper.tex", BLOCK + text).rows[-1]
+    row = judge_rows(BLOCK, *equations)[-1]
     assert row.outcome == outcome, row.reason
     if outcome == OPEN:
         assert "may move with" in row.reason
@@ -92,8 +90,7 @@ def test_no_rate_is_taken_at_a_place_without_what_is_tied() -> None:
     rate = r"\dot\psi=\frac{r\omega\cos\varphi}{l\cos\psi}"
     places = (r"A=\dot x|_{\varphi=\pi/4}", r"B=\dot x|_{\varphi=-\pi/4}", r"A-B=-\sqrt2r\omega")
     equations = (TIE, ROD, rate, *places)
-    text = "".join(f"\\begin{{equation}}{one}\\end{{equation}}\n" for one in equations)
-    row = check("paper.tex", block + text).rows[-1]
+    row = judge_rows(block, *equations)[-1]
     assert (row.outcome, "may move with" in row.reason) == (OPEN, True)
 
 
@@ -126,5 +123,4 @@ LAWS = {
 @pytest.mark.parametrize("name", LAWS)
 def test_an_angle_of_its_own_moves_beside_a_law(name: str) -> None:
     equations, expected = LAWS[name]
-    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
-    assert check("paper.tex", CAM + lines).rows[1].outcome == expected
+    assert judge_rows(CAM, *equations)[1].outcome == expected

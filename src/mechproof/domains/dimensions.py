@@ -17,15 +17,7 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import (
-    ANGLE,
-    NUMBER,
-    Dimension,
-    Paper,
-    RecordError,
-    ValueWhere,
-    family_of,
-)
+from mechproof.record import ANGLE, NUMBER, Dimension, Paper, RecordError, ValueWhere, family_of
 from mechproof.record.implicit import Implicit
 
 Dimensions = Mapping[sp.Basic, Dimension]

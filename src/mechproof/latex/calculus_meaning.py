@@ -9,14 +9,7 @@ import sympy as sp
 
 from mechproof.latex.pieces import has_value
 from mechproof.latex.products import is_matrix
-from mechproof.latex.tree import (
-    Approach,
-    At,
-    Derivation,
-    Integration,
-    Letter,
-    Repeated,
-)
+from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Repeated
 from mechproof.latex.values import (
     OF_SIGNS,
     UNSMOOTH,

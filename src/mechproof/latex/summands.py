@@ -6,17 +6,7 @@ from collections.abc import Collection
 
 import sympy as sp
 
-from mechproof.latex.tree import (
-    Add,
-    Call,
-    Constant,
-    Degrees,
-    Letter,
-    Measure,
-    Node,
-    Power,
-    Radical,
-)
+from mechproof.latex.tree import Add, Call, Constant, Degrees, Letter, Measure, Node, Power, Radical
 from mechproof.record import NUMBER, Dimension, Notation
 
 TIME = Dimension(time=1)

@@ -15,14 +15,7 @@ from sympy.logic.boolalg import BooleanAtom
 from sympy.printing.latex import LatexPrinter, translate
 
 from mechproof.arithmetic import balls
-from mechproof.record import (
-    Distinct,
-    Equality,
-    Holds,
-    PrintedNumber,
-    Statement,
-    Variable,
-)
+from mechproof.record import Distinct, Equality, Holds, PrintedNumber, Statement, Variable
 from mechproof.record.parts import find_free, find_parts, has_parts, replace_parts
 from mechproof.record.statements import list_parts
 from mechproof.record.substitution import resolve

@@ -17,11 +17,7 @@ import sympy as sp
 from mechproof.arithmetic.polynomials import expand, split
 from mechproof.domains.domain import Domain
 from mechproof.proof import binomial_squares, monotonicity
-from mechproof.proof.half_angles import (
-    find_sign_there,
-    is_negative_somewhere,
-    is_shown_there,
-)
+from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
 from mechproof.record.parts import has_parts

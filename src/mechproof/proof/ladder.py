@@ -28,11 +28,7 @@ from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
 from mechproof.proof.integral_recurrences import settle_by_parts
-from mechproof.proof.integrals import (
-    RUNG as ANTIDERIVATIVE,
-    find_counterexample,
-    settle_improper,
-)
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, find_counterexample, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
 from mechproof.proof.printed_number import decide_number
@@ -46,13 +42,7 @@ from mechproof.proof.reasons import (
     tell_inside,
     tell_needs,
 )
-from mechproof.proof.refutation import (
-    POINTS,
-    compare,
-    find_undefined,
-    find_unlike,
-    find_violation,
-)
+from mechproof.proof.refutation import POINTS, compare, find_undefined, find_unlike, find_violation
 from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip

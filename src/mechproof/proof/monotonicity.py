@@ -21,10 +21,7 @@ from mechproof.domains.set_values import place as choose_place
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.definedness import has_values
-from mechproof.proof.half_angles import (
-    is_negative_somewhere,
-    is_shown_there,
-)
+from mechproof.proof.half_angles import is_negative_somewhere, is_shown_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.sign_forms import compare_logarithms, free_logarithms, list_forms
 from mechproof.proof.turning_points import is_analytic_inside, list_values, list_zeros

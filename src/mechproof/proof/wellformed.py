@@ -12,13 +12,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
-from mechproof.domains.dimensions import (
-    DimensionError,
-    Dimensions,
-    infer,
-    infer_common,
-    rescale,
-)
+from mechproof.domains.dimensions import DimensionError, Dimensions, infer, infer_common, rescale
 from mechproof.domains.domain import Domain
 from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
