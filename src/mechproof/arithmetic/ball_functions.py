@@ -39,7 +39,8 @@ _ALIKE = (
 )
 FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     **{kind: methodcaller(kind.__name__) for kind in _ALIKE},
-    sp.atan2: lambda y, x: _arctangent(y, x),
+    # Flint gives [-pi, pi] where the vector may be zero, which has no argument.
+    sp.atan2: lambda y, x: NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x),
     sp.factorial: lambda x: (x + 1).gamma(),
     ValueWhere: lambda value, needed: value,
     DerivativeWhere: lambda value, needed: value,
@@ -106,11 +107,6 @@ def _step(x: Ball, at_zero: Ball) -> Ball:
     if x == 0:
         return at_zero
     return NOT_FINITE if x.contains(0) else arb(int(x > 0))
-
-
-def _arctangent(y: Ball, x: Ball) -> Ball:
-    """Enclose atan2; flint gives [-pi, pi] where the vector may be zero, which has no argument."""
-    return NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x)
 
 
 def _within_strip(ball: Ball, analytic: bool) -> bool:

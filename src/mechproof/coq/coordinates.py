@@ -67,7 +67,8 @@ def spread_out(expression: sp.Expr, box: Box) -> sp.Expr | None:
     hidden = {root: sp.Dummy() for root in roots}
     value: sp.Expr | None = expression.xreplace(hidden)
     back: dict[sp.Basic, sp.Expr] = {}
-    for letter in _order(box):
+    # Those first on which no other rests.
+    for letter in sorted(box, key=lambda s: (-len(_list_below(s, box)), str(s))):
         if value is None or not value.has(letter):
             continue
         low, high = box[letter].low, box[letter].high
@@ -95,11 +96,6 @@ def list_roots(expression: sp.Expr) -> list[sp.Pow]:
     found = {p for p in find_parts(expression, sp.Pow) if p.exp == sp.S.Half}
     is_flat = not any(find_parts(root.base, sp.Pow) & found for root in found)
     return sorted(found, key=sp.default_sort_key) if is_flat else []
-
-
-def _order(box: Box) -> list[sp.Basic]:
-    """List the letters, those first on which no other rests."""
-    return sorted(box, key=lambda s: (-len(_list_below(s, box)), str(s)))
 
 
 def _spread(

@@ -53,8 +53,9 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
     if isinstance(theorem.conclusion, sp.Eq):
         lines += _prepare_equality(theorem, facts)
         scaled = list(_scale_vectors(theorem, facts))
-        deep = has_arctangents or scaled
-        return [*lines, *scaled, _compare_angles(facts) if deep else _compare(facts)]
+        # What arctangents of quotients are of lies deeper.
+        deep = f"by_depth ltac:({facts.closing})." if has_arctangents or scaled else ""
+        return [*lines, *scaled, deep or _compare(facts)]
     if theorem.conclusion.func in (*ORDERED, sp.Ne):
         about = (facts.bases, facts.modulo, theorem.witness, names, theorem.hypotheses)
         return [*lines, *prove_order(theorem.conclusion, *about)]
@@ -103,11 +104,6 @@ def _compare(facts: Facts) -> str:
     by = facts.modulo
     closing = f"first [ ring{by} | field{by}; conditions ltac:(ring{by}) ]"
     return f"by_parts ltac:({closing})."
-
-
-def _compare_angles(facts: Facts) -> str:
-    """Write the tactic for sides with arctangents of quotients, whose arguments lie deeper."""
-    return f"by_depth ltac:({facts.closing})."
 
 
 def _scale_vectors(theorem: Theorem, facts: Facts) -> Iterator[str]:

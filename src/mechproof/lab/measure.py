@@ -72,7 +72,7 @@ def measure(
         taken=datetime.now(UTC).isoformat(timespec="seconds"),
         quick=quick,
         machine=describe_machine(),
-        load=find_load(),
+        load=round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None,
         seeds={"tune": TUNE, "report": REPORT},
         scale=_name_scale(accuracy),
         bound=float(accuracy.ulp) if accuracy else None,
@@ -142,11 +142,6 @@ def _list_versions() -> Iterator[tuple[str, str]]:
     for name in VERSIONS:
         with suppress(PackageNotFoundError):
             yield name, version(name)
-
-
-def find_load() -> float | None:
-    """Return how many processes ran on average over the last minute, where that is known."""
-    return round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None
 
 
 def _processor() -> str:

@@ -94,15 +94,12 @@ def _describe_run(record: Record) -> str:
     machine = record.machine
     simd = machine.simd[-1] if machine.simd else "no SIMD"
     quick = ", quick" if record.quick else ""
+    processor = machine.processor.replace("(R)", "").removesuffix(" Processor")
     taken = (
-        f"Taken {record.taken[:10]} on {_shorten(machine.processor)}, {simd}, load {record.load}, "
+        f"Taken {record.taken[:10]} on {processor}, {simd}, load {record.load}, "
         f"numpy {machine.versions['numpy']}{quick}."
     )
     return f"{taken} {record.lacking}".rstrip()
-
-
-def _shorten(processor: str) -> str:
-    return processor.replace("(R)", "").removesuffix(" Processor")
 
 
 def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:

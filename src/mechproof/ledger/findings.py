@@ -137,24 +137,22 @@ def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Ledger
     judged = {j.number: j for j in judgements}
     named = {finding.row: finding for finding in paper.findings}
     following = {follower.row for finding in paper.findings for follower in finding.followers}
-    rows = [row for row in paper.rows if "ours" not in row.marks or row.number in named]
+    wrong = {j.number for j in judgements if j.verdict in WRONG and "ours" not in j.marks}
+    causes = named.keys() | (wrong - following)
     found = (
         _describe(paper, row, named.get(row.number), judged)
-        for row in rows
-        if row.number in named or (_is_wrong(row, judged) and row.number not in following)
+        for row in paper.rows
+        if row.number in causes
     )
     return tuple(sorted(found, key=lambda one: one.weight))
-
-
-def _is_wrong(row: Row, judged: Mapping[str, Judgement]) -> bool:
-    return row.number in judged and judged[row.number].verdict in WRONG
 
 
 def _describe(
     paper: Paper, row: Row, finding: Finding | None, judged: Mapping[str, Judgement]
 ) -> LedgerFinding:
     about = judged[row.number]
-    finding = finding or Finding(row.number, about.reason, weight=_weigh(about.verdict))
+    weight = Weight.FORMULA if about.verdict is Verdict.ILL_FORMED else Weight.NUMBER
+    finding = finding or Finding(row.number, about.reason, weight=weight)
     if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
         raise ValueError(f"paper {paper.system!r}: finding {row.number!r}: it is {about.verdict}")
     for follower in finding.followers:
@@ -186,10 +184,6 @@ def _describe(
         figure=finding.figure,
         place=about.place,
     )
-
-
-def _weigh(verdict: Verdict) -> Weight:
-    return Weight.FORMULA if verdict is Verdict.ILL_FORMED else Weight.NUMBER
 
 
 def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement | None:

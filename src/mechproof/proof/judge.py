@@ -55,7 +55,8 @@ def judge(row: Row, paper: Paper) -> Judgement:
         kind=row.kind,
         verdict=answer.verdict,
         rung=answer.rung,
-        marks=_marks(row),
+        # A printed row that was not read from its print says so.
+        marks=row.marks if row.read_as or "ours" in row.marks else (*row.marks, AS_TYPED),
         printed_latex=row.printed_latex,
         read_as=row.read_as,
         on=on,
@@ -77,11 +78,6 @@ def _explain(error: Exception) -> str:
         return told
     known = (words for kind, words in _TOLD.items() if isinstance(error, kind))
     return f"it cannot be worked out: {next(known, 'SymPy has no rule for a part of it')}"
-
-
-def _marks(row: Row) -> tuple[str, ...]:
-    """Add to the marks that a printed row was not read from its print."""
-    return row.marks if row.read_as or "ours" in row.marks else (*row.marks, AS_TYPED)
 
 
 def _decide_row(row: Row, paper: Paper) -> Answer:

@@ -65,7 +65,7 @@ def _is_partial(node: sp.Basic) -> bool:
         node is sp.I
         or isinstance(node, ExprWithLimits | sp.Limit | ValueWhere)
         or list_needs(node)
-        or _is_kinked(node)
+        or (isinstance(node, sp.Pow) and node.exp.is_negative and node.base.has(*KINKED))
     )
 
 
@@ -80,7 +80,3 @@ def list_needs(node: sp.Basic) -> tuple[Slack, ...]:
 
 def _is_told(number: sp.Expr, strict: bool) -> bool:
     return bool(number.is_positive or (number.is_nonnegative and not strict))
-
-
-def _is_kinked(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and bool(node.exp.is_negative) and node.base.has(*KINKED)

@@ -213,20 +213,17 @@ def join_scalars(together: OnePass, kernels: Sequence[ScalarKernel]) -> ScalarKe
     members = tuple(named[name] for name in together.quantities)
     if wrong := [member.name for member in members if member.shape or member.sums]:
         raise NotImplementedError(f"{together.name}: {wrong} are not computed in one pass")
+    *first, last = together.quantities
     return replace(
         members[0],
         name=together.name,
-        summary=f"Compute {_list_words(together.quantities)} in one pass.",
+        summary=f"Compute {', '.join(first)} and {last} in one pass.",
         inside="",
         checked=frozenset(),
         stages=(),
         limited=any(member.limited for member in members),
         members=members,
     )
-
-
-def _list_words(names: Sequence[str]) -> str:
-    return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:

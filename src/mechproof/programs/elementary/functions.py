@@ -68,10 +68,6 @@ def _far_quotient(y: Value, a: Value, b: Value) -> Value:
     return t / (a + b * t * t)
 
 
-def _far_sinc(y: Value) -> Value:
-    return y.apply("sin", y) / y
-
-
 def _far(kind: str) -> Body:
     return lambda y: y.apply(kind, y)
 
@@ -290,7 +286,7 @@ class _Maker:
         rest = a.apply("fmod", a, b)
         return choose(rest * copysign(1.0, b) < 0.0, rest + b, rest)
 
-    @_body(_far_sinc)
+    @_body(lambda y: y.apply("sin", y) / y)
     def sinc(self, y: Value) -> Value:
         """Return sin(y)/y, 1 at 0."""
         return choose(y == 0.0, 1.0, self.sin(y) / y)
