@@ -11,39 +11,9 @@ from mechproof.latex.products import invert, is_matrix, show_entries
 Make = Callable[..., sp.Expr]
 
 
-def _lg(argument: sp.Expr) -> sp.Expr:
-    return sp.log(argument) / sp.log(10)
-
-
-def _lb(argument: sp.Expr) -> sp.Expr:
-    return sp.log(argument) / sp.log(2)
-
-
-def _acoth(argument: sp.Expr) -> sp.Expr:
-    return sp.atanh(1 / argument)
-
-
-def _asech(argument: sp.Expr) -> sp.Expr:
-    return sp.acosh(1 / argument)
-
-
-def _acsch(argument: sp.Expr) -> sp.Expr:
-    return sp.asinh(1 / argument)
-
-
 def _inv(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
     """Return the involute of an angle, the inverse of a matrix."""
     return invert(argument) if is_matrix(argument) else sp.tan(argument) - argument
-
-
-def _det(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
-    determinant: sp.Expr = show_entries(matrix).det()
-    return determinant
-
-
-def _trace(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
-    trace: sp.Expr = show_entries(matrix).trace()
-    return trace
 
 
 _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
@@ -65,16 +35,16 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.asinh: ("arsh", "asinh", "arsinh", "Arsh", "Arsinh"),
     sp.acosh: ("arch", "acosh", "arcosh", "Arch", "Arcosh"),
     sp.atanh: ("arth", "atanh", "artanh", "Arth", "Artanh"),
-    _acoth: ("arcoth", "Arcoth", "arcth", "Arcth", "acoth"),
-    _asech: ("arsech", "Arsech", "asech"),
-    _acsch: ("arcsch", "Arcsch", "acsch"),
+    lambda x: sp.atanh(1 / x): ("arcoth", "Arcoth", "arcth", "Arcth", "acoth"),
+    lambda x: sp.acosh(1 / x): ("arsech", "Arsech", "asech"),
+    lambda x: sp.asinh(1 / x): ("arcsch", "Arcsch", "acsch"),
     sp.atan2: ("atan2", "arctan2", "arctg2"),
     _inv: ("inv",),
-    _det: ("det",),
-    _trace: ("tr", "Tr"),
+    lambda matrix: show_entries(matrix).det(): ("det",),
+    lambda matrix: show_entries(matrix).trace(): ("tr", "Tr"),
     sp.log: ("ln",),
-    _lg: ("lg",),
-    _lb: ("lb", "ld"),
+    lambda x: sp.log(x) / sp.log(10): ("lg",),
+    lambda x: sp.log(x) / sp.log(2): ("lb", "ld"),
     sp.exp: ("exp",),
     sp.Abs: ("abs",),
     sp.sign: ("sgn", "sign"),

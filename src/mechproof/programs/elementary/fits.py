@@ -67,14 +67,6 @@ def _put(coefficients: tuple[float, ...], z: arb_series) -> arb_series:
     return value
 
 
-def _tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()
-
-
-def _sine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return r + r * r * r * _put(fit.above, r * r), r.sin()
-
-
 def _cosine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
     z = r * r
     return 1 - z / 2 + z * z * _put(fit.above, z), r.cos()
@@ -84,14 +76,6 @@ def _arctangent_sides(fit: Rational, y: arb_series) -> tuple[arb_series, arb_ser
     z = y * y
     below = _put(fit.below, z)
     return y * below + y * z * _put(fit.above, z), below * y.atan()
-
-
-def _odd_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return r + r * r * r * _put(fit.above, r * r), (r.exp() - (-r).exp()) / 2
-
-
-def _even_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return 1 + r * r * _put(fit.above, r * r), (r.exp() + (-r).exp()) / 2
 
 
 def _tail_sides(fit: Rational, t: arb_series) -> tuple[arb_series, arb_series]:
@@ -112,13 +96,13 @@ TANGENT = Target(
     "tan(r)/r in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: mp.tan(r) / r),
     lambda: _beyond(mp.pi / 4),
-    _tangent_sides,
+    lambda fit, r: (r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()),
 )
 SINE = Target(
     "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
     lambda: _beyond(mp.pi / 4),
-    _sine_sides,
+    lambda fit, r: (r + r * r * r * _put(fit.above, r * r), r.sin()),
 )
 COSINE = Target(
     "(cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4",
@@ -142,13 +126,13 @@ ODD_EXPONENTIAL = Target(
     "(sinh(r)/r - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
     _of_root(lambda r: (mp.sinh(r) / r - 1) / r**2),
     lambda: _beyond(mp.log(2) / 2),
-    _odd_exponential_sides,
+    lambda fit, r: (r + r * r * r * _put(fit.above, r * r), (r.exp() - (-r).exp()) / 2),
 )
 EVEN_EXPONENTIAL = Target(
     "(cosh(r) - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
     _of_root(lambda r: (mp.cosh(r) - 1) / r**2),
     lambda: _beyond(mp.log(2) / 2),
-    _even_exponential_sides,
+    lambda fit, r: (1 + r * r * _put(fit.above, r * r), (r.exp() + (-r).exp()) / 2),
 )
 NORMAL_TAIL = Target(
     f"(1 + x)*exp(x**2/2)*tail by (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
