@@ -43,16 +43,6 @@ def reach_out(rng: np.random.Generator, count: int, nearest: float, farthest: fl
     return mean, np.ones(count), offset, error, mean - reach[0], mean + reach[1]
 
 
-def tails(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw limits of 5 to 9 standard deviations: shares down to 1e-19."""
-    return reach_out(rng, count, 5, 9)
-
-
-def far_tails(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw limits of 9 to 34 standard deviations: shares down to 1e-300."""
-    return reach_out(rng, count, 9, 34)
-
-
 def extreme_errors(rng: np.random.Generator, count: int) -> Arguments:
     """Climb with the error from 1e-6 to 1e6 times the true spread."""
     std, error = np.ones(count), 10 ** rng.uniform(-6, 6, count)
@@ -128,8 +118,8 @@ def many_sets(count: int) -> Arguments:
 
 SETS_OF_PARAMETERS: Mapping[str, Draw] = {
     "limits of 1 to 7 standard deviations": partial(usual, count=SETS),
-    "tails to 1e-19": partial(tails, count=40),
-    "tails to 1e-300": partial(far_tails, count=30),
+    "tails to 1e-19": partial(reach_out, count=40, nearest=5, farthest=9),
+    "tails to 1e-300": partial(reach_out, count=30, nearest=9, farthest=34),
     "errors of 1e-6 to 1e6 spreads": partial(extreme_errors, count=40),
     "bias up to 8 standard deviations": partial(biased, count=40),
     "limits at the means": partial(limits_at_means, count=30),

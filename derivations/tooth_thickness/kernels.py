@@ -1,8 +1,9 @@
 """What can be computed of paper 3: chords, their changes along the flank, errors of thickness."""
 
 from dataclasses import replace
+from functools import partial
 
-from sympy import Abs, Eq, Expr, Rational, S, cos, pi, sin, tan
+from sympy import Abs, Eq, Rational, S, cos, pi, sin, tan
 
 from mechproof.record import Argument, Form, Part, Quantity, Singular
 
@@ -52,16 +53,9 @@ ALONG_THE_FLANK = (
 ONE_WHEEL = (("N tilts, one wheel", ("tilt",)),)
 
 
-def distance(slope: Expr) -> Expr:
-    """Distance of a chord from the wheel's centre in units of the base radius."""
-    return chord_distance(slope, half_tooth, S.One)
-
-
-def half_chord(slope: Expr) -> Expr:
-    """Half a chord in units of the base radius."""
-    return chord_half(slope, half_tooth, S.One)
-
-
+# Of a chord by its flank's tangent, in units of the base radius.
+distance = partial(chord_distance, half_angle=half_tooth, radius=S.One)
+half_chord = partial(chord_half, half_angle=half_tooth, radius=S.One)
 versine = 2 * sin(tilt / 2) ** 2
 HALF_ANGLES = (
     -2

@@ -4,6 +4,7 @@ Slopes and half-angle forms of their solutions, and what the symbols are given b
 """
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 
 import sympy as sp
 from sympy import cos, pi, sin, sqrt
@@ -151,15 +152,9 @@ def slope_by_projections(
     return sp.expand(sp.cancel(rates[0]))
 
 
-def lever_slope(size: sp.Symbol) -> sp.Expr:
-    """Return the derivative of varphi3 from both projections of group 1."""
-    return slope_by_projections(group_1.subs(dBC, reach - l_BC), (phi3, reach), size)
-
-
-def roller_slope(size: sp.Symbol) -> sp.Expr:
-    """Return the derivative of varphi7 from the projection of group 3 on Ox."""
-    return slope_by_projections([group_3[0].subs(x5_driven, x5)], (phi7,), size)
-
+# Of varphi3 from both projections of group 1, of varphi7 from that of group 3 on Ox.
+lever_slope = partial(slope_by_projections, group_1.subs(dBC, reach - l_BC), (phi3, reach))
+roller_slope = partial(slope_by_projections, [group_3[0].subs(x5_driven, x5)], (phi7,))
 
 VARIABLES = (
     *PRINT.give({Q: PRINTED_Q, **POLYGON_SIDES}),

@@ -1,6 +1,7 @@
 """Derivatives of the chain by central differences of its kernel."""
 
 from collections.abc import Mapping
+from functools import partial
 from types import MappingProxyType
 
 import numpy as np
@@ -24,11 +25,6 @@ def take_difference(index: int, *arguments: Array) -> Array:
     return np.asarray((high - low) / (2 * STEP))
 
 
-def take_by_pusher(*arguments: Array) -> Array:
-    """Take the central difference by x1."""
-    return take_difference(0, *arguments)
-
-
 def take_by_sizes(*arguments: Array) -> Array:
     """Take the central differences by all ten sizes."""
     columns = (take_difference(index, *arguments) for index in range(1, len(arguments)))
@@ -37,7 +33,7 @@ def take_by_sizes(*arguments: Array) -> Array:
 
 PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
     {
-        "velocity": (Peer("central difference", take_by_pusher),),
+        "velocity": (Peer("central difference", partial(take_difference, 0)),),
         "sensitivities": (Peer("central differences", take_by_sizes),),
     }
 )
