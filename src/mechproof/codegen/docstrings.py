@@ -110,7 +110,7 @@ def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
 
 def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
     quantity, (form,) = kernel.quantity, kernel.forms
-    notes = [f"{_sentence(form.note)}."] if form.note else []
+    notes = [f"{capitalise(form.note)}."] if form.note else []
     notes += _approximations(kernel)
     part = form.on or quantity.on
     notes += [f"Domain as that of `{quantity.name}`" + (f", {part.text}." if part else ".")]
@@ -241,7 +241,7 @@ def _parameter(argument: Argument, quantity: Quantity) -> list[str]:
     default = "" if argument.default is None else f", default {argument.default:g}"
     return [
         f"{argument.name} : array_like, {shape_of(argument, quantity)}{default}",
-        *_fill(f"{_sentence(argument.meaning)} ({tell_unit(argument.unit)}).", INDENT),
+        *_fill(f"{capitalise(argument.meaning)} ({tell_unit(argument.unit)}).", INDENT),
     ]
 
 
@@ -250,7 +250,8 @@ def tell_unit(unit: str) -> str:
     return "pure number" if unit == "1" else unit
 
 
-def _sentence(text: str) -> str:
+def capitalise(text: str) -> str:
+    """Return a text with a capital at its beginning."""
     return text[:1].upper() + text[1:]
 
 
@@ -271,7 +272,7 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
         for s in quantity.singular
         if s.text
     ]
-    notes += [f"{_sentence(remark)}." for remark in quantity.remarks]
+    notes += [f"{capitalise(remark)}." for remark in quantity.remarks]
     notes += _approximations(kernel)
     for form in kernel.forms[:-1]:
         assert form.when is not None

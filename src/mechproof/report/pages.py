@@ -12,7 +12,7 @@ from itertools import cycle
 import jinja2
 from markupsafe import Markup, escape
 
-from mechproof.codegen.docstrings import tell_unit
+from mechproof.codegen.docstrings import capitalise, tell_unit
 from mechproof.proof.anchors import slugify
 from mechproof.report.formulas import write_print
 from mechproof.report.phrases import set_prose
@@ -59,7 +59,7 @@ def _environment() -> jinja2.Environment:
         "slug": slugify,
         "unit": tell_unit,
         "words": _say,
-        "capfirst": _begin,
+        "capfirst": capitalise,
     }
     environment.globals |= {"version": version("mechproof"), "meanings": MARKED}
     return environment
@@ -76,8 +76,4 @@ def _cite(text: str) -> Markup:
 
 def _say(name: str) -> str:
     """Say the name of a module as words."""
-    return _begin(name.replace("_", " ").replace("non ", "non-"))
-
-
-def _begin(text: str) -> str:
-    return text[:1].upper() + text[1:]
+    return capitalise(name.replace("_", " ").replace("non ", "non-"))
