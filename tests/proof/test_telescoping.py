@@ -18,16 +18,8 @@ DOMAIN = Domain({n: sp.S.Naturals}, (), {})
 CHOOSE = sp.factorial(n) / sp.factorial(k) / sp.factorial(n - k)
 TABLES = {
     telescoping.RUNG: (
-        (
-            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n",
-            r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n+n-1",
-            "",
-        ),
-        (
-            r"\sum_{k=0}^n\binom nkx^k=(1+x)^n",
-            r"\sum_{k=0}^n\binom nkx^k=(1+x)^{n-1}",
-            "",
-        ),
+        (r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n", r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}=2^n+n-1", ""),
+        (r"\sum_{k=0}^n\binom nkx^k=(1+x)^n", r"\sum_{k=0}^n\binom nkx^k=(1+x)^{n-1}", ""),
         (
             r"\sum_{k=0}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
             r"\sum_{k=1}^n(-1)^k\frac{n!}{k!(n-k)!}=0",
@@ -38,26 +30,14 @@ TABLES = {
             r"\sum_{k=0}^n\frac{n!}{k!(n-k)!}a^kb^{n-k}=(a-b)^n",
             "",
         ),
-        (
-            r"\sum_{k=1}^nk\binom nk=n\cdot2^{n-1}",
-            r"\sum_{k=1}^nk\binom nk=n\cdot2^n-n",
-            "",
-        ),
-        (
-            r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}",
-            r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}+n-1",
-            "",
-        ),
+        (r"\sum_{k=1}^nk\binom nk=n\cdot2^{n-1}", r"\sum_{k=1}^nk\binom nk=n\cdot2^n-n", ""),
+        (r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}", r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}+n-1", ""),
         (
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{n+1}",
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{2n}",
             "",
         ),
-        (
-            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n",
-            r"\sum_{k=0}^n\binom nk^2=\binom{2n}n+n-1",
-            "",
-        ),
+        (r"\sum_{k=0}^n\binom nk^2=\binom{2n}n", r"\sum_{k=0}^n\binom nk^2=\binom{2n}n+n-1", ""),
         (
             r"\sum_{k=0}^nk\binom nk^2=\frac n2\binom{2n}n",
             r"\sum_{k=0}^nk\binom nk^2=\frac12\binom{2n}n",
@@ -70,16 +50,8 @@ TABLES = {
         ),
     ),
     endless_sums.RUNG: (
-        (
-            r"\sum_{k=1}^\infty\frac1{k(k+1)}=1",
-            r"\sum_{k=1}^\infty\frac1{k(k-2)}=\frac34",
-            "",
-        ),
-        (
-            r"\sum_{k=0}^\infty q^k=\frac1{1-q}",
-            r"\sum_{k=1}^\infty q^k=\frac1{1-q}",
-            "-1<q, q<1",
-        ),
+        (r"\sum_{k=1}^\infty\frac1{k(k+1)}=1", r"\sum_{k=1}^\infty\frac1{k(k-2)}=\frac34", ""),
+        (r"\sum_{k=0}^\infty q^k=\frac1{1-q}", r"\sum_{k=1}^\infty q^k=\frac1{1-q}", "-1<q, q<1"),
         (
             r"\sum_{k=1}^\infty kq^k=\frac q{(1-q)^2}",
             r"\sum_{k=1}^\infty kq^k=\frac q{1-q}",
@@ -127,11 +99,7 @@ TABLES = {
             r"\sum_{n=1}^\infty\frac{x^n}n=\ln(1-x)",
             "-1<x, x<1",
         ),
-        (
-            r"\sum_{n=1}^\infty\frac{(-1)^{n+1}}n=\ln2",
-            r"\sum_{n=1}^\infty\frac1n=\ln2",
-            "",
-        ),
+        (r"\sum_{n=1}^\infty\frac{(-1)^{n+1}}n=\ln2", r"\sum_{n=1}^\infty\frac1n=\ln2", ""),
         (
             r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n+1}}{2n+1}=\arctan x",
             r"\sum_{n=0}^\infty\frac{(-1)^nx^{2n+1}}{2n+1}=\arctan x+10^{-20}",
