@@ -58,11 +58,15 @@ ratio_1 = ratio_of_one(E_SERIES).subs(VARIANTS[1])
 DWELL_3 = sp.pi / 3
 
 
-def reverses(ratio: sp.Expr, backward: sp.Expr, forward: sp.Expr) -> tuple[Holds, Holds]:
-    """State that the ratio is negative at one carrier angle and positive at another."""
-    return less(ratio.subs(phi1, backward), sp.S.Zero), less(sp.S.Zero, ratio.subs(phi1, forward))
+def reverses(ratio: sp.Expr) -> tuple[Holds, Holds]:
+    """State that the ratio is negative at the carrier angle 0 and positive at a right angle."""
+    start, quarter = (ratio.subs(phi1, angle) for angle in (sp.S.Zero, sp.pi / 2))
+    return less(start, sp.S.Zero), less(sp.S.Zero, quarter)
 
 
+# What wheel 6 turns on a cylindrical pair 4-5.
+ROLLED_45 = integrate(satellite_against_carrier.subs(AXES_45))
+WITHOUT_SLIP = Equality(R4 / R5 * phi1, ROLLED_45)
 OF_PAIR_36 = sp.Rational("0.2")
 
 VARIANT_ROWS = (
@@ -82,7 +86,7 @@ VARIANT_ROWS = (
         all_of(
             Equality(position_1, integrate(1 - wheel_3_rate.subs(mount, 0)).subs(VARIANTS[1])),
             advances(position_1, sp.pi, sp.S.Zero),
-            *reverses(ratio_1, sp.S.Zero, sp.pi / 2),
+            *reverses(ratio_1),
         ),
         note="E = 5/13: the output swings through 2 arcsin(5/13), twice in each turn of the "
         "carrier.",
@@ -92,7 +96,7 @@ VARIANT_ROWS = (
         "variant 2, reciprocating",
         all_of(
             advances(with_cylinders(position_45, 2), sp.pi, sp.S.Zero),
-            *reverses(with_cylinders(ratio_45, 2), sp.S.Zero, sp.pi / 2),
+            *reverses(with_cylinders(ratio_45, 2)),
         ),
         note="R4 = R5: no drift; the amplitude is arcsin(0.2).",
         marks=("inferred",),
@@ -119,17 +123,14 @@ VARIANT_ROWS = (
     ),
     PRINT.claim(
         "special case, angle of wheel 6",
-        Equality(print_5.subs(e1, 0), integrate(satellite_against_carrier.subs(AXES_45))),
+        Equality(print_5.subs(e1, 0), ROLLED_45),
         readings=(
             Reading(
                 "the numbers also stand for the radii rho4 and rho5 whose quotient (5) integrates",
-                Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
+                WITHOUT_SLIP,
             ),
         ),
-        corrected=Correction(
-            r"\varphi_6=\frac{R_4}{R_5}\varphi_1",
-            Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
-        ),
+        corrected=Correction(r"\varphi_6=\frac{R_4}{R_5}\varphi_1", WITHOUT_SLIP),
         note="The text at hand says nothing about (5) in this case. Left as printed, with e1 = 0, "
         "it would turn wheel 6 by phi1; wheels that do not slip turn it by (R4/R5) phi1.",
         marks=("rebuilt", "inferred"),

@@ -255,10 +255,10 @@ def crossover(grade: int, geometry: str = "printed") -> Expr:
     return tip_spread(grade, geometry) / gauge_spread(S.One, geometry)
 
 
-def good_but_rejected(spread: Expr, ratio: int = K_PRINTED, tolerance: int = TOLERANCE_UM) -> Expr:
-    """Share of good teeth rejected; normal laws, centred, T/sigma = ratio."""
+def good_but_rejected(spread: Expr, tolerance: int = TOLERANCE_UM) -> Expr:
+    """Share of good teeth rejected; normal laws, centred, T/sigma = K."""
     y = Symbol("y", real=True)
-    half, spread_true = Rational(tolerance, 2), Rational(tolerance, ratio)
+    half, spread_true = Rational(tolerance, 2), Rational(tolerance, K_PRINTED)
     density = exp(-(y**2) / (2 * spread_true**2)) / (spread_true * sqrt(2 * pi))
     return Integral(density * normal_outside(y, spread**2, -half, half), (y, -half, half))
 
@@ -283,5 +283,4 @@ def error_variance(tip: Expr, height: Expr) -> Expr:
     return (tip * sigma_tip) ** 2 + (height * sigma_height) ** 2 + sigma_thickness**2
 
 
-VARIANCE_BY_SLOPE = error_variance(2 * incline, 2 * incline)
 chance_to_accept = normal_between(S.Zero, width**2 / 2, -below, above)
