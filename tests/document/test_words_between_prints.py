@@ -32,6 +32,8 @@ WORDS = {
     "Hence": True,
     "Substituting this, we obtain": True,
     "Squaring and adding, it follows that": True,
+    "Multiplication gives": True,
+    "Multiplied by two such pins, we find": False,
     "Adding (1) and (2), we obtain": True,
     "Turned by a right angle, it follows that": False,
     "Removing the pin, we obtain": False,
@@ -269,6 +271,7 @@ PLACE = (r"x=r\cos\varphi", r"y=r\sin\varphi+l\varphi")
 HEADING = r"#\section{Velocities} The velocities are"
 RATE = r"\dot x=-r\dot\varphi\sin\varphi"
 WRONG = r"\dot y=r\dot\varphi\cos\varphi-l\dot\varphi"
+SECOND = r"\ddot x=-r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
 # What stands behind two positions, and what becomes of the last derivative.
 RATES = {
     "beside a true one": ((HEADING, RATE, WRONG), "REFUTED"),
@@ -282,6 +285,18 @@ RATES = {
     "words between": ((HEADING, RATE, "#The height changes by", WRONG), "not judged"),
     "words that turn a sense": (
         (r"#\section{Velocities} With $\varphi$ now counted clockwise", RATE, WRONG),
+        "not judged",
+    ),
+    "of the same letter, behind a consequence": (
+        (HEADING, RATE, "#Differentiating once more, we find", SECOND),
+        "REFUTED",
+    ),
+    "of the same letter, behind new words": (
+        (HEADING, RATE, "#The other pin moves by", SECOND),
+        "not judged",
+    ),
+    "of the same letter, at constant speed": (
+        (HEADING, RATE, "#Hence, at constant speed,", r"\ddot x=-r\dot\varphi^2\cos\varphi"),
         "not judged",
     ),
     "printed anew": (

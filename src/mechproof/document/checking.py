@@ -156,8 +156,8 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         answers = run_tasks(judge_row, numbers, limit=limit)
         rows = {number: make_row(tasks[number], answer) for number, answer in answers}
         rows |= dict(_compare_members(key, tasks, rows, limit))
-        rows |= dict(compare_rates(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
+        rows |= dict(compare_rates(key, tasks, rows, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
         rows |= dict(support_steps(tasks, rows))
         rows |= dict(_compare_specially(key, tasks, rows, limit))

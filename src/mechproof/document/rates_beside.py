@@ -2,8 +2,8 @@
 
 A heading may go on to another mechanism, whose letters nobody prints anew. Where a display has a
 true derivative of one letter, it is about the mechanism that printed this one, and so are the other
-derivatives of the display, of letters printed beside it. One with all signs turned may count
-otherwise: it is left open.
+derivatives of the display, of letters printed beside it, and those of the same letter behind words
+of a consequence. One with all signs turned may count otherwise: it is left open.
 """
 
 from __future__ import annotations
@@ -29,8 +29,9 @@ def compare_rates(
     for n, task in enumerate(tasks):
         if rows[n].state is not State.NOT_JUDGED or not task.is_solution:
             continue
-        beside = [m for m, one in enumerate(tasks) if m != n and _are_beside(one, task, tasks)]
-        if any(rows[m].outcome == Verdict.PROVED.value for m in beside):
+        proved = [m for m, row in rows.items() if row.outcome == Verdict.PROVED.value]
+        anew = [one for m, one in enumerate(tasks) if m not in proved]
+        if any(_are_beside(tasks[m], task, tasks, anew) for m in proved):
             asked.append((key, n))
     for place, answer in run_tasks(judge_rate, asked, limit=limit):
         if isinstance(answer, Judgement):
@@ -38,17 +39,25 @@ def compare_rates(
             yield number, make_row(tasks[number], answer)
 
 
-def _are_beside(one: Task, other: Task, tasks: Sequence[Task]) -> bool:
-    """Return whether derivatives are printed without words between, and what they are of, too."""
+def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Task]) -> bool:
+    """Return whether derivatives are printed without words between, and what they are of, too.
+
+    Those of one print may have words of a consequence between. Of letters that are printed `anew`
+    nothing is known.
+    """
     if any(task.sign.role is not Role.DERIVATIVE or task.said.is_case for task in (one, other)):
         return False
     names = one.sign.first, other.sign.first
     first = [t for name in names for t in tasks if t.row.number == name]
-    if len(first) != len(names) or one.said.passage != other.said.passage:
+    is_near = one.said.passage == other.said.passage
+    if names[0] == names[1] and not one.said.is_apart(other.said):
+        later = max(one.said, other.said, key=lambda said: said.passage)
+        is_near |= not (later.is_new or one.said.is_equating or other.said.is_equating)
+    if len(first) != len(names) or not is_near:
         return False
     is_turned = first[1].said.turns != other.said.turns or other.said.is_of_other(first[1].said)
     letters = {x.sign.letter for x in first}
-    is_anew = any(t.sign.letter in letters and t.sign.role is Role.REPEATED for t in tasks)
+    is_anew = any(t.sign.letter in letters and t.sign.role is Role.REPEATED for t in anew)
     return first[0].said.passage == first[1].said.passage and not (is_turned or is_anew)
 
 

@@ -77,7 +77,8 @@ _CONSEQUENCE = re.compile(
     r"|namely|whence|(?:is|be) written|daher|folglich|somit|damit|also|daraus|woraus"
     r"|donc|ainsi|soit|следовательно|тогда|отсюда)\b"
     r"|\bthe same (?:equation|expression|relation|result)|\b(?:squar|substitut)(?:ing|ed|ion)\b"
-    r"|\bdifferentiat|\bfollows?\b|\b(?:we|one) obtains?\b|\bobtaining\b"
+    r"|\bdifferentiat|\b(?:multiply|divid|integrat)ing\b|\b(?:multiplica|integra)tion\b"
+    r"|\bfollows?\b|\b(?:we|one) obtains?\b|\bobtaining\b"
     r"|\b(?:insert|eliminat|combin|solv|simplif|expan|rearrang|transform"
     r"|rewrit|equivalent|identical|einsetz|folgt|d'o\xf9|получ|подстав)",
     re.IGNORECASE,
