@@ -238,6 +238,18 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
     ),
+    "powers of e": (
+        [
+            r"\frac{h-b}{c-b}=\mathrm{e}^k",
+            r"h-c=(h-b)\frac{\mathrm{e}^k-1}{\mathrm{e}^k}",
+            r"(h-b)\mathrm{e}^k=(c-b)\mathrm{e}^{2k}",
+        ],
+        ["DEFINITION", "PROVED", "PROVED"],
+    ),
+    "powers of e that do not follow": (
+        [r"\frac{h-b}{c-b}=\mathrm{e}^k", r"h-c=(h-b)\frac{\mathrm{e}^k+1}{\mathrm{e}^k}"],
+        ["not judged", "not judged"],
+    ),
     "a trace": (
         [
             r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",
@@ -269,6 +281,12 @@ FOLLOWING = {
     r"+l\ddot\alpha\sin\alpha+l\dot\alpha^2\cos\alpha=0": "PROVED",
     r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
     r"+l\ddot\alpha\sin\alpha-l\dot\alpha^2\cos\alpha=0": "DEFINITION",
+    r"\ddot\alpha=\frac{r\ddot\varphi\cos\varphi-r\dot\varphi^2\sin\varphi"
+    r"+l\dot\alpha^2\sin\alpha}{l\cos\alpha}": "PROVED",
+    r"\ddot x=0": "not judged",
+    # What gives an acceleration is not meant where it is zero.
+    r"\ddot\alpha=\frac{r\ddot\varphi\cos\varphi+r\dot\varphi^2\sin\varphi"
+    r"+l\dot\alpha^2\sin\alpha}{l\cos\alpha}": "REFUTED",
     r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
     r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "not judged",
 }

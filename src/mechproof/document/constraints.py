@@ -288,12 +288,20 @@ def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
 
 
 def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Return a symbol for each sine and cosine of the angles that are met, and each square root."""
+    """Return symbols for sines and cosines of the angles that are met, square roots, powers of e.
+
+    Those whose exponents are multiples of one are powers of one symbol.
+    """
     expressions = [*expressions]
     angles = {f.args[0] for e in expressions for f in e.atoms(sp.sin, sp.cos)}
     powers = {f for e in expressions for f in e.atoms(sp.Pow) if f.exp.is_Rational and f.exp.q == 2}
     roots = {sp.sqrt(f.base) for f in powers if f.base.free_symbols}
+    exponents = {f.args[0].primitive() for e in expressions for f in e.atoms(sp.exp)}
+    bases = {rest: sp.Dummy(f"_exp{n}") for n, (_, rest) in enumerate(sorted(exponents, key=str))}
+    least = {one: sp.gcd([number for number, rest in exponents if rest == one]) for one in bases}
     return {
+        **{sp.exp(least[one] * one): base for one, base in bases.items()},
+        **{sp.exp(n * one): bases[one] ** (n / least[one]) for n, one in exponents},
         **{root: sp.Dummy(f"_root{n}") for n, root in enumerate(sorted(roots, key=str))},
         **{
             f(angle): sp.Dummy(f"{f.__name__}{n}")

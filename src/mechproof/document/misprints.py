@@ -24,8 +24,9 @@ from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_plainly
 
 RUNG = "separating balls"
-# Points that are tried; points with values that are enough, and at how many a mended print holds.
-_COUNT = 16
+# Points that are tried, more if too few are met; points with values that are enough, and at how
+# many a mended print holds.
+_COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
 # Changes of one print that are tried.
@@ -92,9 +93,12 @@ def holds_at_rest(
 ) -> bool:
     """Return whether an equation may hold with one of the accelerations zero.
 
-    Words that are not understood may say that something moves at constant speed.
+    Words that are not understood may say that something moves at constant speed, but not of the
+    letter to which the equation gives another value.
     """
     met = {s for one in (*sides, *given) for s in one.free_symbols}
+    if 0 not in sides:
+        met.difference_update(sides)
     for letter in met.intersection(second):
         rest = {letter: sp.S.Zero}
         one, other = (side.xreplace(rest) for side in sides)
@@ -113,15 +117,19 @@ def _find_failures(
     resolved = domain.resolve(sides[0]), domain.resolve(sides[1])
     parts = [*resolved, *map(domain.resolve, others), *given]
     are_angles = is_angle(sides, domain.dimensions)
-    points = []
-    for point in find_points(given, {s for one in parts for s in one.free_symbols}, domain, _COUNT):
-        # Where lengths shrink to nothing, or one has no end, much is true.
-        if all(_NEAR < abs(value) < 1 / _NEAR for value in point.values()):
-            agrees = agree(resolved, point, are_angles=are_angles)
-            if agrees:
-                return []
-            points += [point] if agrees is False else []
-    return points if len(points) >= _ENOUGH else []
+    letters = {s for one in parts for s in one.free_symbols}
+    for count in _COUNTS:
+        points = []
+        for point in find_points(given, letters, domain, count):
+            # Where lengths shrink to nothing, or one has no end, much is true.
+            if all(_NEAR < abs(value) < 1 / _NEAR for value in point.values()):
+                agrees = agree(resolved, point, are_angles=are_angles)
+                if agrees:
+                    return []
+                points += [point] if agrees is False else []
+        if len(points) >= _ENOUGH:
+            return points
+    return []
 
 
 def agree(sides: Sides, values: Values, *, are_angles: bool = False) -> bool | None:
