@@ -70,6 +70,7 @@ MATRICES = [
     (r"v\times\vec{u}", -E["u"].cross(E["v"])),
     (r"x\,v\times(w+\vec{u})", x * E["v"].cross(E["w"] + E["u"])),
     (r"[v]_\times w", E["v"].cross(E["w"])),
+    (r"\vec{u}\times[A]w", E["u"].cross(E["A"] * E["w"])),
     (r"[(x, y, s)]_{\times}", sp.Matrix([[0, -s, y], [s, 0, -x], [-y, x, 0]])),
     (r"\mathbf B^{-1}\;[A]v", E["B"].inv("ADJ") * E["A"] * E["v"]),
     (r"[A](v\times w)", E["A"] * E["v"].cross(E["w"])),
@@ -121,6 +122,7 @@ REFUSED = [
         (latex, "taken first")
         for latex in (r"\vec{u}\times v\times w", r"[A]v\times w", r"v\cdot(1, 2, 3)")
     ),
+    (r"[A]v\times[A]w", "taken first"),
     *((latex, "taken first") for latex in (r"\vec{u}\cdot v\cdot w", r"v\cdot[A]\cdot w")),
     *((latex, "do not fit") for latex in (r"\vec{u}v", "v^3", r"P\cdot v")),
     *((latex, "a number and a vector") for latex in (r"x\times v", r"\vec{u}\times(x+y)")),

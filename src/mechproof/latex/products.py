@@ -95,7 +95,9 @@ def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
     if len(vectors) < 2:
         return reduce(mul, parts)
     _refuse_third(parts, vectors)
-    if any(sum(map(is_matrix, run)) > 1 for run in runs):
+    turned = [n for n, run in enumerate(runs, 1) if sum(map(is_matrix, run)) > 1]
+    # A matrix between the cross and a vector: whichever product is taken first is the same.
+    if turned and (turned != [len(runs)] or not is_vector(parts[-1]) or is_vector(runs[-1][0])):
         raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts)) * _cross_entries(*map(show_entries, vectors))
 
