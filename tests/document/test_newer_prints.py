@@ -84,6 +84,10 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
         ),
         OPEN,
     ),
+    "a wrong print beside what is true of any": (
+        ("k=k_1+k_2", r"(k+k_1)^2=k^2+2kk_1+k_1^2", "#Hence", "k=k_1-k_2"),
+        "REFUTED",
+    ),
     "no words between": ((*PARALLEL, *SERIES, IN_SERIES), "PROVED"),
     "no words between, with the first print": ((*PARALLEL, *SERIES, IN_PARALLEL), OPEN),
     "with neither": ((*PARALLEL, *SERIES, "#Hence", r"\omega=\sqrt{\frac{k_1-k_2}m}"), "REFUTED"),
