@@ -297,6 +297,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["let b=f(2c)"],
         ),
         (r"With $b=2q+h$ the way is $$y=b+q$$", ["h :", "let b=2q+h"], []),
+        # What holds in a case is no rival of it.
+        (
+            r"With $b=2q+h$ the way is $$y=b+q$$ It is largest at $b=1/2$.",
+            ["let b=2q+h"],
+            [],
+        ),
     ],
 )
 def test_drafts_propose_what_prints_and_sentences_show(

@@ -140,7 +140,11 @@ def _find_inline(source: Source, entries: Mapping[str, Entry]) -> list[tuple[str
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
         kind = name_symbol(one.letter), one.number is None
         found.setdefault(kind, {}).setdefault(one.value, one)
-    single = ((name, [*ones.values()]) for (name, _), ones in found.items())
+    # What holds in a case is no rival of what holds throughout.
+    single = (
+        (name, [x for x in ones.values() if not (is_formula and x.is_case)] or [*ones.values()])
+        for (name, is_formula), ones in found.items()
+    )
     return [(name, ones[0]) for name, ones in single if len(ones) == 1]
 
 
