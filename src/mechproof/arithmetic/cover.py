@@ -29,6 +29,8 @@ WORST = 32
 FEW = 64
 # So often the first sides are halved before any box is bounded.
 CUTS = 2
+# A side is narrow that is no longer than this share of its larger end: a size and its tolerance.
+NARROW = 0.125
 
 
 @dataclass(frozen=True)
@@ -100,15 +102,25 @@ def _keep_worst(
 
 
 def divide(whole: Boxes, sides: int) -> Boxes:
-    """Cut the first sides as far as they have a length, so that there are many boxes."""
+    """Cut those of the first sides that are finite and not narrow, so that there are many boxes."""
+    cut = np.flatnonzero(np.isfinite(_measure(whole)[0, :sides]) & ~_are_narrow(whole)[0, :sides])
     for _ in range(CUTS):
-        for side in range(sides):
-            low, high = whole[0, side]
-            if low < high < np.inf:
-                first, second = whole.copy(), whole.copy()
-                first[:, side, 1] = second[:, side, 0] = _find_middles(whole)[:, side]
-                whole = np.concatenate([first, second])
+        for side in cut:
+            first, second = whole.copy(), whole.copy()
+            first[:, side, 1] = second[:, side, 0] = _find_middles(whole)[:, side]
+            whole = np.concatenate([first, second])
     return whole
+
+
+def _measure(boxes: Boxes) -> Array:
+    """Return the lengths of sides; infinite of a side that has none, as of one without end."""
+    lengths = boxes[:, :, 1] - boxes[:, :, 0]
+    return np.where(lengths > 0, lengths, np.inf)
+
+
+def _are_narrow(boxes: Boxes) -> NDArray[np.bool_]:
+    narrow: NDArray[np.bool_] = _measure(boxes) <= NARROW * np.abs(boxes).max(axis=2)
+    return narrow
 
 
 @dataclass(frozen=True)
@@ -130,8 +142,8 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
     To bound few boxes takes as long as to bound many: of few, the halves across every side are
     bounded at once with what is needed for the choice.
     """
-    spans = whole[:, :, 1] - whole[:, :, 0]
-    spans = np.where(np.isfinite(spans) & (spans > 0), spans, np.inf)
+    # To cut a narrow side changes little: it counts by its share of its larger end.
+    spans = np.where(_are_narrow(whole), np.abs(whole).max(axis=2), _measure(whole))
     with np.errstate(invalid="ignore"):
         lengths = np.where(np.isfinite(spans), boxes[:, :, 1] - boxes[:, :, 0], 0.0)
     shares = lengths / spans

@@ -29,6 +29,7 @@ from mechproof.arithmetic.intervals import (
     enclose_ball,
     exactly,
 )
+from mechproof.programs.operations import COMPARISONS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.condition_numbers import CarriedConditions, find_condition_numbers
@@ -54,7 +55,7 @@ from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.spreading import RoundedStep, spread, take_least
-from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
+from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, HALF, RESTS, Step, StraightLineProgram
 
 # Of the errors of numbers.
 CONSTANT_BITS = 256
@@ -107,6 +108,7 @@ class ErrorAnalysis:
         if has_grids:
             self._grids = {name: find_own_grid(span) for name, span in self.computed.items()}
         self.rounded: list[RoundedStep] = []
+        self._is_exact = all(step.ulps == EXACT for step in straight.steps)
         self._made = frozenset(step.result for step in straight.steps)
         for step in straight.steps:
             self._move(step, stated.get(step.result))
@@ -128,6 +130,8 @@ class ErrorAnalysis:
             # Of what is compensated: a rounding of its own, which nothing here moves.
             reach = UNIT * (1 + EPS)
             self._round(step, given[2].scaled(around(0.0, reach)), (None, None, None))
+        elif step.kind in COMPARISONS or step.kind == CHOICE:
+            self._decide(step, given)
         elif step.kind in ("copy", "approximate"):
             self._round(step, given[0], (self._one,))
         else:
@@ -140,6 +144,18 @@ class ErrorAnalysis:
                 )
             else:
                 self._round(step, stated or exact, slopes, self._are_exact(step, given))
+
+    def _decide(self, step: Step, given: Sequence[IntervalMonomial]) -> None:
+        """Take what a comparison or a choice gives.
+
+        Where roundings may turn the test the error is up to the difference of both sides (Goubault
+        and Putot 2013), besides their own.
+        """
+        exact, slopes = RULES[step.kind](given, self.turn)
+        jump: Ends = np.float64(0.0)
+        if step.kind == CHOICE and all(slopes[1:]) and not self._is_exact:
+            jump = (given[1] - given[2]).expanded().largest()
+        self._add(step, exact, slopes, np.float64(0.0), jump, exact.expanded())
 
     def _take_constant(self, step: Step) -> None:
         (operand,) = step.operands

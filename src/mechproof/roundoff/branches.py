@@ -1,8 +1,8 @@
 """Branches: in, steps that choose by the sign of one of them; out, the steps of either sign.
 
-Where a number and its sign are rounded, either branch may be computed. In exact arithmetic both are
-the same function; this is proved here, so each branch can be bounded wherever it may be taken.
-Branches that differ get no bound (Goubault and Putot 2013 also bound the jump).
+Where a number and its sign are rounded, either branch may be computed. Where both are proved to be
+the same function in exact arithmetic, each can be bounded wherever it may be taken. Other choices
+stay among the steps, with the jump from one to the other where roundings may turn the test.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from mechproof.arithmetic.polynomials import is_zero
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.interval_monomials import IntervalMonomial
-from mechproof.roundoff.steps import CONSTANT, EXACT, Step, StraightLineProgram, keep_needed
+from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, Step, StraightLineProgram, keep_needed
 
-CHOICE, TEST = "choose", "greater_equal"
+TEST = "greater_equal"
 _Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
 
 
@@ -51,30 +51,23 @@ class Branch:
 # A stage is asked for its branches more than once, and the proof takes a while.
 @lru_cache(maxsize=64)
 def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
-    """List the branches of steps, the steps themselves if they choose nothing.
-
-    Raises ValueError for choices by anything but the sign of one result, and for branches that are
-    not shown to be one function.
-    """
-    choices = [step for step in straight.steps if step.kind == CHOICE]
-    if not choices:
-        return (Branch(straight),)
-    known = {step.result: step for step in straight.steps if step.kind == TEST}
-    tested = {_find_tested(known.get(str(step.operands[0])), step) for step in choices}
-    if len(tested) != 1:
-        raise ValueError(f"chosen by the signs of {', '.join(sorted(tested))}")
-    (by,) = tested
-    branches = tuple(Branch(_resolve(straight, by, sign), by, sign) for sign in (False, True))
-    _require_equal(*branches)
-    return branches
+    """List both branches of steps, if they are one function; else the steps as they are."""
+    if by := _find_tested(straight):
+        branches = tuple(Branch(_resolve(straight, by, sign), by, sign) for sign in (False, True))
+        if _are_equal(*branches):
+            return branches
+    return (Branch(straight),)
 
 
-def _find_tested(test: Step | None, choice: Step) -> str:
-    """Return the result by whose sign is chosen; ValueError for another choice."""
-    operand, zero = test.operands if test else ("", None)
-    if not isinstance(operand, str) or zero != 0:
-        raise ValueError(f"{choice.result}: chosen by anything but the sign of a result")
-    return operand
+def _find_tested(straight: StraightLineProgram) -> str:
+    """Return the result by whose sign everything is chosen; nothing, if there is no such one."""
+    tests = {step.result: step for step in straight.steps if step.kind == TEST}
+    choices = (str(step.operands[0]) for step in straight.steps if step.kind == CHOICE)
+    tested = {tests[name].operands if name in tests else () for name in choices}
+    match [*tested]:
+        case [(str(by), 0)]:
+            return by
+    return ""
 
 
 def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> StraightLineProgram:
@@ -99,18 +92,16 @@ def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> Strai
     return replace(kept, outputs=outputs)
 
 
-def _require_equal(one: Branch, other: Branch) -> None:
-    """Require the same outputs in exact arithmetic; ValueError if that is not shown."""
+def _are_equal(one: Branch, other: Branch) -> bool:
+    """Say whether the outputs are shown to be the same in exact arithmetic."""
     relations: dict[sp.Pow, sp.Expr] = {}
     known: _Known = {}
     sides = [_express(branch.straight, relations, known) for branch in (one, other)]
     try:
-        are_equal = all(is_zero(a - b, relations) for a, b in zip(*sides, strict=True))
+        return all(is_zero(a - b, relations) for a, b in zip(*sides, strict=True))
     except sp.PolynomialError:
         # Of roots of quotients, say.
-        are_equal = False
-    if not are_equal:
-        raise ValueError(f"the branches by the sign of {one.tested} are not shown to be equal")
+        return False
 
 
 def _express(

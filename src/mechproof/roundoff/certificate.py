@@ -28,8 +28,9 @@ from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
-# The most boxes of all regions that may show a bound.
-MOST = 16000
+# The most boxes of all regions that may show a bound, and of those with many sides, across each of
+# which a cut is tried.
+MOST, MOST_OF_MANY, MANY_SIDES = 16000, 500, 10
 # Where the search for the lowest bound starts, where it ends, and how near it comes.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
@@ -173,7 +174,7 @@ def holds(
     if (claim.proved, claim.boxes, claim.open, claim.cuts) in bounds:
         return True
     if claim.open:
-        covers = cover_all(subject, claim.proved, MOST)
+        covers = cover_all(subject, claim.proved, _limit(subject))
         return (_count(covers), _tell_open(covers)) == (claim.boxes, claim.open)
     return is_shown(subject, claim)
 
@@ -234,6 +235,12 @@ def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[Chart
     return covers
 
 
+def _limit(subject: ComputedStage) -> int:
+    """Return the most boxes that may show a bound."""
+    sides = max(len(region.box) for region in _list_regions(subject))
+    return MOST_OF_MANY if sides >= MANY_SIDES else MOST
+
+
 def _count(covers: Sequence[tuple[ChartRegion, Cover]]) -> int:
     return sum(cover.count for _, cover in covers)
 
@@ -251,7 +258,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     """
     before = [_measure_again(subject, known)] if known else []
     proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
-    covers = cover_all(subject, proved, MOST)
+    covers = cover_all(subject, proved, _limit(subject))
     if not _tell_open(covers):
         proved = min(proved, _round_up(max(cover.worst[0][0] for _, cover in covers)))
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
@@ -277,7 +284,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
 def _lower_bound(subject: ComputedStage, low: float) -> float:
     """Return the lowest bound above another that can be shown, nearly, in hundredths of an eps."""
     high = max(FIRST, 2 * low)
-    while _tell_open(cover_all(subject, high, MOST)):
+    while _tell_open(cover_all(subject, high, _limit(subject))):
         low, high = high, 2 * high
         if high > LAST:
             return math.inf
@@ -285,7 +292,7 @@ def _lower_bound(subject: ComputedStage, low: float) -> float:
         middle = round((low + high) / 2, DIGITS)
         if not low < middle < high:
             break
-        if _tell_open(cover_all(subject, middle, MOST)):
+        if _tell_open(cover_all(subject, middle, _limit(subject))):
             low = middle
         else:
             high = middle

@@ -25,7 +25,7 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
-from mechproof.roundoff.branches import CHOICE, Branch, list_branches
+from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
@@ -36,6 +36,7 @@ from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.regions import ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import (
+    CHOICE,
     CONSTANT,
     EXACT,
     StraightLineProgram,

@@ -14,6 +14,7 @@ from mechproof.arithmetic.intervals import EPS, ONE, Ends, Interval, around, exa
 from mechproof.programs.program import Operand
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.rules import SOME
+from mechproof.roundoff.steps import CHOICE
 
 # What is a product of powers, and the exponents of its operands.
 POWERS: Mapping[str, tuple[float, ...]] = MappingProxyType(
@@ -24,7 +25,7 @@ POWERS: Mapping[str, tuple[float, ...]] = MappingProxyType(
 )
 SUMS = ("add", "subtract", "fma")
 # Which operand is taken may not be known: by that it is 1, by the other 0.
-CHOICES = ("maximum", "minimum")
+CHOICES = ("maximum", "minimum", CHOICE)
 
 
 class CarriedConditions:

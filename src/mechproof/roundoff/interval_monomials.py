@@ -151,8 +151,15 @@ class IntervalMonomial:
     def __add__(self, other: IntervalMonomial) -> IntervalMonomial:
         if self.powers is other.powers or self.powers == other.powers:
             return IntervalMonomial(self.variables, self.span + other.span, self.powers)
+        if other._is_zero or self._is_zero:
+            return self if other._is_zero else other
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         return IntervalMonomial(self.variables, self._over(common) + other._over(common), common)
+
+    @property
+    def _is_zero(self) -> bool:
+        """Say whether it is nothing, whatever vanishes with it."""
+        return not (np.any(self.span.low) or np.any(self.span.high))
 
     def __sub__(self, other: IntervalMonomial) -> IntervalMonomial:
         return self + -other
@@ -196,7 +203,7 @@ class IntervalMonomial:
 
     def expanded(self) -> Interval:
         """Return the interval of the value."""
-        if self.powers is self.variables.none:
+        if self.powers is self.variables.none or self._is_zero:
             return self.span
         return self.span * self.variables.expand(self.powers)
 
@@ -230,6 +237,11 @@ class IntervalMonomial:
         one, two = self._over(common), other._over(common)
         span = Interval(choose(one.low, two.low), choose(one.high, two.high))
         return IntervalMonomial(self.variables, span, common)
+
+    def hull(self, other: IntervalMonomial) -> IntervalMonomial:
+        """Return what both values are in."""
+        low, high = self.extreme(other, np.minimum), self.extreme(other, np.maximum)
+        return IntervalMonomial(self.variables, Interval(low.span.low, high.span.high), low.powers)
 
     def _over(self, common: Powers) -> Interval:
         if self.powers == common:

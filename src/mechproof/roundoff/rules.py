@@ -7,7 +7,18 @@ from types import MappingProxyType
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import ONE, Ends, Interval, exactly, exponential, logarithm
+from mechproof.arithmetic.intervals import (
+    EPS,
+    ONE,
+    UNIT,
+    Ends,
+    Interval,
+    Mask,
+    around,
+    exactly,
+    exponential,
+    logarithm,
+)
 from mechproof.roundoff.angles import (
     Turn,
     take_angle,
@@ -113,6 +124,40 @@ def _either(
     return a.extreme(b, choose), (some, some)
 
 
+def _sum_rest(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    one, total = _one(given[0]), given[2]
+    return total.scaled(around(0.0, UNIT * (1 + EPS))), (one, one, -one)
+
+
+def _less(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    a, b = given
+    lead = (b - a).expanded()
+    return _decide(a, lead.low > 0, lead.high <= 0)
+
+
+def _less_equal(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    a, b = given
+    lead = (b - a).expanded()
+    return _decide(a, lead.low >= 0, lead.high < 0)
+
+
+def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
+    """Return 1 where a comparison holds and 0 where it does not, whatever the roundings are."""
+    truth = Interval(np.where(holds, 1.0, 0.0), np.where(fails, 0.0, 1.0))
+    return one.variables.constant(truth), (None, None)
+
+
+def _choose(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+    """Return what is chosen, where nobody knows which one, both."""
+    test, a, b = given
+    is_first, is_second = test.span.low == 1, test.span.high == 0
+    chosen = a.variables.choose(is_first, is_second, ~(is_first | is_second))
+    if chosen < 2:
+        return (a, b)[chosen], ((None, _one(a), None), (None, None, _one(a)))[chosen]
+    some = a.variables.constant(SOME)
+    return a.hull(b), (None, some, some)
+
+
 def _tan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     tangent = take_tangent(given[0], turn)
     return tangent, (_one(tangent) + tangent.squared(),)
@@ -162,6 +207,12 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "absolute": _absolute,
         "maximum": _maximum,
         "minimum": _minimum,
+        "sum_rest": _sum_rest,
+        "less": _less,
+        "less_equal": _less_equal,
+        "greater": lambda given, turn: _less(given[::-1], turn),
+        "greater_equal": lambda given, turn: _less_equal(given[::-1], turn),
+        "choose": _choose,
         "sin": _sin,
         "cos": _cos,
         "tan": _tan,

@@ -82,6 +82,7 @@ IN_BALLS = Arithmetic(
         **{k: _OF_BALLS[row.sympy] for k, row in KINDS.items() if row.sympy in _OF_BALLS},
         "number": arb,
         "is_finite": lambda a: a.is_finite(),
+        "choose": lambda test, a, b: arb("nan") if test is None else a if test else b,
         # In which nothing cancels.
         "expm1": arb.expm1,
         "log1p": arb.log1p,

@@ -20,6 +20,7 @@ RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
 # A number that is no double, which is rounded where it is written; its operand is the number, a
 # fraction in digits.
 CONSTANT = "constant"
+CHOICE = "choose"
 # Functions of our own are written out, or have a proved bound, before their steps are bounded.
 ULPS: Mapping[Rounding, float] = {
     Rounding.EXACT: EXACT,
