@@ -900,6 +900,10 @@ def largest_jerk(
     Accuracy, tested: 21 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <=
     1e75*R2.
 
+    Proved, where e <= 101/1000 or e >= 102/1000, as long as no result overflows or falls below
+    the normal range: at most 13.25 eps with NumPy's functions, found 9.09; at most 13.25 eps
+    compiled, found 9.09.
+
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
     """
@@ -1031,6 +1035,10 @@ def angle_of_largest_jerk(
 
     Accuracy, tested: 8 eps of the value and what the rounding of 10*e - square makes of it,
     where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
+
+    Proved, where e <= 101/1000 or e >= 102/1000, as long as no result overflows or falls below
+    the normal range: at most 3.5 eps with np.arctan2 within 1 ulp, found 2.39; at most 4.03 eps
+    compiled, found 2.35.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 

@@ -777,6 +777,10 @@ def jerk(
     them, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
     0 or 2**-830 <= e2*|mount|).
 
+    Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/4, as long as no result overflows or
+    falls below the normal range: at most 23.38 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 7.39; at most 29.75 eps compiled, found 7.91.
+
     Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10).
 
     """

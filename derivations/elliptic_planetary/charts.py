@@ -85,6 +85,15 @@ BY_SIZES = tuple(
     Chart("", {**RADII, e: there}, {**FREE, part: UP_TO_HALF})
     for there, part in ((e, e), (1 - D, D))
 )
+# The same, beside the threshold 5 - 2*sqrt(6) of the largest jerk, where another formula begins.
+BESIDE_THRESHOLD = tuple(
+    Chart("e <= 101/1000 or e >= 102/1000", {**RADII, e: there}, {**FREE, part: within})
+    for there, part, within in (
+        (e, e, Interval(0, Rational(101, 1000))),
+        (e, e, Interval(Rational(102, 1000), Rational(1, 2))),
+        (1 - D, D, UP_TO_HALF),
+    )
+)
 
 # What is wanted beside the radii.
 PART = Symbol("part", positive=True)

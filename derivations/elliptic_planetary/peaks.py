@@ -24,7 +24,7 @@ from mechproof.record import (
 
 from .._eccentric import jerk_terms
 from . import kernels
-from .charts import BY_SIZES, OF_JERK
+from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
 from .symbols import (
     R1,
     R2,
@@ -173,6 +173,7 @@ PEAK_QUANTITIES = (
         LARGEST_JERK,
         Accuracy(21, within=SIZES),
         AT_THRESHOLD,
+        BESIDE_THRESHOLD,
     ),
     of_sizes(
         "smallest_jerk",
@@ -187,6 +188,7 @@ PEAK_QUANTITIES = (
         ANGLE_OF_JERK,
         Accuracy(8, NEAR_THRESHOLD, SIZES),
         AT_THRESHOLD,
+        BESIDE_THRESHOLD,
     ),
 )
 

@@ -75,12 +75,25 @@ NEGATED = ((phi1,),)
 
 # Two pairs of ovals as they are mounted in print: by the larger eccentricity.
 LARGER, BEFORE_POLE = Symbol("larger", positive=True), Rational(3, 2)
-MOUNTED = tuple(
-    Chart(
-        f"mount = 0, |phi1| <= {BEFORE_POLE} and e1, e2 <= {UP_TO_HALF.end}",
-        {phi1: ANGLE_X, one: LARGER, other: LARGER * SHARE, mount: Integer(0)},
-        {ANGLE_X: Interval(0, BEFORE_POLE), LARGER: UP_TO_HALF, SHARE: Interval(0, 1)},
+
+
+def mounted(flattest: Expr) -> tuple[Chart, ...]:
+    """Make the charts of pairs whose eccentricities are at most a number."""
+    return tuple(
+        Chart(
+            f"mount = 0, |phi1| <= {BEFORE_POLE} and e1, e2 <= {flattest}",
+            {phi1: ANGLE_X, one: LARGER, other: LARGER * SHARE, mount: Integer(0)},
+            {
+                ANGLE_X: Interval(0, BEFORE_POLE),
+                LARGER: Interval(0, flattest),
+                SHARE: Interval(0, 1),
+            },
+        )
+        for one, other in ((e1, e2), (e2, e1))
     )
-    for one, other in ((e1, e2), (e2, e1))
-)
+
+
+MOUNTED = mounted(UP_TO_HALF.end)
+# The jerk is a sum of more terms, of which boxes tell less.
+MOUNTED_ROUNDER = mounted(Rational(1, 4))
 MOUNTED_NEGATED = ((phi1, mount),)

@@ -5,7 +5,7 @@ import sympy as sp
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
 from .._eccentric import jerk_terms
-from .charts import NEGATED, OF_JERK
+from .charts import MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, OF_JERK
 from .forms import (
     CHANGE,
     DOUBLE,
@@ -78,7 +78,14 @@ JERK_QUANTITIES = (
         OF_OVALS,
         JERK,
         (
-            Form("quotient in tan(phi1)", FORM, ("low_product",), states=by_parts(JERK)),
+            Form(
+                "quotient in tan(phi1)",
+                FORM,
+                ("low_product",),
+                states=by_parts(JERK),
+                charts=MOUNTED_ROUNDER,
+                mirrors=MOUNTED_NEGATED,
+            ),
             Form(
                 "double angles",
                 sp.diff(ratio_of_map(*DOUBLE), phi1, 2),

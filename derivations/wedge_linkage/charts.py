@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 
-from sympy import Expr, Interval, Rational, Symbol, oo
+from sympy import Expr, Integer, Interval, Rational, Symbol, oo
 
-from mechproof.record import Chart
+from mechproof.record import Chart, Toleranced
 
+from .sizes import FIRST_SET
 from .symbols import *
 
 # All lengths are shares of one that is the largest.
@@ -95,3 +96,35 @@ def arm(
 # that the rounding of their sum is compared with.
 ROD = arm(phi3, alpha_DE, l_DE, Rational(1, 8), "|phi3| <= 22/7 and 1/8 <= alpha_DE <= 44/7")
 WEDGE = arm(phi7, alpha_LM, l_LM, 0, "|phi7| <= 22/7 and 0 <= alpha_LM <= 44/7")
+
+# A size without deviations gets these, as a share of itself, so that it is no single double.
+LEAST_DEVIATION = Rational(1, 1000)
+
+
+def tolerate(size: Toleranced) -> Interval:
+    """Return the range of a size between its limits."""
+    low, high = size.nominal + size.lower, size.nominal + size.upper
+    return Interval(
+        min(low, size.nominal * (1 - LEAST_DEVIATION)),
+        max(high, size.nominal * (1 + LEAST_DEVIATION)),
+    )
+
+
+def whole_chain(text: str, first: Expr, last: Expr) -> Chart:
+    """Make the chart of the pusher's way, in mm, and of all sizes within their limits."""
+    sizes = {size: tolerate(value) for size, value in FIRST_SET.sizes.items()}
+    within = {x1: Interval(first, last), **sizes}
+    return Chart(
+        f"{text}, and the sizes are within the limits (at least 0.1 %) of {FIRST_SET.source}",
+        {argument: argument for argument in within},
+        within,
+    )
+
+
+CHAIN = (whole_chain("-37 mm <= x1 <= 0", Integer(-37), Integer(0)),)
+# Between, contact starts, for these sizes or those, and the velocity jumps.
+BESIDE_CONTACT = "-37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0"
+VELOCITY = tuple(
+    whole_chain(BESIDE_CONTACT, first, last)
+    for first, last in ((Integer(-37), Integer(-2)), (-Rational(3, 4), Integer(0)))
+)

@@ -3,10 +3,10 @@
 import sympy as sp
 from sympy import Abs, Eq, Le, sqrt
 
-from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Singular
+from mechproof.record import Accuracy, Chart, Form, Part, Quantity, Scale, Singular
 
 from .._sizes import LARGEST
-from . import chain
+from . import chain, charts
 from .conditioning import (
     ANGLES,
     AT_REST,
@@ -97,7 +97,12 @@ CHAIN_LOADS = (
 
 
 def differentiate(
-    name: str, summary: str, value: sp.Basic, form: sp.Basic, unit: str = "1"
+    name: str,
+    summary: str,
+    value: sp.Basic,
+    form: sp.Basic,
+    unit: str = "1",
+    covering: tuple[Chart, ...] = (),
 ) -> Quantity:
     """Return the quantity of derivatives in contact: by the half-angle chain and by the slopes."""
     return Quantity(
@@ -106,7 +111,13 @@ def differentiate(
         arguments(x1, *chain.SIZES),
         value,
         (
-            Form("half-angle chain", form, states=slopes_in_contact(value), on=REACHED),
+            Form(
+                "half-angle chain",
+                form,
+                states=slopes_in_contact(value),
+                on=REACHED,
+                charts=covering,
+            ),
             Form(
                 "product of slopes",
                 chain.in_chain(value, chain.BY_ATAN2),
@@ -136,7 +147,13 @@ QUANTITIES = (
         arguments(x1, *chain.SIZES),
         chain.POSITION,
         (
-            Form("half-angle chain", chain.POSITION_FORM, states=position_in_contact, on=REACHED),
+            Form(
+                "half-angle chain",
+                chain.POSITION_FORM,
+                states=position_in_contact,
+                on=REACHED,
+                charts=charts.CHAIN,
+            ),
             Form(
                 "printed chain",
                 chain.in_chain(chain.POSITION, chain.IN_PRINT),
@@ -169,6 +186,7 @@ QUANTITIES = (
         "Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.",
         chain.VELOCITY,
         chain.VELOCITY_FORM,
+        covering=charts.VELOCITY,
     ),
     differentiate(
         "sensitivities",

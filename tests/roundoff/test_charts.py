@@ -6,11 +6,13 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
 import sympy as sp
 from certified import GROUP, claims, name_claim, subjects
+from derived import paper_of
 
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
@@ -57,10 +59,38 @@ OFF = "|x| <= 22/7 and |pi - |x|| >= 2**-40"
 PLAIN = "|x| <= 2**26"
 TURNED = "|alpha|, |beta|, |gamma| <= "
 RACK, TILTED = "alpha <= 11/14", "|tilt| <= 1 and alpha <= 11/14"
+LIMITS = (
+    "the sizes are within the limits (at least 0.1 %) of the set reconstructed with l_BC = 49.75, "
+    "l_CD = 38, l_DE = 83"
+)
+
+
+@cache
+def list_limits() -> dict[str, tuple[float, float]]:
+    """Return the limits of the linkage's first set, at least 0.1 % from what is nominal."""
+    sizes = paper_of("wedge_linkage").published[0].sizes
+    return {
+        str(symbol): (
+            float(min(size.nominal + size.lower, size.nominal * Fraction(999, 1000))),
+            float(max(size.nominal + size.upper, size.nominal * Fraction(1001, 1000))),
+        )
+        for symbol, size in sizes.items()
+    }
+
+
+def are_within_limits(at: Mapping[str, Fraction]) -> bool:
+    return all(low <= at[name] <= high for name, (low, high) in list_limits().items())
+
+
 # The same by all arguments, of the oval wheels with x.
 PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
     "|A| <= 63/64*R and z*|phi| <= 21": lambda at: (
         64 * abs(at["A"]) <= 63 * at["R"] and at["z"] * abs(at["phi"]) <= 21
+    ),
+    "e <= 101/1000 or e >= 102/1000": lambda at: not 0.101 < at["e"] < 0.102,
+    f"-37 mm <= x1 <= 0, and {LIMITS}": lambda at: -37 <= at["x1"] <= 0 and are_within_limits(at),
+    f"-37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0, and {LIMITS}": lambda at: (
+        (-37 <= at["x1"] <= -2 or Fraction(-3, 4) <= at["x1"] <= 0) and are_within_limits(at)
     ),
     "alpha_KL <= 22/7": lambda at: at["alpha_KL"] <= Fraction(22, 7),
     "x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4": lambda at: (
@@ -83,11 +113,14 @@ PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
         Fraction(1, 4) <= at["alpha"] <= Fraction(11, 14)
         and abs(at["dh"]) <= Fraction(3, 16) * at["m"]
     ),
-    "mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2": lambda at: (
-        at["mount"] == 0
-        and abs(at["phi1"]) <= Fraction(3, 2)
-        and max(at["e1"], at["e2"]) <= Fraction(1, 2)
-    ),
+    **{
+        f"mount = 0, |phi1| <= 3/2 and e1, e2 <= {reach}": lambda at, most=Fraction(reach): (
+            at["mount"] == 0
+            and abs(at["phi1"]) <= Fraction(3, 2)
+            and max(at["e1"], at["e2"]) <= most
+        )
+        for reach in ("1/2", "1/4")
+    },
     "error - offset <= 15/16*(rho + H)": lambda at: (
         at["error"] - at["offset"] <= Fraction(15, 16) * (at["rho"] + at["H"])
     ),
@@ -130,7 +163,7 @@ def test_the_worst_inputs_are_where_the_claims_say(claim: RoundingClaim) -> None
     if not claim.where:
         return
     at = {name: Fraction(float.fromhex(text)) for name, text in claim.at.items()}
-    if set(claim.where) <= PLACES.keys() and "e" not in at:
+    if set(claim.where) <= PLACES.keys() and not {"e", "phi1"} <= at.keys():
         tell_x(at)
         assert any(PLACES[text](at) for text in claim.where)
         return
@@ -227,6 +260,12 @@ def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, 
         drawn["phi1"] *= drawn["R5"] / drawn["R4"] / 2
     if "R1" in drawn and "phi1" in drawn:
         drawn["phi1"] *= drawn["R2"] / drawn["R1"]
+    if {"x1", *list_limits()} <= drawn.keys():
+        # The whole linkage: of each size one of fifty is beyond its limits.
+        drawn["x1"] = rng.uniform(-40, 1, 4000)
+        for name, (low, high) in list_limits().items():
+            beyond = np.where(rng.random(4000) < 0.02, 1.5, 1.0)
+            drawn[name] = rng.uniform(low, high, 4000) * beyond
     return drawn
 
 
