@@ -86,11 +86,12 @@ BY_SIZES = tuple(
     for there, part in ((e, e), (1 - D, D))
 )
 # The same, beside the threshold 5 - 2*sqrt(6) of the largest jerk, where another formula begins.
+BEFORE, BEHIND = "101/1000", "102/1000"
 BESIDE_THRESHOLD = tuple(
-    Chart("e <= 101/1000 or e >= 102/1000", {**RADII, e: there}, {**FREE, part: within})
+    Chart(f"e <= {BEFORE} or e >= {BEHIND}", {**RADII, e: there}, {**FREE, part: within})
     for there, part, within in (
-        (e, e, Interval(0, Rational(101, 1000))),
-        (e, e, Interval(Rational(102, 1000), Rational(1, 2))),
+        (e, e, Interval(0, Rational(BEFORE))),
+        (e, e, Interval(Rational(BEHIND), UP_TO_HALF.end)),
         (1 - D, D, UP_TO_HALF),
     )
 )

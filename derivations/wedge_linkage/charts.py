@@ -110,21 +110,23 @@ def tolerate(size: Toleranced) -> Interval:
     )
 
 
-def whole_chain(text: str, first: Expr, last: Expr) -> Chart:
-    """Make the chart of the pusher's way, in mm, and of all sizes within their limits."""
+def tell_place(place: Expr) -> str:
+    """Write a place of the pusher with its unit."""
+    return f"{place} mm" if place else "0"
+
+
+def whole_chain(*ways: tuple[Expr, Expr]) -> tuple[Chart, ...]:
+    """Make the charts of ways of the pusher, in mm, and of all sizes within their limits."""
     sizes = {size: tolerate(value) for size, value in FIRST_SET.sizes.items()}
-    within = {x1: Interval(first, last), **sizes}
-    return Chart(
-        f"{text}, and the sizes are within the limits (at least 0.1 %) of {FIRST_SET.source}",
-        {argument: argument for argument in within},
-        within,
+    places = " or ".join(f"{tell_place(first)} <= x1 <= {tell_place(last)}" for first, last in ways)
+    least = f"at least {float(100 * LEAST_DEVIATION):g} %"
+    text = f"{places}, and the sizes are within the limits ({least}) of {FIRST_SET.source}"
+    ranges = ({x1: Interval(first, last), **sizes} for first, last in ways)
+    return tuple(
+        Chart(text, {argument: argument for argument in within}, within) for within in ranges
     )
 
 
-CHAIN = (whole_chain("-37 mm <= x1 <= 0", Integer(-37), Integer(0)),)
+CHAIN = whole_chain((Integer(-37), Integer(0)))
 # Between, contact starts, for these sizes or those, and the velocity jumps.
-BESIDE_CONTACT = "-37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0"
-VELOCITY = tuple(
-    whole_chain(BESIDE_CONTACT, first, last)
-    for first, last in ((Integer(-37), Integer(-2)), (-Rational(3, 4), Integer(0)))
-)
+VELOCITY = whole_chain((Integer(-37), Integer(-2)), (-Rational(3, 4), Integer(0)))

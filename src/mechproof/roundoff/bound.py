@@ -21,7 +21,6 @@ from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.intervals import (
     EPS,
     ONE,
-    UNIT,
     Ends,
     Interval,
     Mask,
@@ -52,7 +51,7 @@ from mechproof.roundoff.grids import (
     find_own_grid,
 )
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
-from mechproof.roundoff.rules import RULES, Slopes
+from mechproof.roundoff.rules import RULES, Slopes, enclose_rest
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.spreading import RoundedStep, spread, take_least
 from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, HALF, RESTS, Step, StraightLineProgram
@@ -128,8 +127,7 @@ class ErrorAnalysis:
             self._take_small_tangent(step, given[0])
         elif step.kind in RESTS:
             # Of what is compensated: a rounding of its own, which nothing here moves.
-            reach = UNIT * (1 + EPS)
-            self._round(step, given[2].scaled(around(0.0, reach)), (None, None, None))
+            self._round(step, enclose_rest(given[2]), (None, None, None))
         elif step.kind in COMPARISONS or step.kind == CHOICE:
             self._decide(step, given)
         elif step.kind in ("copy", "approximate"):

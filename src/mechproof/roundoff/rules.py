@@ -124,9 +124,14 @@ def _either(
     return a.extreme(b, choose), (some, some)
 
 
+def enclose_rest(rounded: IntervalMonomial) -> IntervalMonomial:
+    """Return what rounding to nearest took from a result."""
+    return rounded.scaled(around(0.0, UNIT * (1 + EPS)))
+
+
 def _sum_rest(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    one, total = _one(given[0]), given[2]
-    return total.scaled(around(0.0, UNIT * (1 + EPS))), (one, one, -one)
+    one = _one(given[0])
+    return enclose_rest(given[2]), (one, one, -one)
 
 
 def _less(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
