@@ -273,3 +273,12 @@ def test_a_series_by_clenshaw_has_one_sine() -> None:
 def test_one_sine_is_no_series() -> None:
     before = arrange(frozenset({a, b}), [(x, a * b)], a + sp.sin(x))
     assert REWRITES["clenshaw"](before) == before
+
+
+@pytest.mark.parametrize("function", [sp.Max, sp.Min])
+def test_steps_come_in_the_order_of_the_arguments_in_every_run(function: type[sp.Expr]) -> None:
+    # In the order of a set, which each run has its own of, 20 steps stand once in 20! runs.
+    steps = tuple((sp.Symbol(f"s{n}", real=True), x + n) for n in range(20))
+    greatest = function(*(symbol for symbol, _ in steps))
+    found = arrange(frozenset({x}), steps, greatest)
+    assert [symbol for symbol, _ in found.steps] == list(greatest.args)

@@ -178,16 +178,16 @@ def _arranged(steps: Iterable[Step], output: sp.Basic) -> dict[str, Any]:
     ordered: dict[sp.Symbol, sp.Expr] = {}
     met: set[sp.Basic] = set()
 
-    def visit(expression: sp.Basic) -> None:
-        nodes = sp.preorder_traversal(expression)
-        for node in nodes:
-            if node in met:
-                nodes.skip()
-                continue
-            met.add(node)
-            if node in values and node not in ordered:
-                visit(values[node])
-                ordered[node] = values[node]
+    def visit(node: sp.Basic) -> None:
+        if node in met:
+            return
+        met.add(node)
+        if node in values:
+            visit(values[node])
+            ordered[node] = values[node]
+        # SymPy's traversals take the arguments of Max and Min in the order of a set.
+        for argument in node.args:
+            visit(argument)
 
     visit(output)
     return {"steps": tuple(ordered.items()), "output": output}
