@@ -381,6 +381,10 @@ def acceleration(
     of it, where (phi1 = 0 or e1 + e2 = 0 or 2**-960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount =
     0 or 2**-830 <= e2*|mount|).
 
+    Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/4, as long as no result overflows or
+    falls below the normal range: at most 24.62 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 7.87; at most 31 eps compiled, found 8.25.
+
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
     """

@@ -18,7 +18,7 @@ from mechproof.record import (
 
 from .._eccentric import on_branch
 from . import forms
-from .charts import MOUNTED, MOUNTED_NEGATED, NEGATED, PLAIN, SMOOTH, STEEP
+from .charts import MOUNTED, MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
 from .mechanics import (
     ACCELERATION,
@@ -209,6 +209,8 @@ QUANTITIES = (
                 forms.ACCELERATION_FORM,
                 ("low_product",),
                 states=forms.by_parts(ACCELERATION),
+                charts=MOUNTED_ROUNDER,
+                mirrors=MOUNTED_NEGATED,
             ),
             Form(
                 "double angles",
