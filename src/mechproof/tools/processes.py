@@ -133,7 +133,7 @@ def run_batches(
             if left:
                 yield from pool.take_ready(0.0)
                 # One processor makes the next batch; the others have tasks ahead meanwhile.
-                pool.fill(max(1, count - 1), AHEAD)
+                pool.fill(count, AHEAD)
         while pool.fill(count, 1):
             yield from pool.take_ready(None)
     finally:
