@@ -614,6 +614,10 @@ def track(
     Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
     1e150 and z*|phi| <= 2**26.
 
+    Proved, where |A| <= 15/16*R and z*|phi| <= 22/7, as long as no result overflows or falls
+    below the normal range: at most 6.31 eps with np.cos within 1 ulp and np.hypot within 1 ulp
+    and np.sin within 1 ulp, found 3.21; at most 5.41 eps compiled, found 3.13.
+
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """

@@ -68,6 +68,29 @@ OFF_POLE = tuple(
     )
     for sign in (1, -1)
 )
+# Of a point the polar angle has a sine, too. It is no more than theta.
+INSIDE, FIRST_PART = sp.Rational(15, 16), sp.Rational(22, 7)
+PERIOD = sp.Symbol("period", positive=True)
+IN_FIRST_PART = tuple(
+    Chart(
+        f"|A| <= {INSIDE}*R and z*|phi| <= {FIRST_PART}",
+        {
+            radius: SIZE,
+            amplitude: sign * SIZE * SHARE,
+            periods: 1 / PERIOD,
+            phi: PHASE * PERIOD,
+            thickness: thickness,
+        },
+        {
+            SIZE: sp.Interval.Lopen(0, sp.oo),
+            SHARE: sp.Interval(0, INSIDE),
+            PERIOD: sp.Interval.Lopen(0, 1),
+            PHASE: sp.Interval(0, FIRST_PART),
+            thickness: sp.Interval(0, sp.oo),
+        },
+    )
+    for sign in (1, -1)
+)
 BY_PLANE = by_larger(error_x, error_y)
 # What is the hypotenuse in the plane is a side in space.
 BY_SPACE = tuple(

@@ -16,7 +16,7 @@ from mechproof.record import (
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
-from .charts import BY_RADII, OFF_POLE
+from .charts import BY_RADII, IN_FIRST_PART, OFF_POLE
 from .kernels_of_poses import POSES, SOURCE, turns
 from .mechanics import CORRECTED_5, CROSS, SQUARES
 from .symbols import *
@@ -185,7 +185,13 @@ QUANTITIES = (
         (*CIRCLE, HEIGHT),
         TRACK,
         (
-            Form("conjugate root", TRACK, ("conjugate_root",)),
+            Form(
+                "conjugate root",
+                TRACK,
+                ("conjugate_root",),
+                charts=IN_FIRST_PART,
+                mirrors=((phi,),),
+            ),
             Form(
                 "printed (16)",
                 sp.ImmutableDenseMatrix(PRINTED_16),

@@ -87,6 +87,9 @@ PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
     "|A| <= 63/64*R and z*|phi| <= 21": lambda at: (
         64 * abs(at["A"]) <= 63 * at["R"] and at["z"] * abs(at["phi"]) <= 21
     ),
+    "|A| <= 15/16*R and z*|phi| <= 22/7": lambda at: (
+        16 * abs(at["A"]) <= 15 * at["R"] and at["z"] * abs(at["phi"]) <= Fraction(22, 7)
+    ),
     "e <= 101/1000 or e >= 102/1000": lambda at: not 0.101 < at["e"] < 0.102,
     f"-37 mm <= x1 <= 0, and {LIMITS}": lambda at: -37 <= at["x1"] <= 0 and are_within_limits(at),
     f"-37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0, and {LIMITS}": lambda at: (
