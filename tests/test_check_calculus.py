@@ -41,6 +41,18 @@ PAIRS = [
     (r"a^n-b^n=(a-b)\sum_{k=0}^{n-1}%s", ("a^{n-1-k}b^k", "a^{n-k}b^k"), ()),
     (r"\sum_{k=1}^n2^{n-k}=%s", ("2^n-1", "2^n"), ()),
     (r"\sum_{k=1}^n(-1)^{n-k}k=%s", (r"\frac{2n+1-(-1)^n}4", r"\frac{2n+1}4"), ()),
+    # Angles that rise by the same step.
+    (r"\sum_{k=0}^{n-1}\cos\left(x+\frac{2\pi k}n\right)=%s", ("0", r"\cos x"), (r"n\ge2",)),
+    (r"\sum_{k=0}^{n-1}\cos^2\left(x+\frac{2\pi k}n\right)=%s", (r"\frac n2", "n"), (r"n\ge3",)),
+    (r"\sum_{k=1}^n\sin\frac{2\pi k}n\cos\frac{2\pi k}n=%s", ("0", r"\frac{n-2}n"), ()),
+    (r"\sum_{k=1}^n\cos\frac{2k\pi}{2n+1}=%s", (r"-\frac12", r"\frac12"), ()),
+    (r"\sum_{k=1}^{n-1}\sin\frac{k\pi}n=%s", (r"\cot\frac\pi{2n}", r"\tan\frac\pi{2n}"), ()),
+    (r"\prod_{k=1}^{n-1}2\sin\frac{k\pi}n=%s", ("n", "n-1"), ()),
+    (
+        r"\prod_{k=0}^{n-1}\sin\left(x+\frac{k\pi}n\right)=%s",
+        (r"\frac{\sin nx}{2^{n-1}}", r"\frac{\sin nx}{2^n}"),
+        (),
+    ),
     # Limits of sequences, by their quotients, and of what is like its argument.
     (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
     (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
@@ -108,6 +120,19 @@ NOT_PROVED = [
     (r"\int_0^n\frac{dx}{x-n}=0", (r"n\in\mathbb N",)),
     (r"\sum_{k=1}^n(n-k)!=n!", ()),
     (r"a^n-b^n=(a+b)\sum_{k=0}^{n-1}a^{n-1-k}b^k", ()),
+    # Steps that may be a whole turn, or none; terms and sums without a value.
+    (r"\sum_{k=0}^{n-1}\cos\frac{2\pi k}n=0", ()),
+    (r"\sum_{k=0}^{n-1}\cos^2\left(x+\frac{2\pi k}n\right)=\frac n2", (r"n\ge2",)),
+    (r"\sum_{k=0}^{n-1}\cos^3\left(x+\frac{2\pi k}n\right)=0", (r"n\ge3",)),
+    (r"\sum_{k=0}^{n-1}\cos\frac{2\pi ak}n=0", (r"n\ge2",)),
+    (r"\sum_{k=0}^{n-1}\cos\frac{2\pi mk}n=0", (r"n\ge2", r"m\in\mathbb N")),
+    (r"\sum_{k=1}^{n-2}\cos\frac{2\pi k}n=-1-\cos\frac{2\pi}n", ()),
+    (r"\sum_{k=0}^{n-1}\frac1{n-1}\cos\frac{2\pi k}n=0", ()),
+    (r"\sum_{k=1}^n\tan\frac{k\pi}n=0", ()),
+    (r"\sum_{k=0}^{n-1}\cos\frac{2\pi k}{n-2}=1", (r"n\ge2",)),
+    (r"\prod_{k=0}^{n-1}\cos\left(x+\frac{k\pi}n\right)=\frac{\cos nx}{2^{n-1}}", ()),
+    (r"\prod_{k=1}^{n-1}a\sin\frac{k\pi}n=\frac{na}{2^{n-1}}", ()),
+    (r"\prod_{k=1}^{n-2}\sin\frac{k\pi}n=\frac n{2^{n-1}\sin\frac\pi n}", ()),
     # Quotients that come to 1 or more, or have none; what has no value far out.
     (r"\lim_{n\to\infty}q^n=0", (r"|q|\le1", r"n\in\mathbb N")),
     (r"\lim_{n\to\infty}\frac{3^nn!}{n^n}=0", ()),

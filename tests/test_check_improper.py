@@ -55,6 +55,14 @@ PAIRS = [
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+k}=%s", r"\ln2", r"\ln3", ()),
     (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+ak}=%s", r"\frac{\ln(1+a)}a", r"\ln(1+a)", ("a>0",)),
+    # Sums that are infinite.
+    (r"\sum_{k=1}^\infty\frac1k=%s", r"\infty", "5", ()),
+    (r"\sum_{k=1}^\infty\frac{-1}{2k-1}=%s", r"-\infty", r"\infty", ()),
+    (r"\sum_{k=1}^\infty k=%s", r"\infty", r"-\frac1{12}", ()),
+    (r"\sum_{k=2}^\infty\frac1{k\ln k}=%s", r"\infty", "1", ()),
+    (r"\sum_{k=1}^\infty\sin\frac ak=%s", r"\infty", r"-\infty", ("a>0",)),
+    (r"\sum_{k=0}^\infty q^k=%s", r"\infty", "1", ("q>1",)),
+    (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1k=%s", r"\infty", "1", ()),
     (r"\lim_{x\to a}\frac{|x-a|}{x-a}=%s", "1", "-1", ("x>a",)),
     (r"\lim_{x\to a}\frac{|x-a|}{x-a}=%s", "-1", "1", ("a>x",)),
     (r"\lim_{x\to0}\frac{\sqrt x\sqrt{x-x^2}}{|x|}=%s", "1", "-1", ()),
@@ -96,8 +104,22 @@ OPEN = [
     (r"\int2x\operatorname{sgn}(x^2-1)dx=x^2\operatorname{sgn}(x^2-1)+C", ()),
     (r"\int\operatorname{sgn}x\,dx=|x|+\operatorname{sgn}x+C", ()),
     (r"\int|\cos x|dx=\sin x\operatorname{sgn}(\cos x)+C", ()),
-    # A sum may come to infinity, of which SymPy says that it has a value.
-    (r"\sum_{k=1}^\infty k=\infty", ()),
+    # A sum of which it is not shown that all terms have values and are large enough.
+    (r"\sum_{k=0}^\infty\frac1k=\infty", ()),
+    (r"\sum_{k=1}^\infty\frac1{k-5}=\infty", ()),
+    (r"\sum_{k=1}^\infty\frac1{\sqrt{k-3}}=\infty", ()),
+    (r"\sum_{k=1}^\infty\frac1{k\ln k}=\infty", ()),
+    (r"\sum_{k=1}^\infty\frac1{k\ln^2(k+1)}=\infty", ()),
+    (r"\sum_{k=1}^\infty\frac1{k+a}=\infty", ("a<0",)),
+    (r"\sum_{k=1}^\infty\frac ak=\infty", (r"a\ge0",)),
+    (r"\sum_{k=1}^\infty k^{-p}=\infty", ("p>0",)),
+    (r"\sum_{k=0}^\infty q^k=\infty", (r"q\ge1",)),
+    (r"\sum_{k=1}^\infty(-1)^kk=\infty", ()),
+    (r"\sum_{k=1}^\infty(k-3)!=\infty", ()),
+    # Within a formula infinity is no number, also where SymPy says that the sum has a value.
+    (r"\sum_{k=1}^\infty\frac1k=\sum_{k=1}^\infty\frac1{k+1}-1", ()),
+    (r"\sum_{k=1}^\infty\frac1k-\sum_{k=1}^\infty\frac1k=0", ()),
+    (r"\frac1{\sum_{k=1}^\infty\frac1k}=0", ()),
     # SymPy would integrate numerically to order the terms of the reason.
     (r"\int_0^3\frac{dx}{\sqrt[3]{x-1}}=3", ()),
 ]

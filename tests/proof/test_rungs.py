@@ -29,6 +29,7 @@ from mechproof.proof import (
     taylor,
     telescoping,
     vector_angles,
+    wave_sums,
 )
 from mechproof.proof.equalities import IDENTICAL
 from mechproof.proof.ladder import UNCOMPARED
@@ -50,6 +51,7 @@ NAMED += [
     powers.RUNG,
     induction.RUNG,
     inductive_inequalities.RUNG,
+    wave_sums.RUNG,
     UNCOMPARED,
     limits.FROM_SIDES,
     newton.RUNG,

@@ -52,7 +52,7 @@ def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain
             rest = sp.expand(slack.value - slope * symbol)
             if slope.is_number and slope != 0 and not rest.has(symbol):
                 value = {symbol: -rest / slope}
-                return (*(substitute(side, value) for side in sides), _fix(domain, value))
+                return (*(substitute(side, value) for side in sides), fix(domain, value))
     return (*sides, domain)
 
 
@@ -66,12 +66,12 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     count = min(counts, key=str)
     zero, later = {count: sp.S.Zero}, sp.Symbol(count.name, integer=True, positive=True)
     at_zero = (write_out(substitute(side, zero)) for side in sides)
-    from_one = _fix(domain, {count: later})
+    from_one = fix(domain, {count: later})
     from_one = replace(from_one, within={**from_one.within, later: sp.S.Naturals})
     return _join(
         prove(*parts, part)
         for parts, part in (
-            (at_zero, _fix(domain, zero)),
+            (at_zero, fix(domain, zero)),
             ((substitute(side, {count: later}) for side in sides), from_one),
         )
     )
@@ -94,7 +94,7 @@ def decide_from_zero_base(sides: Sides, domain: Domain, prove: Prove) -> str | N
     return _join(
         prove(*parts, part)
         for parts, part in (
-            ((substitute(side, zero) for side in sides), _fix(domain, zero)),
+            ((substitute(side, zero) for side in sides), fix(domain, zero)),
             (sides, domain.with_set(symbol, values - sp.FiniteSet(0))),
         )
     )
@@ -161,7 +161,7 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     symbol = min(listed, key=str)
     values = [{symbol: value} for value in domain.set_of(symbol).args]
     return _join(
-        prove(*(substitute(side, value) for side in sides), _fix(domain, value)) for value in values
+        prove(*(substitute(side, value) for side in sides), fix(domain, value)) for value in values
     )
 
 
@@ -242,7 +242,8 @@ def _assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
     return side.xreplace(known).xreplace(size)
 
 
-def _fix(domain: Domain, value: Mapping[sp.Basic, sp.Expr]) -> Domain:
+def fix(domain: Domain, value: Mapping[sp.Basic, sp.Expr]) -> Domain:
+    """Return the part of a domain on which symbols have values."""
     within = {symbol: values for symbol, values in domain.within.items() if symbol not in value}
     where = tuple(substitute(relation, value) for relation in domain.where)
     return replace(domain, within=within, where=where, given={**domain.given, **value})

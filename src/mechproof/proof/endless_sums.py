@@ -1,7 +1,8 @@
 """Sums without end: the limit of the partial sums, where both are shown.
 
 SymPy proposes the partial sum, by Gosper's algorithm (1978); that of a geometric series is known.
-It counts if it begins and grows as the sum does, by induction, and has a limit.
+It counts if it begins and grows as the sum does, by induction, and has a limit. A sum is infinite
+whose terms have values and are in the end no less than those of c/k or c/(k*ln k), c > 0.
 """
 
 from __future__ import annotations
@@ -14,9 +15,10 @@ import sympy as sp
 from sympy.concrete.gosper import gosper_sum
 
 from mechproof.domains.domain import Domain
+from mechproof.proof.definedness import has_values
 from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import decide_by_induction, sum_up
-from mechproof.proof.signs import is_positive
+from mechproof.proof.signs import find_sign, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 from mechproof.record.parts import find_bound, find_parts
 
@@ -24,6 +26,7 @@ RUNG = "limit of partial sums"
 # Work limit: a term of more operations is not tried.
 _LARGEST = 40
 _N = sp.Dummy("n", integer=True, positive=True)
+_ABOVE = sp.Dummy("above", integer=True, nonnegative=True)
 
 
 def settle_endless(expression: Any, domain: Domain) -> Any:
@@ -32,11 +35,16 @@ def settle_endless(expression: Any, domain: Domain) -> Any:
 
 
 def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
-    """Put values in the places of sums that have no letters of others; none leaves a sum."""
+    """Put values in the places of sums that have no letters of others; none leaves a sum.
+
+    Infinity is put for a sum that stands alone.
+    """
     bound = set(find_bound(expression))
     sums = (s for s in find_parts(expression, sp.Sum, sp.Product) if not s.free_symbols & bound)
     values = ((node, find(node)) for node in sorted(sums, key=str))
-    return expression.xreplace({node: value for node, value in values if value is not None})
+    known = {node: value for node, value in values if value is not None}
+    finite = {node: value for node, value in known.items() if not value.is_infinite}
+    return known.get(expression, expression.xreplace(finite))
 
 
 def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:
@@ -54,16 +62,32 @@ def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     if isinstance(total, sp.Product):
         partial = sum_up(sp.Product(term, (k, first, _N)), _N, domain)
         return None if partial.has(sp.Product) else _find_limit(partial, domain)
+    if (endless := _find_infinity(term, k, first, domain)) is not None:
+        return endless
     ratio = sp.powsimp(term.subs(k, k + 1) / term)
     if not ratio.has(k):
         return term.subs(k, first) / (1 - ratio) if is_positive(1 - ratio**2, domain) else None
-    above = sp.Dummy("above", integer=True, nonnegative=True)
-    if not is_nonzero_below(term, {k: first + above}, domain):
+    if not is_nonzero_below(term, {k: first + _ABOVE}, domain):
         return None
     partial = gosper_sum(term, (k, first, _N))
     if partial is None or not decide_by_induction(sp.Sum(term, (k, first, _N)), partial, domain):
         return None
     return _find_limit(partial, domain)
+
+
+def _find_infinity(
+    term: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain
+) -> sp.Expr | None:
+    """Return plus or minus infinity, by which a harmonic series or a slower one is exceeded."""
+    from_first = domain.with_set(_ABOVE, sp.S.Naturals0)
+    if not has_values(term.subs(k, first + _ABOVE), from_first):
+        return None
+    for size in (k, k * sp.log(k)):
+        limit = find_limit(term * size, k, sp.oo, -1, domain)
+        sign = find_sign(sp.sign(limit), domain) if limit is not None else None
+        if sign is not None and sign.strict:
+            return sign.direction * sp.oo
+    return None
 
 
 def _find_limit(partial: sp.Expr, domain: Domain) -> sp.Expr | None:

@@ -29,6 +29,7 @@ from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument
+from mechproof.proof.wave_sums import decide_by_steps
 from mechproof.record.parts import has_parts
 from mechproof.record.substitution import write_steps
 
@@ -71,6 +72,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
         return None
     found = found or decide_by_antiderivative(*sides, domain, prove_equal)
     found = found or decide_by_parts(*sides, domain, prove_equal)
+    found = found or decide_by_steps(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
     found = found or decide_from_zero_base(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)

@@ -65,6 +65,8 @@ RUNGS = {
     "series of an elementary function, where it converges, or of an even value of zeta",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
+    "angles that rise by the same step": "each term of a sum of sines and cosines is a difference "
+    "by sines of half the step, so all but the ends cancel",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
