@@ -30,6 +30,28 @@ ROWS = [
     (r"\mathbf F=m\mathbf a", DEFINITION),
     (r"\vec r_{AB}+\vec r_{BC}=\vec r_{AC}", DEFINITION),
     (rf"{_A}=2{_A}", REFUTED),
+    # Those that depend on the time, with their derivatives beside them.
+    (rf"\frac d{{dt}}({_A}\cdot{_B})=\dot{{{_A}}}\cdot{_B}+{_A}\cdot\dot{{{_B}}}", PROVED),
+    (rf"\frac d{{dt}}({_A}\cdot{_B})=\dot{{{_A}}}\cdot\dot{{{_B}}}", REFUTED),
+    (rf"\frac d{{dt}}({_A}\times{_B})=\dot{{{_A}}}\times{_B}+{_A}\times\dot{{{_B}}}", PROVED),
+    (rf"\frac d{{dt}}({_A}\times{_B})=\dot{{{_A}}}\times{_B}+\dot{{{_B}}}\times{_A}", REFUTED),
+    (rf"\frac d{{dt}}({_A}\cdot{_C})=\dot{{{_A}}}\cdot{_C}", PROVED),
+    (r"\frac d{dt}|\vec r|=\frac{\vec r\cdot\dot{\vec r}}{|\vec r|}", PROVED),
+    (r"\frac d{dt}|\vec r|=|\dot{\vec r}|", REFUTED),
+    (r"\frac d{dt}(m\vec r\times\dot{\vec r})=m\vec r\times\ddot{\vec r}", PROVED),
+    (r"\frac d{dt}(m\vec r\times\dot{\vec r})=m\dot{\vec r}\times\ddot{\vec r}", REFUTED),
+    (r"\frac d{dt}(x\vec r)=\dot x\vec r+x\dot{\vec r}", PROVED),
+    (
+        r"\frac d{dt}(\vec r_1\cdot\vec s)=\dot{\vec r}_1\cdot\vec s+\vec r_1\cdot\dot{\vec s}",
+        PROVED,
+    ),
+    (
+        r"\frac d{dt}(\vec r_1\cdot\vec s)=\dot{\vec r}_1\cdot\vec s-\vec r_1\cdot\dot{\vec s}",
+        REFUTED,
+    ),
+    (rf"\frac d{{dt}}({_M}\mathbf x)=\dot{{{_M}}}\mathbf x+{_M}\dot{{\mathbf x}}", PROVED),
+    (rf"\frac d{{dt}}({_M}^{{-1}})=-\dot{{{_M}}}", REFUTED),
+    (r"\vec r\cdot\dot{\vec r}=0", REFUTED),
 ]
 REFUSED = [
     (rf"{_A}+1={_A}", "do not fit"),
@@ -42,6 +64,10 @@ REFUSED = [
     (r"\vec e_x\cdot\vec e_y=0", "unit vector or matrix"),
     (r"\hat{\mathbf n}\cdot\hat{\mathbf n}=1", "unit vector or matrix"),
     (rf"{_A}\cdot{_B}={_B}\times{_A}", "same size"),
+    (rf"\frac d{{dt}}({_A}\cdot{_B})=\dot{{{_A}}}\cdot{_B}", r"\\mathbf b may depend on t"),
+    (r"\frac d{dt}(x\vec r)=x\dot{\vec r}", "x may depend on t"),
+    (r"\frac d{dx}(x\vec r)=x\dot{\vec r}", "beside a derivative by x"),
+    (r"\int_0^T\dot{\vec r}\,dt=T\dot{\vec r}", "that is not worked out"),
     (r"\mathbf x=\begin{pmatrix}1\\2\end{pmatrix}", "same size"),
 ]
 

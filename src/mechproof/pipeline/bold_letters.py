@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.left_scripts import VECTORS
+from mechproof.latex.values import Moving
 from mechproof.record import Definition, Equality, Row, Variable
 
 _BOLD = re.compile(
@@ -17,6 +18,8 @@ _BOLD = re.compile(
     r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
     r"(?P<index>_(?:\w|\{[^{}]*\}))?"
 )
+# An index behind the dots of a letter is that of the letter.
+_BEHIND_DOTS = re.compile(r"(\\d{1,3}ot\s*\{[^{}]*(?:\{[^{}]*\})?)\s*\}(_(?:\w|\{[^{}]*\}))")
 # Types in which a capital may be a matrix, and letters side by side are a product; an arrow may
 # stand above two points.
 _TYPE = r"\\(?:mathbf|boldsymbol|bm|pmb)\s*"
@@ -31,7 +34,8 @@ def find_bold(prints: Iterable[str], named: Iterable[str]) -> tuple[str, ...]:
 
     Each has its index.
     """
-    found = [one[0] for text in prints for one in _BOLD.finditer(text)]
+    texts = (_BEHIND_DOTS.sub(r"\1\2}", text) for text in prints)
+    found = [one[0] for text in texts for one in _BOLD.finditer(text)]
     numbers = {*map(_bare, named)}
     letters = {_bare(latex): latex for latex in reversed(found)}
     return tuple(latex for bare, latex in letters.items() if bare not in numbers)
@@ -48,9 +52,24 @@ def show_entries(variable: Variable) -> Iterator[Variable]:
     if not isinstance(symbol, sp.MatrixSymbol):
         yield variable
         return
-    entries = [sp.Symbol(f"{symbol}[{place}]", real=True) for place in _list_places(symbol)]
+    entries = _list_entries(symbol)
     yield replace(variable, given=sp.ImmutableMatrix(*symbol.shape, entries))
     yield from (Variable(entry, variable.meaning, latex=()) for entry in entries)
+
+
+def move_entries(moving: Moving) -> Moving:
+    """Return what depends on what with the entries of vectors and matrices that do."""
+    entries = {
+        entry: (by, own)
+        for letter, (by, rates) in moving.items()
+        if isinstance(letter, sp.MatrixSymbol)
+        for entry, *own in zip(*map(_list_entries, (letter, *rates)), strict=True)
+    }
+    return {**moving, **{entry: (by, tuple(own)) for entry, (by, own) in entries.items()}}
+
+
+def _list_entries(symbol: sp.MatrixSymbol) -> list[sp.Symbol]:
+    return [sp.Symbol(f"{symbol}[{place}]", real=True) for place in _list_places(symbol)]
 
 
 def _list_places(symbol: sp.MatrixSymbol) -> list[str]:

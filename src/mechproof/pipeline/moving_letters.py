@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.left_scripts import VECTORS, begins_letter
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING
@@ -23,9 +23,11 @@ from mechproof.record import Variable
 _FUNCTIONS = (*"fghpqrsuvwyzFGH",)
 # Letters that are mostly constants beside others that depend on something; so with an index.
 _CONSTANT = (*"abcdegiklmnrABCGIJKLMNR", "delta", "lambda", "mu", "pi")
+_CONSTANT_VECTORS = tuple(f"{kind[1:]}c" for kind in VECTORS)
 _RATE = re.compile(
     r"(?P<primed>[^']+)(?P<primes>'+)"
-    r"|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+)\s*\}?(?P<index>.*)"
+    r"|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+(?:\s*\{\\?[A-Za-z]+\})?)\s*\}?"
+    r"(?P<index>.*)"
 )
 # What is done to a derivative as to a constant, although it is none.
 _OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
@@ -117,7 +119,8 @@ def find_moving(
     where others may depend on something as well; `ValueError` if that is asked for then.
     """
     shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
-    symbols = {name: v.symbol for name, v in shown.items() if isinstance(v.symbol, sp.Symbol)}
+    kinds = (sp.Symbol, sp.MatrixSymbol)
+    symbols = {name: v.symbol for name, v in shown.items() if isinstance(v.symbol, kinds)}
     met = [(v, rate) for v in shown.values() if (rate := _RATE.fullmatch(v.latex[0]))]
     primed = {name_symbol(rate["primed"]) for _, rate in met if rate["primed"]}
     of = {name_symbol(letter): name_symbol(by) for letter, by in functions.items()}
@@ -145,14 +148,16 @@ def find_moving(
         is_lone = len(known) + (base in symbols) < _FEWEST and base not in of
         others = sorted(unclear - {by}) or [base] * is_lone
         if others and (by in below or "'" in differentials):
+            other = shown[others[0]].latex[0] if others[0] in shown else others[0]
             raise ValueError(
-                f"{others[0]} may depend on {by} as others do: print its derivatives as well, or "
+                f"{other} may depend on {by} as others do: print its derivatives as well, or "
                 "call it c if it is a constant"
             )
         if others:
             continue
-        unnamed = {n: sp.Symbol(f"{base}^({n})", real=True) for n in _ORDERS}
-        letters[_get(symbols, base)] = _get(symbols, by), tuple({**unnamed, **known}.values())
+        letter = _get(symbols, base)
+        unnamed = {n: _make_like(letter, f"{base}^({n})") for n in _ORDERS}
+        letters[letter] = _get(symbols, by), tuple({**unnamed, **known}.values())
     named = symbols.values()
     rates = (rate for _, own in letters.values() for rate in own if rate not in named)
     variables = [Variable(rate, str(rate), latex=()) for rate in rates]
@@ -197,7 +202,7 @@ def _refuse_others(
 
     Dots and primes of one print are by different letters, and may be of one that depends on both.
     """
-    names = sorted({*moving} | {name_symbol(_name_base(rate)) for _, rate in met})
+    names = sorted({_name_base(rate) for _, rate in met} or {*moving})
     if names and (found := sorted({*_OTHERWISE} & {*differentials})):
         raise ValueError(
             f"{names[0]} depends on another letter, and {found[0]} stands beside its derivative: "
@@ -213,9 +218,20 @@ def _name_base(rate: re.Match[str]) -> str:
 
 
 def _is_constant(name: str, primed: Collection[str]) -> bool:
-    """Return whether a letter is mostly a constant; g may be a function beside ones with primes."""
+    """Return whether a letter is mostly a constant; g may be a function beside ones with primes.
+
+    Of vectors that is c alone.
+    """
     stem = name.partition("_")[0]
-    return stem in _CONSTANT and not (primed and stem == "g")
+    is_constant = stem in _CONSTANT and not (primed and stem == "g")
+    return is_constant or stem in _CONSTANT_VECTORS
+
+
+def _make_like(letter: sp.Basic, name: str) -> sp.Basic:
+    """Return a letter of another name, a vector if the letter is one."""
+    if isinstance(letter, sp.MatrixSymbol):
+        return sp.MatrixSymbol(name, *letter.shape)
+    return sp.Symbol(name, real=True)
 
 
 def _get(symbols: Mapping[str, sp.Symbol], name: str) -> sp.Symbol:

@@ -17,7 +17,13 @@ from mechproof.nomenclature.adjacent_letters import find_factors, find_increment
 from mechproof.nomenclature.counting_letters import find_counts
 from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
 from mechproof.nomenclature.relations import read_relations
-from mechproof.pipeline.bold_letters import find_bold, is_capital, refuse_unclear, show_entries
+from mechproof.pipeline.bold_letters import (
+    find_bold,
+    is_capital,
+    move_entries,
+    refuse_unclear,
+    show_entries,
+)
 from mechproof.pipeline.given_letters import (
     find_all_rates,
     find_given_moving,
@@ -111,7 +117,7 @@ def read_letters(pasted: Pasted) -> Letters:
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
-        moving=moving.letters,
+        moving=move_entries(moving.letters),
         primed=moving.primed,
         phases=frozenset((one, other) for one, other in phases if one and other),
     )

@@ -13,7 +13,9 @@ from mechproof.latex.tokens import list_signs
 EULER = r"e=\mathrm{e}"
 _LOGARITHMS = (r"\ln", r"\log")
 # A derivative, or an integral, has a d that is no letter.
-_DIFFERENTIAL = re.compile(r"\\i{0,2}int(?![A-Za-z])|\}\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]")
+_DIFFERENTIAL = re.compile(
+    r"\\i{0,2}int(?![A-Za-z])|(?:\}|\\frac\s*d)\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]"
+)
 # Of which numbers letters are, behind a print: \quad(n\in\mathbb{N}).
 _SET = re.compile(
     r"\\in\s*\\mathbb\s*\{?\s*(?P<set>[NR])\s*\}?(?P<zero>_\{?0\}?)?\s*(?P<close>\)?)\s*\Z"
