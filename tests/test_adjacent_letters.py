@@ -9,7 +9,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
+PROVED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.REFUTED, Verdict.UNDECIDED
 
 # A print, what is said of its letters, and its verdict.
 ROWS = [
@@ -43,6 +43,12 @@ ROWS = [
     ),
     (r"\frac{\mathrm d}{\mathrm dt}\mathrm e^{-\delta t}=-\delta\mathrm e^{-\delta t}", (), PROVED),
     (r"\mathrm e^{-\delta t}\cos t\le\mathrm e^{-\delta t}", (), PROVED),
+    # A letter and one that goes to a limit are one argument.
+    (r"\lim_{x\to0}\frac{\sin2ax}{\tan bx}=\frac{2a}b", (), UNDECIDED),
+    (r"\lim_{x\to0}\frac{\sin2ax}{\tan(1+b^2)x}=\frac{2a}{1+b^2}", (), PROVED),
+    (r"\lim_{x\to0}\frac{1-\cos ax}{x^2}=\frac{a^2}2", (), PROVED),
+    (r"\lim_{x\to0}\frac{\sin ax}x=\sin a", (), REFUTED),
+    (r"\lim_{x\to\infty}\sin ax=0", (), UNDECIDED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=2x", (), PROVED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=x", (), REFUTED),
     ("y'=2x", ("y=x^2",), PROVED),

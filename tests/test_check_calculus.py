@@ -37,6 +37,35 @@ PAIRS = [
         (r"n\in\mathbb N",),
     ),
     (r"\int_0^{n\pi}|\sin x|\,dx=%s", ("2n", "n"), (r"n\in\mathbb N",)),
+    # Lengths of arcs, whose roots are those of squares.
+    (
+        r"\int_0^\alpha r\sqrt{(t\cos t)^2+(t\sin t)^2}\,dt=%s",
+        (r"\frac{r\alpha^2}2", r"r\alpha^2"),
+        (r"\alpha>0",),
+    ),
+    (
+        r"\int_0^\alpha\sqrt{(t\cos t)^2+(t\sin t)^2}\,dt=%s",
+        (r"-\frac{\alpha^2}2", r"\frac{\alpha^2}2"),
+        (r"\alpha<0",),
+    ),
+    (
+        r"\int_0^l\sqrt{1+\sinh^2\frac xa}\,dx=%s",
+        (r"a\sinh\frac la", r"a\cosh\frac la"),
+        ("a>0", "l>0"),
+    ),
+    (
+        r"\int_0^{2\pi}\sqrt{(R\cos^2t\sin t)^2+(R\sin^2t\cos t)^2}\,dt=%s",
+        ("2R", "0"),
+        ("R>0",),
+    ),
+    (
+        r"\int_1^2\sqrt{1+\left(\frac x2-\frac1{2x}\right)^2}\,dx=%s",
+        (r"\frac34+\frac12\ln2", r"\frac34-\frac12\ln2"),
+        (),
+    ),
+    (r"\int_0^{2\pi}\sqrt{(R\sin t)^2+(R\cos t)^2}\,dt=%s", (r"2\pi|R|", r"2\pi R"), ()),
+    (r"\int_0^x\sqrt{1-\sin^2t}\,dt=%s", (r"\sin x", r"\cos x"), (r"0<x<\frac\pi2",)),
+    (r"\int_a^b\sqrt{t^2}\,dt=%s", (r"\frac{b^2-a^2}2", r"\frac{b^2-a^2}3"), ("b>a", "a>0")),
     # Sums whose terms change by one factor from n to n + 1.
     (r"a^n-b^n=(a-b)\sum_{k=0}^{n-1}%s", ("a^{n-1-k}b^k", "a^{n-k}b^k"), ()),
     (r"\sum_{k=1}^n2^{n-k}=%s", ("2^n-1", "2^n"), ()),
@@ -62,6 +91,7 @@ PAIRS = [
     (r"\lim_{n\to\infty}n\sin\frac{2\pi}n=%s", (r"2\pi", "0"), (r"n\in\mathbb N",)),
     (r"\lim_{n\to\infty}n\tan\frac\pi n=%s", (r"\pi", "0"), ()),
     (r"\lim_{x\to\infty}x(\ln(x+a)-\ln x)=%s", ("a", "2a+1"), ()),
+    (r"\lim_{x\to0}\frac{\sin ax}{\sin bx}=%s", (r"\frac ab", r"\frac ba"), (r"b\ne0",)),
     (r"\lim_{n\to\infty}\sum_{k=0}^nq^k=%s", (r"\frac1{1-q}", r"\frac q{1-q}"), ("|q|<1",)),
     (r"\prod_{n=2}^\infty\left(1-\frac1{n^2}\right)=%s", (r"\frac12", r"\frac13"), ()),
     # From one whole number to the next by parts.
@@ -120,6 +150,13 @@ NOT_PROVED = [
     (r"\int_0^n\frac{dx}{x-n}=0", (r"n\in\mathbb N",)),
     (r"\sum_{k=1}^n(n-k)!=n!", ()),
     (r"a^n-b^n=(a+b)\sum_{k=0}^{n-1}a^{n-1-k}b^k", ()),
+    # Roots of squares of what may have either sign, or none between the limits.
+    (r"\int_a^b\sqrt{t^2}\,dt=\frac{b^2-a^2}2", ("b>a",)),
+    (r"\int_0^x\sqrt{1-\sin^2t}\,dt=\sin x", ("x>0",)),
+    (r"\int_0^l\sqrt{\cosh^2\frac xa-1}\,dx=a\cosh\frac la-a", ("a>0",)),
+    (r"\int_0^l\sqrt{1+\sinh^2\frac xa}\,dx=a\sinh\frac la", ()),
+    (r"\int_0^\pi\sqrt{1+\tan^2x}\,dx=0", ()),
+    (r"\int_{-1}^1\sqrt{\frac1{t^2}}\,dt=2", ()),
     # Steps that may be a whole turn, or none; terms and sums without a value.
     (r"\sum_{k=0}^{n-1}\cos\frac{2\pi k}n=0", ()),
     (r"\sum_{k=0}^{n-1}\cos^2\left(x+\frac{2\pi k}n\right)=\frac n2", (r"n\ge2",)),

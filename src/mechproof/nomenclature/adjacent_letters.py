@@ -56,17 +56,21 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
 def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
     r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx.
 
-    So do a letter and \pi, and a ratio of fixed letters with one that runs, \sin\frac{2\pi}Tt.
+    So do a letter and \pi, a letter and one that goes to a limit, and a ratio of fixed letters with
+    one that runs, \sin\frac{2\pi}Tt.
     """
     met: list[tuple[str, str]] = []
     found: set[tuple[str, str]] = set()
     for texts in map(list_signs, prints):
+        going = {"".join(texts[n + 3 : n + 4]) for n, x in enumerate(texts) if x == r"\lim"}
         for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
             n = _skip_power(texts, start + 1)
             while texts[n : n + 1] and is_digit(texts[n]):
                 n += 1
             one, other, third = (*texts[n : n + 3], "", "", "")[:3]
             met.append((one, other))
+            if one in _RATES and other in going:
+                found.add((one, other))
             if texts[start] not in _OF_ANGLES:
                 continue
             if one == r"\pi" or (other == r"\pi" and one.isalpha()):

@@ -29,10 +29,12 @@ from mechproof.proof.improper import (
     list_poles,
     list_zeros_between,
 )
+from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import are_seen_to_differ, points_for
-from mechproof.proof.signs import is_nonzero
+from mechproof.proof.roots_of_squares import write_roots
+from mechproof.proof.signs import find_sign, is_nonzero
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record.parts import find_bound, find_parts
@@ -131,10 +133,13 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
-    if (written := integrand.replace(lambda node: node.is_Pow, _halve_angle)).has(sp.Abs):
+    written = write_roots(integrand, variable, domain)
+    if any(modulus.has(variable) for modulus in written.atoms(sp.Abs)):
         found = _find_value_by_signs(written, variable, lower, upper, domain)
         if found is not None or written == integrand:
             return found
+    elif written != integrand:
+        return _find_value(sp.Integral(written, *integral.limits), domain)
     found = _find_between_poles(integrand, variable, lower, upper, domain)
     return _find_from_both_ends(integral, domain) if found is None else found
 
@@ -171,22 +176,6 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     if find_break(running, variable, domain.with_set(variable, run)) is not None:
         return None
     return _find_by_antiderivative(mean, variable, lower, upper, domain)
-
-
-def _halve_angle(root: sp.Pow) -> sp.Expr:
-    """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
-
-    That of a(1 + cos u) is written by the cosine.
-    """
-    if root.exp != sp.S.Half or len(waves := root.atoms(sp.cos)) != 1:
-        return root
-    (wave,), cosine = waves, sp.Dummy("c")
-    squares = {sp.sin(wave.args[0]) ** 2: 1 - cosine**2, wave: cosine}
-    radicand = sp.expand(sp.expand(root.base).subs(squares)).as_poly(cosine)
-    for end, half in ((1, sp.sin), (-1, sp.cos)):
-        if radicand and radicand.degree() == 1 and radicand.eval(end) == 0:
-            return sp.sqrt(-2 * end * radicand.LC()) * sp.Abs(half(wave.args[0] / 2))
-    return root
 
 
 def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -281,14 +270,13 @@ def _find_value_by_signs(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
     """Cut an integral between numbers where what stands in a modulus is zero."""
-    modulus = max(integrand.atoms(sp.Abs), key=lambda node: (node.count_ops(), str(node)))
+    moduli = [modulus for modulus in integrand.atoms(sp.Abs) if modulus.has(variable)]
+    modulus = max(moduli, key=lambda node: (node.count_ops(), str(node)))
     (inner,) = modulus.args
-    if not (lower.is_number and upper.is_number):
-        return None
     cuts = [lower, *list_zeros_between(inner, variable, lower, upper), upper]
     total = sp.S.Zero
     for start, end in pairwise(cuts):
-        sign = find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
+        sign = _find_sign_between(inner, variable, start, end, domain)
         if sign is None:
             return None
         part = integrand.xreplace({modulus: sign.direction * inner})
@@ -297,3 +285,12 @@ def _find_value_by_signs(
             return None
         total += value
     return total
+
+
+def _find_sign_between(
+    inner: sp.Expr, variable: sp.Symbol, start: sp.Expr, end: sp.Expr, domain: Domain
+) -> StrictSign | None:
+    if start.is_number and end.is_number:
+        return find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
+    place, run = parametrise(variable, start, end)
+    return find_sign(inner.subs(variable, place), domain.with_set(variable, run.interior))
