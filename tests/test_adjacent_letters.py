@@ -45,7 +45,7 @@ ROWS = [
     (r"\mathrm e^{-\delta t}\cos t\le\mathrm e^{-\delta t}", (), PROVED),
     # A letter and one that goes to a limit are one argument.
     (r"\lim_{x\to0}\frac{\sin2ax}{\tan bx}=\frac{2a}b", (), UNDECIDED),
-    (r"\lim_{x\to0}\frac{\sin2ax}{\tan(1+b^2)x}=\frac{2a}{1+b^2}", (), PROVED),
+    (r"\lim_{x\to0}\frac{\sin2ax}{\tan2x}=a", (), PROVED),
     (r"\lim_{x\to0}\frac{1-\cos ax}{x^2}=\frac{a^2}2", (), PROVED),
     (r"\lim_{x\to0}\frac{\sin ax}x=\sin a", (), REFUTED),
     (r"\lim_{x\to\infty}\sin ax=0", (), UNDECIDED),
@@ -53,6 +53,11 @@ ROWS = [
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=x", (), REFUTED),
     ("y'=2x", ("y=x^2",), PROVED),
     ("y'=3x", ("y=x^2",), REFUTED),
+    # Euler's number runs with nothing; a bracket with the letter itself is no argument of it.
+    ("y'=y(1-y)", (r"y=\frac1{1+e^{-x}}",), PROVED),
+    ("y'=y(1+y)", (r"y=\frac1{1+e^{-x}}",), REFUTED),
+    ("y''-y=0", ("y=Ae^x+Be^{-x}",), PROVED),
+    ("y''+y=0", ("y=Ae^x+Be^{-x}",), REFUTED),
     ("y''+y=0", (r"y=\sin x",), PROVED),
     (r"s'=\cos\varphi", (r"s=\sin\varphi",), PROVED),
     (r"\dot x^2+\dot y^2=r^2", (r"x=r\cos t", r"y=r\sin t"), PROVED),
@@ -63,6 +68,7 @@ ROWS = [
 ]
 # What stays open, and words of the question.
 ASKED = [
+    ("y'=2z", ("y=x^2+z^2", "x=2"), "by what"),
     ("f(x+h)-f=h", (), "the argument of a function"),
     ("v(t)=v_0+a", (), "the argument of a function"),
     ("y=y(x)", (), "the argument of a function"),

@@ -27,6 +27,16 @@ PAIRS = [
         ("a>|b|",),
     ),
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=%s", (r"\sqrt{\pi/a}", r"\sqrt{\pi a}"), ("a>0",)),
+    (
+        r"\frac1{\sqrt{2\pi}s}\int_{-\infty}^\infty e^{-\frac{(x-m)^2}{2s^2}}dx=%s",
+        ("1", "s"),
+        ("s>0",),
+    ),
+    (
+        r"\int_{-\infty}^\infty e^{-ax^2+bx}dx=%s",
+        (r"\sqrt{\frac\pi a}e^{\frac{b^2}{4a}}", r"\sqrt{\frac\pi a}e^{\frac{b^2}{2a}}"),
+        ("a>0",),
+    ),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
     # From both ends, by cosines, and over one period after the other.
     (r"\int_0^\pi\frac{x\sin x}{1+\cos^2x}dx=%s", (r"\frac{\pi^2}4", r"\frac{\pi^2}2"), ()),
@@ -133,6 +143,7 @@ NOT_PROVED = [
     (r"a+b\sin\varphi>0", (r"a\ge|b|",)),
     (r"b+a\sin\varphi>0", ("a>|b|",)),
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=\sqrt{\pi/a}", (r"a\ge0",)),
+    (r"\int_{-\infty}^\infty e^{-ax^2+bx}dx=\sqrt{\frac\pi a}e^{\frac{b^2}{4a}}", (r"a\ne0",)),
     (r"\int_0^1x^n\ln x\,dx=-\frac1{(n+1)^2}", ()),
     # By parts from one number to the next: no limit at an end, no value for the first number, a
     # pole between the limits.

@@ -103,6 +103,11 @@ TABLES = {
     ),
     ROOT: (
         (
+            r"\sqrt{\frac{r^2}{\cos^2a}-r^2}+\sqrt{\frac{s^2}{\cos^2b}-s^2}=r\tan a+s\tan b",
+            r"\sqrt{\frac{r^2}{\cos^2a}-r^2}+\sqrt{\frac{s^2}{\cos^2b}-s^2}=r\tan a-s\tan b",
+            r"r>0, s>0, 0<a<\frac\pi2, 0<b<\frac\pi2",
+        ),
+        (
             r"\sqrt{a+b+2\sqrt{ab}}=\sqrt a+\sqrt b",
             r"\sqrt{a+b+2\sqrt{ab}}=\sqrt a-\sqrt b",
             "a>0, b>0",

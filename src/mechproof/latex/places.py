@@ -139,7 +139,7 @@ def is_value(parser: Parser, letter: Letter) -> bool:
     running = _find_running(parser, letter)
     if parser.text != "(" or letter.text in parser.factors or running is None:
         return False
-    if _is_letter_inside(parser) or _is_shifted(parser, letter, running):
+    if _is_letter_inside(parser, letter) or _is_shifted(parser, letter, running):
         return True
     texts = [token.text for token in parser.rest[1:]]
     inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
@@ -157,12 +157,13 @@ def _is_shifted(parser: Parser, letter: Letter, running: Letter) -> bool:
     return is_first and f"{letter.text}({running.text})" in printed
 
 
-def _is_letter_inside(parser: Parser) -> bool:
-    """Return whether a bracket holds one declared letter, or a number times or by it."""
+def _is_letter_inside(parser: Parser, letter: Letter) -> bool:
+    """Return whether a bracket holds one other declared letter, or a number times or by it."""
     place, met = parser.place + 1, 0
     while place < len(parser.tokens) and (text := parser.tokens[place].text) != ")":
         match = parser.names.match(parser.tokens, place)
-        if not (match or is_digit(text) or text in _NUMERIC):
+        is_own = match is not None and match.name.symbol == letter.symbol
+        if is_own or not (match or is_digit(text) or text in _NUMERIC):
             return False
         met += match is not None
         place = match.end if match else place + 1

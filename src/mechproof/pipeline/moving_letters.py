@@ -242,12 +242,13 @@ def find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
     r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
+    euler = {letter: value for letter, value in values.items() if value is sp.E}
     rates: dict[sp.Basic, sp.Expr] = {}
     for variable in variables:
         rate = _RATE.fullmatch(variable.latex[0])
         base = given.get(name_symbol(_name_base(rate))) if rate else None
         if rate and base is not None and variable.given is None:
-            value = settle_all(base, values) if rate["dotted"] else values[base]
+            value = settle_all(base, values if rate["dotted"] else {base: values[base], **euler})
             derivative = _differentiate(variable.latex[0], value, rate, {*values})
             rates[variable.symbol] = derivative
     return rates

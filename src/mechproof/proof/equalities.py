@@ -23,9 +23,10 @@ from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
 from mechproof.proof.induction import decide_by_induction
 from mechproof.proof.integral_recurrences import decide_by_parts
 from mechproof.proof.integrals import decide_by_antiderivative
-from mechproof.proof.inverses import decide_by_inverse
+from mechproof.proof.inverses import ROOT, decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, split_powers
 from mechproof.proof.refutation import are_seen_to_differ
+from mechproof.proof.roots_of_squares import take_signs, write_roots
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument
@@ -76,7 +77,8 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     found = found or decide_by_values(sides, domain, prove_equal)
     found = found or decide_from_zero_base(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)
-    return found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
+    found = found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
+    return found or _prove_by_squares(sides, domain)
 
 
 def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
@@ -86,6 +88,16 @@ def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> s
     unshown = [need for side in sides for need in list_unshown(side, domain)]
     part = narrow_to(domain, [need for need in unshown if need in necessary])
     return prove_equal(*sides, part) if part not in (None, domain) else None
+
+
+def _prove_by_squares(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
+    """Prove sides equal whose roots of squares are written by moduli."""
+    letters = {letter for side in sides for letter in side.free_symbols}
+    one, other = (write_roots(side, letters, domain) for side in sides)
+    if (one, other) == tuple(sides):
+        return None
+    rest = prove_equal(take_signs(one, domain), take_signs(other, domain), domain)
+    return f"{ROOT}, {rest}" if rest else None
 
 
 def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:

@@ -133,7 +133,7 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
-    written = write_roots(integrand, variable, domain)
+    written = write_roots(integrand, {variable}, domain)
     if any(modulus.has(variable) for modulus in written.atoms(sp.Abs)):
         found = _find_value_by_signs(written, variable, lower, upper, domain)
         if found is not None or written == integrand:

@@ -54,6 +54,7 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if integrand.free_symbols - {variable}:
         yield from _propose_by_sums(integrand, variable)
+    yield from _propose_by_bell(integrand, variable)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
     # By fractions first: at some of them SymPy tries its rules for long.
     for propose in (_propose_by_fractions, _propose_by_rules, *by_others, _propose_in_parallel):
@@ -96,6 +97,17 @@ def _integrate_wave(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
         return None
     turned = -sp.cos(wave.args[0]) if isinstance(wave, sp.sin) else sp.sin(wave.args[0])
     return factor * turned / slope
+
+
+def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate exp(-a*x**2 + b*x + c) by an error function, its square completed."""
+    factor, bell = sp.powsimp(integrand).as_independent(variable, as_Add=False)
+    exponent = sp.Poly(bell.args[0], variable) if isinstance(bell, sp.exp) else None
+    if exponent is None or exponent.degree() != _HIGHEST:
+        return
+    a, b, c = (sign * x for sign, x in zip((-1, 1, 1), exponent.all_coeffs(), strict=True))
+    argument = sp.sqrt(a) * (variable - b / (2 * a))
+    yield factor * sp.exp(c + b**2 / (4 * a)) * sp.sqrt(sp.pi / a) / 2 * sp.erf(argument)
 
 
 def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:

@@ -1,4 +1,4 @@
-"""Roots in integrands that are roots of squares, as in the lengths of arcs."""
+"""Roots of squares, as in the lengths of arcs: they are moduli."""
 
 from __future__ import annotations
 
@@ -6,27 +6,38 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors
 
 
-def write_roots(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
-    """Write the roots of squares in an integrand by moduli: of 1 + sinh(u)**2 it is cosh(u)."""
-    return integrand.replace(
-        lambda node: node.is_Pow and node.exp == sp.S.Half and node.has(variable),
-        lambda root: _write_root(root, variable, domain),
+def write_roots(expression: sp.Expr, letters: set[sp.Basic], domain: Domain) -> sp.Expr:
+    """Write roots of squares of such letters by moduli: of 1 + sinh(u)**2 it is cosh(u)."""
+    return expression.replace(
+        lambda node: node.is_Pow and node.exp == sp.S.Half and node.free_symbols & letters,
+        lambda root: _write_root(root, letters, domain),
     )
 
 
-def _write_root(root: sp.Pow, variable: sp.Symbol, domain: Domain) -> sp.Expr:
+def take_signs(expression: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write the moduli of what is shown to have a sign without bars."""
+    signs = {node: find_sign_there(node.args[0], domain) for node in expression.atoms(sp.Abs)}
+    return expression.xreplace(
+        {node: sign.direction * node.args[0] for node, sign in signs.items() if sign is not None}
+    )
+
+
+def _write_root(root: sp.Pow, letters: set[sp.Basic], domain: Domain) -> sp.Expr:
     if (halved := _halve_angle(root)) != root:
         return halved
     square = sp.factor(sp.trigsimp(sp.expand(root.base)))
     written = sp.sqrt(square).replace(lambda node: node.is_Pow, _halve_angle)
-    if any(p.has(variable) and not p.exp.is_Integer for p in written.atoms(sp.Pow)):
+    powers = (p for p in written.atoms(sp.Pow) if not p.exp.is_Integer)
+    if any(power.free_symbols & letters for power in powers):
         return root
-    divisors = (x for x in list_divisors(root.base) if not x.has(variable))
+    # A divisor may cancel: it is zero at single values of what runs.
+    divisors = (x for x in list_divisors(root.base) if not x.free_symbols & letters)
     if not all(is_nonzero(x, domain) for x in divisors):
         return root
     rungs = (decide_equal, decide_by_logarithms)
