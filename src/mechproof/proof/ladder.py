@@ -27,6 +27,7 @@ from mechproof.proof.definedness import (
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
+from mechproof.proof.fourier_series import RUNG as FOURIER_SERIES, settle_waves
 from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, find_counterexample, settle_improper
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
@@ -71,6 +72,7 @@ _SETTLED = {
     ANTIDERIVATIVE: settle_improper,
     PARTIAL_SUMS: settle_endless,
     KNOWN_SERIES: settle_series,
+    FOURIER_SERIES: settle_waves,
 }
 
 

@@ -63,6 +63,8 @@ RUNGS = {
     "proved by induction, or that of a geometric series",
     "known series": "a sum without end whose first term and quotients of terms are those of the "
     "series of an elementary function, where it converges, or of an even value of zeta",
+    "Fourier series": "a sum without end of sines or cosines of all or odd multiples of an angle, "
+    "divided by a power of these, is that of a saw, a square wave or the like, within its period",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
     "angles that rise by the same step": "each term of a sum of sines and cosines is a difference "
