@@ -165,7 +165,7 @@ NOT_PROVED = [
     (r"\int_a^b\sqrt{t^2}\,dt=\frac{b^2-a^2}2", ("b>a",)),
     (r"\int_0^x\sqrt{1-\sin^2t}\,dt=\sin x", ("x>0",)),
     (r"\int_0^l\sqrt{\cosh^2\frac xa-1}\,dx=a\cosh\frac la-a", ("a>0",)),
-    (r"\int_0^l\sqrt{1+\sinh^2\frac xa}\,dx=a\sinh\frac la", ()),
+    (r"\int_0^l\sqrt{1+\sinh^2\frac xa}\,dx=l\sinh\frac la", ()),
     (r"\int_0^\pi\sqrt{1+\tan^2x}\,dx=0", ()),
     (r"\int_{-1}^1\sqrt{\frac1{t^2}}\,dt=2", ()),
     # Steps that may be a whole turn, or none; terms and sums without a value.
