@@ -56,7 +56,12 @@ def may_hold_for(given: Task, task: Task) -> bool:
     is_special = given.said.is_equating or task.said.is_general
     is_left = given.said.is_position or (is_special and is_plain(given))
     is_left &= given.said.scope != task.said.scope
-    return not (is_left or is_turned(given, task))
+    return not (is_left or is_turned(given, task) or is_of_another_example(given, task))
+
+
+def is_of_another_example(one: Task, other: Task) -> bool:
+    """Return whether a row is printed in a worked example in which another one is not."""
+    return one.said.example.number not in (0, other.said.example.number)
 
 
 def is_left(given: Task, task: Task) -> bool:

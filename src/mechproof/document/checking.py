@@ -18,6 +18,7 @@ from mechproof.document.constrained_rows import (
     support_steps,
 )
 from mechproof.document.doubted_definitions import doubt_by_letters
+from mechproof.document.doubted_examples import doubt_by_examples
 from mechproof.document.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
@@ -183,6 +184,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_cases(key, tasks, rows, limit))
         rows |= dict(doubt_by_ties(tasks, rows, document.symbols))
         rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
+        rows |= dict(doubt_by_examples(key, tasks, rows, limit))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

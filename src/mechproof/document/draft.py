@@ -85,7 +85,7 @@ def draft_block(source: Source) -> str:
         *(_EULER if has_euler else ()),
         *write_counts(prints, (x for x in plain if x not in collected.unread), entries, said),
         *propose_values(displays, running, said, inline),
-        *propose_relations(source, [*running]),
+        *propose_relations(source, [*running], displays),
         *find_extremes(source, running),
         *ask_extremes(displays, running),
         *ask_zeros(displays),

@@ -113,6 +113,13 @@ def judge_special(which: tuple[Key, int]) -> Judgement | str:
     return _judge_alone(special)
 
 
+def judge_local(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row at the values that worked examples print of its letters."""
+    local = open_tasks(which[0])[which[1]].local
+    assert local is not None
+    return _judge_alone(local)
+
+
 def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | None:
     """Judge a row whatever defines some letters; None where that tells nothing.
 

@@ -35,7 +35,9 @@ class Known:
     `circular` are matrices that were made of what is made of them. `constrained` are letters
     between which constraints are printed, `tied` what is printed of their derivatives, `held` those
     that are said to be zero behind an equation. `said` is what the words before the equation being
-    read announce.
+    read announce. `examples` are the values that hold in a worked example only, by its number and
+    by what prints them, None for what is printed anew; `shown_in` are the examples in which letters
+    stand, 0 for none.
     """
 
     symbols: Symbols
@@ -57,6 +59,8 @@ class Known:
     tied: Values = field(default_factory=dict)
     held: dict[str, list[sp.Basic]] = field(default_factory=dict)
     said: Announced = NOTHING
+    examples: dict[int, dict[str, Values]] = field(default_factory=dict)
+    shown_in: dict[sp.Basic, set[int]] = field(default_factory=dict)
 
     def copy(self) -> Known:
         """Return what is known, to try what a print would make known."""

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import is_bare
+from mechproof.document.applicable_constraints import is_bare, is_of_another_example
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.consequences import FOLLOWING
 from mechproof.document.doubts import (
@@ -104,6 +104,7 @@ def compare_newer_prints(
     asked = []
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
+        newer = [m for m in newer if not is_of_another_example(tasks[m], task)]
         letters = _list_stated(task) | task.sign.printed
         used = list_reached(letters, list_given(task.paper.variables)) if newer else ()
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
@@ -169,6 +170,7 @@ def doubt_by_cases(
         used = list_used(task, tasks) if is_proved and not is_said else ()
         cases = [m for m in range(n + 1, len(tasks)) if is_later_case(tasks[m], task, used)]
         cases += [m for m in range(n) if is_left_case(tasks[m], task, used)]
+        cases = [m for m in cases if not is_of_another_example(tasks[m], task)]
         if cases:
             asked.append((key, n, tuple(cases)))
     for place, answer in run_tasks(judge_without, asked, limit=limit):

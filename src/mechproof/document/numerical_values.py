@@ -61,7 +61,7 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
         return []
     sides = [row.says.printed, row.says.rebuilt]
     if sign.role in _AGAIN:
-        first = known.values.get(sign.letter)
+        first = known.values.get(sign.letter, sign.letter)
         sides = [first if side == sign.letter else side for side in sides]
     are_numbers = all(isinstance(one, sp.Expr) and one != 0 for one in sides)
     are_numbers &= not any(one.has(sp.MatrixExpr) for one in sides)

@@ -79,7 +79,10 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
         if sign.role is Role.CONSTRAINT:
             known.constrained.update(*(side.free_symbols for side in sign.sides))
     for chain in read.chains:
-        known.met.update(_list_letters(chain))
+        letters = _list_letters(chain)
+        known.met.update(letters)
+        for letter in letters:
+            known.shown_in.setdefault(letter, set()).add(known.said.example.number)
     return signs
 
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.document.calculated_sizes import calculate_sizes
 from mechproof.document.complex_parts import find_imaginary_unit, is_complex
+from mechproof.document.example_values import collect_values, lend_values
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import Later, define_later, find_later
 from mechproof.document.laws import Piece
@@ -195,8 +196,10 @@ class Document:
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
         restated = RestatedSizes(self.source, self.symbols)
         sizes = collect_sizes(zip(self.printed, read, strict=True), self.known, restated)
-        numbers = StatedNumbers(self.known, sizes)
-        maker = TaskMaker(self.printed, self.block, self.known, self.papers, self.files, numbers)
+        examples = collect_values(self.source, self.printed, self.known)
+        numbers = StatedNumbers(self.known, sizes, examples)
+        known, papers = self.known, self.papers
+        maker = TaskMaker(self.printed, self.block, known, papers, self.files, numbers, examples)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):
             if isinstance(signs, Left):
@@ -217,8 +220,14 @@ class Document:
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
-        latex, branch = printed.latex.string, reader.notation.branch
         self.known.said = printed.announced
+        with lend_values(self.known, printed.name) as signs:
+            found = self._find_signs(printed, reader)
+            signs += [] if isinstance(found, Left) else found
+        return found
+
+    def _find_signs(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        latex, branch = printed.latex.string, reader.notation.branch
         held = [s for s in self._list_zeros_behind(printed) if s in self.known.constrained]
         self.known.held[printed.name] = held
         read = reader.parse(latex, printed.name, int(branch is None))

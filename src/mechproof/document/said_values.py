@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 
+from mechproof.document.example_values import find_example
 from mechproof.nomenclature.inline import DISPLAY, RATE, Inline, defines_nothing, say_of_others
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
@@ -59,7 +60,8 @@ def propose_values(
             given, value = (one.letter, one.value) if is_free else (one.value, one.letter)
             line = f"let {given}={value}"
             is_alone = one.letter in letters and _is_position(one.value, letters)
-            if one.is_case or is_alone:
+            is_within = bool(find_example(one.offset, displays))
+            if one.is_case or is_alone or is_within:
                 yield from _ask(one.line, line)
                 continue
             for other, others in say_of_others(one, letters):
@@ -76,7 +78,9 @@ def propose_values(
         yield from (f"let {letter}={value}" for letter, value in alike.items())
 
 
-def propose_relations(source: Source, letters: Sequence[str]) -> Iterator[str]:
+def propose_relations(
+    source: Source, letters: Sequence[str], displays: Sequence[Printed]
+) -> Iterator[str]:
     r"""Yield relations that sentences give beside what they introduce: with $\tan\rho=\mu$."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     names = {name_symbol(letter) for letter in letters}
@@ -87,9 +91,11 @@ def propose_relations(source: Source, letters: Sequence[str]) -> Iterator[str]:
         left, right = match["left"].strip(), match["right"].strip()
         is_letter = name_symbol(left) in names or RATE.fullmatch(left)
         if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
-            line = source.files.locate(source.text.offsets[match.start()]).line
+            offset = source.text.offsets[match.start()]
+            line = source.files.locate(offset).line
+            is_case = defines_nothing(before) or find_example(offset, displays)
             said = (f"# line {line} says:", f"claim {left}={right}")
-            yield from _ask(line, said[1]) if defines_nothing(before) else said
+            yield from _ask(line, said[1]) if is_case else said
 
 
 def _ask(number: int, line: str) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -76,6 +76,15 @@ def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
     if isinstance(says, Definition):
         return [says.printed]
     return []
+
+
+def ties_running(
+    residual: sp.Expr, moving: Mapping[sp.Basic, tuple[sp.Basic, Sequence[sp.Basic]]]
+) -> bool:
+    """Return whether a letter on which others depend stands in a residual without these."""
+    letters = residual.free_symbols
+    met = {by for s, (by, rates) in moving.items() if letters & {s, *rates}}
+    return bool(({by for by, _ in moving.values()} & letters) - met)
 
 
 def raises_by_letter(side: Any) -> bool:

@@ -168,6 +168,23 @@ def collect_sizes(
     return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
 
 
+def list_zeros(
+    printed: Printed, signs: Sequence[Sign], equations: Sequence[Printed], sizes: Sizes
+) -> dict[sp.Basic, sp.Expr]:
+    """Return the zeros that letters without a formula are said to be beside a print or before it.
+
+    What prints such a letter, or a derivative of it, is meant for other values, too.
+    """
+    known = sizes.known
+    met = {x for one in signs for s in one.printed for x in known.symbols.find_steps(s)[1]}
+    scope = printed.announced.scope
+    others = equations[: equations.index(printed)]
+    before = next((x for x in reversed(others) if x.announced.scope != scope), None)
+    beside = {s for s, one in sizes.printed.items() if one.is_zero(printed.group)}
+    zeros = sizes.restated.list_zeros(before, printed) | beside
+    return dict.fromkeys(sorted(zeros - known.values.keys() - met, key=str), sp.S.Zero)
+
+
 def show(value: sp.Expr) -> str:
     """Return a number to six digits."""
     number = sp.N(value, 6)

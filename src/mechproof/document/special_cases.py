@@ -29,19 +29,20 @@ def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
     return {r.lhs: r.rhs for r in free}
 
 
-def put_on(row: Row, zeros: Sequence[sp.Basic]) -> Row:
-    """Add to what is said of a row that letters are zero."""
-    if not zeros:
+def put_on(row: Row, values: Mapping[sp.Basic, Any]) -> Row:
+    """Add to what is said of a row that letters have values."""
+    if not values:
         return row
-    said = tuple(sp.Eq(letter, 0, evaluate=False) for letter in zeros)
+    said = tuple(sp.Eq(*one, evaluate=False) for one in values.items())
     part = row.on or Part("", {})
-    text = " and ".join([*([part.text] if part.text else []), *(f"{s} = 0" for s in zeros)])
+    shown = (f"{s} = {value}" for s, value in values.items())
+    text = " and ".join([*([part.text] if part.text else []), *shown])
     return replace(row, on=replace(part, text=text, where=(*part.where, *said)))
 
 
 def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
     """Put values into what a side is, also where one is said by another letter."""
-    side = known.settle(side)
+    side = known.settle(side, values)
     for _ in values:
         side = side.xreplace(values)
     return side

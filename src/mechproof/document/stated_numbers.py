@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import sympy as sp
 
 from mechproof.document.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
+from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
@@ -14,6 +16,7 @@ from mechproof.document.roles import Role, Sign
 from mechproof.document.rounded_factors import is_far
 from mechproof.document.scales import agrees, is_near
 from mechproof.document.sizes import Sizes
+from mechproof.latex.values import settle_all
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row
 from mechproof.sources.displays import Printed
@@ -34,6 +37,7 @@ class StatedNumbers:
 
     known: Known
     sizes: Sizes
+    examples: ExampleValues
 
     def state(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Stated | str:
         """State what a number says, if a sign is beside one, or say why that is left open."""
@@ -41,6 +45,8 @@ class StatedNumbers:
         if is_number and not sign.value.has(sp.Limit):
             sign = replace(sign, role=Role.NUMBER)
         stated: PrintedNumber | Equality | str | None = None
+        if sign.role is Role.NUMBER and sign.number:
+            sign = replace(sign, value=self._put_in_example(sign.value, printed))
         note = ""
         is_calculated = sign.role is Role.NUMBER and not sign.number
         if is_calculated:
@@ -79,10 +85,17 @@ class StatedNumbers:
             return one
         return next((one for one in judged if str(one[1]).startswith(OTHERS)), (sign, None))
 
+    def _put_in_example(self, value: Any, printed: Printed) -> Any:
+        """Put in what letters without a size are in the example that an equation stands in."""
+        local, sized = self.examples.list_within(printed), self.sizes.list_all()
+        return settle_all(value, {s: v for s, v in local.items() if s not in sized})
+
     def _list_formulas(self, letter: sp.Basic | None, printed: Printed) -> list[sp.Expr]:
         """Return what other prints say of a letter whose size is printed."""
         known = self.known
+        local = self.examples.list_within(printed)
         formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
+        formulas = formulas or [local[letter]] if letter in local else formulas
         found = [x for x in formulas if x.free_symbols - {letter} and not known.is_shown(letter, x)]
         return found + [arc for _, arc in known.list_angles(letter, printed.announced)]
 

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.complex_parts import split_parts
+from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.limits import state_limit
 from mechproof.document.mentions import is_listed, is_met_once, look_up
@@ -24,7 +25,9 @@ from mechproof.document.sides import (
     list_stated,
     raises_by_letter,
     ties_letters,
+    ties_running,
 )
+from mechproof.document.sizes import list_zeros
 from mechproof.document.solutions import read_signs, state_signs
 from mechproof.document.special_cases import (
     list_rates,
@@ -73,13 +76,14 @@ class TaskMaker:
     papers: Mapping[bool, Paper]
     files: Files
     numbers: StatedNumbers
+    examples: ExampleValues
 
     def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
         """Make the tasks of an equation; `reader` knows the values of all letters."""
         derived = {
             s.letter: self.known.values[s.letter]
             for s in signs
-            if s.role is Role.DERIVATIVE and s.letter is not None
+            if s.role is Role.DERIVATIVE and s.letter in self.known.values
         }
         said = [s for s in signs if s.role is not Role.VALUE]
         bare = {s.letter for s in said} | {side for s in said for side in s.sides}
@@ -100,25 +104,12 @@ class TaskMaker:
             pairs = [(state_signs(one, sign, dimensions), sign) for one, sign in pairs]
         judged = count_signs(printed.latex.string[: printed.taken])
         parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
-        zeros = self._list_zeros(printed, signs)
-        held = self.known.held.get(printed.name, [])
-        parts = ((put_on(r, held if s.role is Role.CONSTRAINT else []), s) for r, s in parts)
+        held = dict.fromkeys(self.known.held.get(printed.name, ()), sp.S.Zero)
+        parts = ((put_on(r, held if s.role is Role.CONSTRAINT else {}), s) for r, s in parts)
         tasks = ((self._prepare(printed, *part, own), part) for part in parts)
-        return [self._add_special(printed, task, *part, own, zeros) for task, part in tasks]
-
-    def _list_zeros(self, printed: Printed, signs: Sequence[Sign]) -> list[sp.Basic]:
-        """Return letters without a formula that are said to be zero before a print or beside it.
-
-        What prints such a letter, or a derivative of it, is meant for other values, too.
-        """
-        met = {x for one in signs for s in one.printed for x in self.known.symbols.find_steps(s)[1]}
-        others = self.printed[: self.printed.index(printed)]
-        scope = printed.announced.scope
-        before = next((x for x in reversed(others) if x.announced.scope != scope), None)
-        sizes = self.numbers.sizes
-        beside = {s for s, one in sizes.printed.items() if one.is_zero(printed.group)}
-        zeros = sizes.restated.list_zeros(before, printed) | beside
-        return sorted(zeros - self.known.values.keys() - met, key=str)
+        zeros = list_zeros(printed, signs, self.printed, self.numbers.sizes)
+        values = zeros, self.examples.list_at(printed)
+        return [self._add_special(printed, task, *part, own, *values) for task, part in tasks]
 
     def _add_special(
         self,
@@ -127,17 +118,24 @@ class TaskMaker:
         row: Row,
         sign: Sign,
         own: sp.Basic | None,
-        zeros: Sequence[sp.Basic],
+        zeros: Mapping[sp.Basic, sp.Expr],
+        local: Mapping[sp.Basic, Any],
     ) -> Task | Left:
-        """Add to a task what it is where letters are zero that are said to be so beside it."""
+        """Add to a task what it is where letters have values that are said beside it.
+
+        What holds in an example that it may not belong to is kept apart.
+        """
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task
-        if not (new := [s for s in zeros if self.known.met[s] and s not in task.at]):
-            return task
-        special = self._make(printed, put_on(row, new), sign, own)
-        if isinstance(special, Task) and has_letters(special.row.says):
-            return replace(task, special=special)
-        return task
+        new = {s: v for s, v in zeros.items() if self.known.met[s] and s not in task.at}
+        special = {**new, **self.examples.list_within(printed)}
+        made = {
+            name: self._make(printed, put_on(row, values), sign, own, values)
+            for name, values in (("special", special), ("local", local))
+            if values
+        }
+        tasks = {n: t for n, t in made.items() if isinstance(t, Task) and has_letters(t.row.says)}
+        return replace(task, special=tasks.get("special"), local=tasks.get("local"))
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
@@ -151,9 +149,9 @@ class TaskMaker:
         if sign.letter is not None and all(side in first for side in sign.sides):
             # The first print holds again.
             self.known.cases.pop(sign.letter, None)
-        elif task.is_solution and sign.letter is not None:
+        elif task.is_solution and sign.letter in self.known.values:
             value = next((side for side in sign.sides if side not in first), sign.sides[1])
-            if not isinstance(value, sp.MatrixBase):
+            if not (isinstance(value, sp.MatrixBase) or printed.announced.example.number):
                 self.known.cases.setdefault(sign.letter, []).append((printed.name, value))
             task = replace(task, anew=self.known.redefine(sign.letter, value, printed.name))
         for name, value in self.known.list_others(sign.letter):
@@ -181,13 +179,23 @@ class TaskMaker:
                 if isinstance(made, Task):
                     yield made
 
-    def _make(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
-        """Make a task of a row; `own` is the letter that its chain is about."""
+    def _make(
+        self,
+        printed: Printed,
+        row: Row,
+        sign: Sign,
+        own: sp.Basic | None,
+        local: Mapping[sp.Basic, Any] | None = None,
+    ) -> Task | Left:
+        """Make a task of a row; `own` is the letter that its chain is about.
+
+        `local` are values that are said of the row, also of letters that others define.
+        """
         place = printed.locate(self.files)
         if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
             reason = f"nothing else is printed of {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
-        at = list_values(row, self.known)
+        at = {**list_values(row, self.known), **(local or {})}
         row, sign = self._specialise(self._restate(row, sign), sign, at)
         number = self.numbers.state(printed, row, sign, own)
         if isinstance(number, str):
@@ -240,7 +248,7 @@ class TaskMaker:
             self._may_be_other(printed, sign) and not is_claimed,
             follows=() if sign.role is Role.DEFINITION else follows,
             is_loose=residual is not None and self._is_loose(residual),
-            ties_running=residual is not None and self._ties_running(residual),
+            ties_running=residual is not None and ties_running(residual, self.known.symbols.moving),
             is_case=is_case or is_given,
             is_excused=is_case
             or is_given
@@ -312,12 +320,6 @@ class TaskMaker:
         letters = residual.free_symbols
         alone = (s for s in letters if is_met_once(s, self.known, with_rates=False))
         return any(is_solvable(residual, letter) for letter in alone)
-
-    def _ties_running(self, residual: sp.Expr) -> bool:
-        """Return whether a letter on which others depend stands in a residual without these."""
-        moving, letters = self.known.symbols.moving, residual.free_symbols
-        met = {by for s, (by, rates) in moving.items() if letters & {s, *rates}}
-        return bool(({by for by, _ in moving.values()} & letters) - met)
 
     def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
         """Return the names of equations that are named by their labels."""

@@ -35,7 +35,8 @@ class Task:
     `said` is what words before it announce, `at` are the values of letters that a condition beside
     it says, `special` is the row at those that words before it say, too. `anew` are the values of
     letters and derivatives if it is another case; None for one without a value then. `is_given`
-    tells that the block says it to be a constraint.
+    tells that the block says it to be a constraint. `local` is the row at the values that worked
+    examples print of letters, which may not be meant here.
     """
 
     row: Row
@@ -59,6 +60,7 @@ class Task:
     special: Task | None = None
     anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
     is_given: bool = False
+    local: Task | None = None
 
     @property
     def is_rounded(self) -> bool:

@@ -59,7 +59,8 @@ _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 class Inline:
     """What a sentence says of a letter, the line where, and whether words tell of a case.
 
-    `is_varying` tells that they speak of a change; `end` is the place in the text behind it.
+    `is_varying` tells that they speak of a change; `end` is the place in the text behind it,
+    `offset` where it stands in the files.
     """
 
     letter: str
@@ -70,6 +71,7 @@ class Inline:
     is_case: bool = False
     is_varying: bool = False
     end: int = 0
+    offset: int = 0
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -96,14 +98,16 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         if found is None or letter is None:
             continue
         value = found["value"]
-        line = source.files.locate(source.text.offsets[match.start()]).line
+        offset = source.text.offsets[match.start()]
+        line = source.files.locate(offset).line
         behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
         number, unit = read_quantity(value, name_unit(behind))
         before = text[max(match.start() - _BEFORE, 0) : match.start()]
         is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence))
-        yield Inline(letter, value, line, number, unit, is_case, is_varying, match.end())
+        end = match.end()
+        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset)
 
 
 def defines_nothing(before: str) -> bool:

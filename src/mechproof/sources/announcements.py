@@ -6,9 +6,10 @@ Words are matched, not understood. Prose that announces no consequence may lead 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from mechproof.sources.examples import NO_EXAMPLE, Example
 from mechproof.sources.other_subjects import are_opposed, find_sides, tells_of_another
 
 # Words that tell of another case, not of the two roots of one; words that may tell of either, and
@@ -133,7 +134,7 @@ class Announced:
     or may be special; `turns` counts those with words that turn the sense in which something is
     counted or go on to another arrangement, `subjects` those that go on to something else. `law`
     is the name of the law that was spoken of last, `general` the last passage that tells of all
-    cases, `sides` which opposites were named last.
+    cases, `sides` which opposites were named last; `example` is the worked example it stands in.
     """
 
     is_case: bool = False
@@ -151,6 +152,7 @@ class Announced:
     law: str = ""
     general: int = 0
     sides: Mapping[int, int] = field(default_factory=dict)
+    example: Example = NO_EXAMPLE
 
     def is_apart(self, other: Announced) -> bool:
         """Return whether words stand between that go on to something else, or turn a sense."""
@@ -160,8 +162,11 @@ class Announced:
         """Return whether it is announced anew, of the opposite of what another is said of."""
         return self.is_new and are_opposed(self.sides, other.sides)
 
-    def go_on(self, words: str) -> Announced:
-        """Return what is announced of the next display; without words of its own as before."""
+    def go_on(self, words: str, offsets: Sequence[int] = ()) -> Announced:
+        """Return what is announced of the next display; without words of its own as before.
+
+        `offsets` tell where these stand.
+        """
         said = _WHERE.match(words) if self.passage else None
         turns = self.turns + bool(_TURNING.search(words, said.end() if said else 0))
         is_other = bool(_HEADING.search(words))
@@ -172,7 +177,8 @@ class Announced:
         is_opposite = are_opposed(self.sides, sides)
         subjects = self.subjects + (is_other or is_next or bool(_CONTRAST.search(words)))
         if not (_has_prose(words) or _ITEM.search(words)):
-            return replace(self, turns=turns, subjects=subjects)
+            example = self.example.go_on(words, offsets, is_new=False)
+            return replace(self, turns=turns, subjects=subjects, example=example)
         is_new = is_other or is_opposite or not _follows(words)
         is_special, is_position = bool(_SPECIAL.search(near)), bool(_POSITION.search(near))
         is_equating = is_special or is_position or bool(_EQUATING.search(near))
@@ -193,6 +199,7 @@ class Announced:
             law=laws[-1] if laws else self.law,
             general=self.passage + 1 if is_general else self.general,
             sides=sides,
+            example=self.example.go_on(words, offsets, is_new=is_new),
         )
 
 

@@ -188,7 +188,8 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
             continue
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
-            announced = announced.go_on(text.string[last : match.start()])
+            words = text[last : match.start()]
+            announced = announced.go_on(words.string, words.offsets)
             group, end = group + 1, match.end()
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
                 printed = replace(found, group=group, announced=announced)

@@ -1,0 +1,158 @@
+"""Values of letters that a worked example prints: they hold in this example only.
+
+So does what is defined there of a letter that stands elsewhere before it, and defines it nowhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.known import Known, Values
+from mechproof.document.roles import Role, Sign
+from mechproof.nomenclature.inline import Inline, find_inline
+from mechproof.nomenclature.relations import read_relations
+from mechproof.nomenclature.units import ONE
+from mechproof.sources.displays import Printed
+from mechproof.sources.files import Source
+
+
+@contextmanager
+def lend_values(known: Known, name: str) -> Iterator[list[Sign]]:
+    """Lend what holds in the example being read, and keep there what its signs define anew.
+
+    The signs of the equation of that name are appended to the list.
+    """
+    number = known.said.example.number
+    own = known.examples.setdefault(number, {})
+    lent = {s: v for s, v in _join(own.values()).items() if s not in known.values}
+    shown = {s for s, where in known.shown_in.items() if where - {number}}
+    before = {*known.values}
+    known.values |= lent
+    known.printed |= {s: next(n for n in reversed(own) if s in own[n]) for s in lent}
+    signs: list[Sign] = []
+    try:
+        yield signs
+    finally:
+        new: Values = {}
+        for sign in signs if number else ():
+            if sign.role is Role.DEFINITION and sign.letter not in {*before, *lent}:
+                new |= _take_out(sign.letter, known, before, shown)
+            elif sign.letter in lent and _differs(sign, lent[sign.letter]):
+                _, steps = known.symbols.find_steps(sign.letter)
+                new |= dict.fromkeys(lent.keys() & {*steps[steps.index(sign.letter) :]})
+        for letter in (*lent, *new):
+            for kept in (known.values, known.printed, known.others):
+                kept.pop(letter, None)
+        own[name] = new
+
+
+def _take_out(
+    letter: sp.Basic, known: Known, before: set[sp.Basic], shown: set[sp.Basic]
+) -> Values:
+    """Return the value of a letter that stands elsewhere, and those of its derivatives."""
+    _, steps = known.symbols.find_steps(letter)
+    if not shown & {*steps}:
+        return {}
+    new = [s for s in steps[steps.index(letter) :] if s in known.values.keys() - before]
+    values = {s: known.values[s] for s in new}
+    are_matrices = (isinstance(v, sp.MatrixBase | sp.MatrixExpr) for v in values.values())
+    return {} if any(are_matrices) else values
+
+
+def _differs(sign: Sign, value: Any) -> bool:
+    """Return whether a letter is printed again in an example with another value.
+
+    Where numbers are put in it may be the same.
+    """
+    others = (side for side in sign.sides if side is not None and side != sign.letter)
+    others = (side for side in others if not side.free_symbols < value.free_symbols)
+    return any(sp.simplify(side - value) != 0 for side in others)
+
+
+def _join(values: Iterable[Values]) -> Values:
+    """Return the values that were said last, without those of letters that have several."""
+    found = {s: value for one in values for s, value in one.items()}
+    return {s: value for s, value in found.items() if value is not None}
+
+
+@dataclass(frozen=True)
+class Said:
+    """What a sentence of an example says that a letter is, and where it stands."""
+
+    example: int
+    offset: int
+    letter: sp.Basic
+    value: sp.Expr
+
+
+@dataclass(frozen=True)
+class ExampleValues:
+    """The values that hold in worked examples, those that sentences say among them."""
+
+    known: Known
+    said: Sequence[Said]
+    order: Sequence[str]
+
+    def list_at(self, printed: Printed) -> Values:
+        """Return the values that hold in an example, behind it those of displays of the last."""
+        example = printed.announced.example
+        numbers = [example.number] if example.number else range(1, example.last + 1)
+        offset = printed.latex.offsets[printed.taken]
+        told = [x for x in self.said if x.example == example.number and x.offset < offset]
+        before = self.order[: self.order.index(printed.name)]
+        shown = (self.known.examples.get(n, {}) for n in numbers)
+        given = (one[name] for one in shown for name in before if name in one)
+        return _join([*map(self._list_rates, told), *given])
+
+    def list_within(self, printed: Printed) -> Values:
+        """Return the values that hold in the example that an equation surely stands in."""
+        example = printed.announced.example
+        return self.list_at(printed) if example.number and example.is_sure else {}
+
+    def _list_rates(self, said: Said) -> Values:
+        """Return the value of a letter with those of its derivatives."""
+        known = replace(self.known, values={**self.known.values}, printed={})
+        known.define(said.letter, said.value, "")
+        _, steps = known.symbols.find_steps(said.letter)
+        own = steps[steps.index(said.letter) :]
+        return {s: known.values[s] for s in own if s in known.values}
+
+
+def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> ExampleValues:
+    """Collect what sentences of examples say that letters are: formulas, and numbers of no unit."""
+    names = {name: v.symbol for v in known.symbols.variables for name in v.latex}
+    examples = any(one.announced.example.number for one in printed)
+    found = find_inline(source, names) if examples else ()
+    within = ((one, find_example(one.offset, printed)) for one in found if not one.is_case)
+    said = (_read(one, number, known) for one, number in within if number)
+    order = [one.name for one in printed]
+    return ExampleValues(known, [one for one in said if one], order)
+
+
+def find_example(offset: int, printed: Sequence[Printed]) -> int:
+    """Return in which example words stand at a place before a display, 0 for none."""
+    behind = (one for one in printed if one.latex.offsets[one.taken] > offset)
+    example = next((one.announced.example for one in behind), None)
+    return example.number if example and example.start <= offset else 0
+
+
+def _read(one: Inline, number: int, known: Known) -> Said | None:
+    """Read what a sentence says of a letter that nothing else gives."""
+    try:
+        (relation,) = read_relations(f"{one.letter}={one.value}", known.symbols.reader())
+        letter, value = relation.args
+    except ValueError:
+        return None
+    moving = known.symbols.moving
+    is_number = not (value.free_symbols or one.unit) and value != 0
+    is_number &= letter not in moving and letter not in {by for by, _ in moving.values()}
+    dimension = known.symbols.find_dimension(letter)
+    is_value = bool(value.free_symbols) or (is_number and dimension in (None, ONE.dimension))
+    is_free = letter not in known.values and not known.is_shown(letter, value)
+    is_read = isinstance(letter, sp.Symbol) and isinstance(value, sp.Expr)
+    return Said(number, one.offset, letter, value) if is_read and is_value and is_free else None
