@@ -102,6 +102,18 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         # What is said to count, and what may be zero in one case only.
         (r"$$y=bk,\qquad k\in\mathbb N$$", ["k :", "natural k"], []),
         (r"$$y=bk_1,\quad k_1\in\mathbb{Z}$$", ["k_{1} :", "integer k_{1}"], []),
+        # What words count, where that is needed to read it.
+        (r"It has $N$ pins. $$y=b\cos N\psi$$", ["natural N"], []),
+        (r"the number of teeth $z_1$ $$y=\sin 2z_1\psi$$", ["natural z_{1}"], []),
+        (r"$n$ is the number of planets $$y=\sin n\psi$$", ["natural n"], []),
+        (r"It has $N$ pins. $$y=bN$$", ["N :"], ["natural N"]),
+        (r"It has $n$ turns. $$y=b\cos n\psi$$", ["n :"], ["natural n"]),
+        (r"the distance $p$ between pins $$y=b\cos p\psi$$", [], ["natural p"]),
+        (r"the force $F$ on bolts $$y=b\cos F\psi$$", [], ["natural F"]),
+        (r"the number of revolutions $n$ $$y=b\cos n\psi$$", [], ["natural n"]),
+        (r"the virtual number of teeth $z$ $$y=b\cos z\psi$$", [], ["natural z"]),
+        (r"the average number of pins $n$ $$y=b\cos n\psi$$", [], ["natural n"]),
+        (r"of negative number of teeth $z$ $$y=b\cos z\psi$$", [], ["natural z"]),
         (r"$$C_2=0$$ $$y=C_2b$$", ["# let C_2=0"], ["let C_2=0"]),
         (r"$$y_i=2b_i,\quad i=1,\dots,n$$", [], ["i :"]),
         (r"where $d$ is the width, $$\frac{dy}{dx}=2d+b$$", ["d : width", "y(x) :"], []),

@@ -77,13 +77,14 @@ def draft_block(source: Source) -> str:
     _take_inline(inline, entries, said)
     _take_units(displays, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
+    readable = (x for x in plain if x not in collected.unread)
     lines = [
         *_write_letters(entries, shapes, said),
         *write_families(collected.families, said),
         *(f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses),
         *ask_sizes(map(strip_arguments, unclear)),
         *(_EULER if has_euler else ()),
-        *write_counts(prints, (x for x in plain if x not in collected.unread), entries, said),
+        *write_counts(prints, readable, entries, said, source.text.string),
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running], displays),
         *find_extremes(source, running),

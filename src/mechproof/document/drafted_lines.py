@@ -11,7 +11,7 @@ from mechproof.document.drafted_letters import Entry
 from mechproof.document.rows import Document
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.block import BlockError
-from mechproof.nomenclature.counting_letters import find_counts
+from mechproof.nomenclature.counting_letters import find_counted, find_counts
 from mechproof.nomenclature.letters import (
     INDICES,
     Collected,
@@ -85,12 +85,13 @@ def write_counts(
     plain: Iterable[str],
     entries: Mapping[str, Entry],
     said: Mapping[str, Said],
+    words: str,
 ) -> Iterator[str]:
     r"""Yield which letters count: k of k\in\mathbb{N}, and n of \sum^n in plain prints.
 
-    The latter is asked of a letter that has another meaning in words.
+    The latter is asked of a letter that has another meaning in words, which may say what counts.
     """
-    counts: dict[str, str] = {}
+    counts = dict.fromkeys(map(name_symbol, find_counted(words, prints)), "natural")
     for name in map(name_symbol, find_counts(plain, ())):
         meaning = said[name].meaning if name in said else ""
         counts[name] = "natural" if not meaning or _NUMBER.search(meaning) else "# natural"

@@ -2,6 +2,7 @@ r"""Letters that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import accumulate, takewhile
 
@@ -10,6 +11,22 @@ from mechproof.latex.tokens import list_signs
 # The letters of last terms, behind dots.
 _LAST = ("n", "N", "m", "k")
 _RELATIONS = ("=", "<", ">", r"\le", r"\ge")
+# What is counted and never halved: no turns, revolutions or cycles, and no virtual teeth.
+_THINGS = (
+    r"(?:(?:equal|identical|cylindrical|round|small|steel)\s+)?"
+    r"(?:teeth|pins|planets|planet gears|rollers|balls|cylinders|pistons|blades|lobes|bolts|rivets"
+    r"|discs|spokes)\b"
+)
+_LETTER = r"\$\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\$"
+_COUNTED = re.compile(
+    rf"{_LETTER}\s+{_THINGS}|\bnumber\s+of\s+{_THINGS}\s+{_LETTER}"
+    rf"|{_LETTER}\s+is\s+the\s+number\s+of\s+{_THINGS}"
+)
+_VIRTUAL = re.compile(
+    r"\b(?:virtual|equivalent|ideal|fictitious|negative|theoretical"
+    r"|(?:mean|average|effective) number)\b"
+)
+_ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 
 
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
@@ -29,6 +46,19 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
             if text == r"\binom":
                 found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(found)
+
+
+def find_counted(text: str, prints: Iterable[str]) -> Iterator[str]:
+    r"""Yield letters of which words say that they count things, N of "N pins", in \cos N\varphi.
+
+    Elsewhere it is no matter; nothing is said where a text speaks of negative or virtual ones.
+    """
+    displays = [*prints]
+    for match in () if _VIRTUAL.search(text) else _COUNTED.finditer(text):
+        letter = next(filter(None, match.groups()))
+        argument = re.compile(rf"{_ARGUMENT}{re.escape(letter)}(?![A-Za-z_])")
+        if any(map(argument.search, displays)):
+            yield letter
 
 
 def _letters_of_last(texts: list[str]) -> Iterator[str]:
