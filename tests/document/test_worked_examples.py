@@ -34,6 +34,7 @@ OPEN = "not judged"
         ((r"#For example, with $l=3r$", LONG), ["PROVED"]),
         ((r"#For example, with $l=3r$ it follows that", SHORT), [OPEN]),
         ((r"#If, for example, $l=3r$", LONG), [OPEN]),
+        ((r"#For example, with $l=2r$ beside one with $l=3r$", LONG), [OPEN]),
         # Behind its end only what holds in general is proved.
         ((HEADING, "l=3r", r"#\section{Speed} Hence", LONG), ["DEFINITION", OPEN]),
         ((HEADING, "l=3r", r"#\subsection{Speed} Hence", LONG), ["DEFINITION", "PROVED"]),

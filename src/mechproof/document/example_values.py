@@ -104,6 +104,7 @@ class ExampleValues:
         numbers = [example.number] if example.number else range(1, example.last + 1)
         offset = printed.latex.offsets[printed.taken]
         told = [x for x in self.said if x.example == example.number and x.offset < offset]
+        told = [x for x in told if all(x.value == y.value for y in told if x.letter == y.letter)]
         before = self.order[: self.order.index(printed.name)]
         shown = (self.known.examples.get(n, {}) for n in numbers)
         given = (one[name] for one in shown for name in before if name in one)
