@@ -164,9 +164,9 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
 
     rooms = (
         "checking",
-        "accused_rows",
-        "constrained_rows",
-        "doubted_definitions",
+        "context.accused_rows",
+        "context.constrained_rows",
+        "context.doubted_definitions",
     )
     for module in ("pipeline.pasted", *(f"document.{room}" for room in rooms)):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

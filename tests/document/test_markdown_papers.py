@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from mechproof.document.checking import CheckedPaper, check
-from mechproof.document.draft import draft_block
+from mechproof.document.drafts.draft import draft_block
 from mechproof.sources.files import read_source
 
 pytestmark = pytest.mark.usefixtures("judged_here")

@@ -11,7 +11,7 @@ from small_papers import judge_parts, judge_rows
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
-from mechproof.document.judging_beside import judge_beside
+from mechproof.document.context.judging_beside import judge_beside
 from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
@@ -258,7 +258,7 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
         return answer_here(task, arguments, **options)
 
     before, _, (wrong, *_) = PAPERS["an acceleration"]
-    for room in ("constrained_rows", "accused_rows"):
+    for room in ("context.constrained_rows", "context.accused_rows"):
         monkeypatch.setattr(f"mechproof.document.{room}.run_tasks", answer)
     row = judge((*before, wrong))
     assert len(asked) > 1

@@ -7,9 +7,9 @@ import warnings
 import pytest
 import sympy as sp
 
+from mechproof.document.constraints.witnesses import enclose, find_points
 from mechproof.document.misprints import find_failure, find_misprint
 from mechproof.document.slips import Entry, find_slip
-from mechproof.document.witnesses import enclose, find_points
 from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
 

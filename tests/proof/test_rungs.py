@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from twins import judge
 
-from mechproof.document.consequences import MULTIPLE
+from mechproof.document.constraints.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
     binomial_squares,

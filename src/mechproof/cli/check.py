@@ -14,7 +14,7 @@ from mechproof.cli.document import print_checked
 from mechproof.cli.ledger import print_details
 from mechproof.document.checked_rows import rows_to_json
 from mechproof.document.checking import CheckedPaper, check as check_paper
-from mechproof.document.draft import draft_block
+from mechproof.document.drafts.draft import draft_block
 from mechproof.document.judging import LIMIT
 from mechproof.ledger.judged import Ledger, to_json
 from mechproof.pipeline.pasted import Checked, PastedError, check_pasted

@@ -7,19 +7,19 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
-from mechproof.document.accused_rows import find_misprints
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
-from mechproof.document.consequences import GIVEN, ROOT
-from mechproof.document.constrained_rows import (
+from mechproof.document.constraints.consequences import GIVEN, ROOT
+from mechproof.document.context.accused_rows import find_misprints
+from mechproof.document.context.constrained_rows import (
     doubt_by_premises,
     excuse_by_constraints,
     follow_from_constraints,
     solve_constraints,
     support_steps,
 )
-from mechproof.document.doubted_definitions import doubt_by_letters
-from mechproof.document.doubted_examples import doubt_by_examples
-from mechproof.document.doubts import (
+from mechproof.document.context.doubted_definitions import doubt_by_letters
+from mechproof.document.context.doubted_examples import doubt_by_examples
+from mechproof.document.context.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
     doubt_by_indices,
@@ -30,6 +30,9 @@ from mechproof.document.doubts import (
     find_contradictions,
     find_other_solutions,
 )
+from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
+from mechproof.document.context.rates_beside import compare_rates
+from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.judging import (
     COMPARED,
     LIMIT,
@@ -42,11 +45,8 @@ from mechproof.document.judging import (
     name_equation,
     opened,
 )
-from mechproof.document.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
-from mechproof.document.rates_beside import compare_rates
 from mechproof.document.rows import Document
 from mechproof.document.tasks import Task
-from mechproof.document.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.ledger.findings import list_findings
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Verdict

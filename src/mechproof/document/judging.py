@@ -9,22 +9,22 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.consequences import GIVEN
-from mechproof.document.following import judge_following
-from mechproof.document.misprints import FEW
-from mechproof.document.roles import Role
-from mechproof.document.rounded_factors import judge_factor
-from mechproof.document.rows import Document
-from mechproof.document.sides import have_same_letters
-from mechproof.document.slips import find_slip
-from mechproof.document.solutions import (
+from mechproof.document.constraints.consequences import GIVEN
+from mechproof.document.constraints.following import judge_following
+from mechproof.document.constraints.solutions import (
     are_exchanged,
     judge_angles,
     judge_signs,
 )
+from mechproof.document.constraints.unsaid_relations import find_relations
+from mechproof.document.constraints.witnesses import find_points
+from mechproof.document.misprints import FEW
+from mechproof.document.numbers.rounded_factors import judge_factor
+from mechproof.document.roles import Role
+from mechproof.document.rows import Document
+from mechproof.document.sides import have_same_letters
+from mechproof.document.slips import find_slip
 from mechproof.document.tasks import Task
-from mechproof.document.unsaid_relations import find_relations
-from mechproof.document.witnesses import find_points
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide

@@ -16,8 +16,8 @@ from itertools import islice
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.document.constraints.witnesses import Point, enclose, find_points
 from mechproof.document.slips import Change, Entry, Sides, list_alike, list_changes
-from mechproof.document.witnesses import Point, enclose, find_points
 from mechproof.domains.dimensions import is_angle
 from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Evidence

@@ -9,8 +9,6 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.calculated_sizes import find_span
-from mechproof.document.calculations import add_calculations
 from mechproof.document.known import Known
 from mechproof.document.letters_alone import (
     LetterAlone,
@@ -19,6 +17,8 @@ from mechproof.document.letters_alone import (
     has_place,
     is_bare,
 )
+from mechproof.document.numbers.calculated_sizes import find_span
+from mechproof.document.numbers.calculations import add_calculations
 from mechproof.document.roles import EQUAL, Role, Sign, Varied
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal

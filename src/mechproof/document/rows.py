@@ -11,8 +11,8 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.document.calculated_sizes import calculate_sizes
-from mechproof.document.complex_parts import find_imaginary_unit, is_complex
+from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
+from mechproof.document.constraints.solutions import SIGN, read_signs
 from mechproof.document.example_values import collect_values, lend_values
 from mechproof.document.known import Known
 from mechproof.document.later_matrices import Later, define_later, find_later
@@ -26,14 +26,14 @@ from mechproof.document.mentions import (
     refuse_unknown,
     says_constant,
 )
+from mechproof.document.numbers.calculated_sizes import calculate_sizes
+from mechproof.document.numbers.restated_sizes import RestatedSizes
+from mechproof.document.numbers.size_tables import SizeTables
+from mechproof.document.numbers.sizes import collect_sizes
+from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
-from mechproof.document.restated_sizes import RestatedSizes
 from mechproof.document.roles import Role, Sign
 from mechproof.document.seams import make_seams
-from mechproof.document.size_tables import SizeTables
-from mechproof.document.sizes import collect_sizes
-from mechproof.document.solutions import SIGN, read_signs
-from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError

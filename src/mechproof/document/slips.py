@@ -8,7 +8,7 @@ from itertools import combinations, permutations, product
 
 import sympy as sp
 
-from mechproof.document.scales import agrees
+from mechproof.document.numbers.scales import agrees
 from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
 

@@ -8,12 +8,15 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.complex_parts import split_parts
+from mechproof.document.constraints.complex_parts import split_parts
+from mechproof.document.constraints.solutions import read_signs, state_signs
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
-from mechproof.document.limits import state_limit
 from mechproof.document.mentions import is_listed, is_met_once, look_up
-from mechproof.document.numerical_values import turn_units
+from mechproof.document.numbers.limits import state_limit
+from mechproof.document.numbers.numerical_values import turn_units
+from mechproof.document.numbers.sizes import list_zeros
+from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.sides import (
     gives_entries,
@@ -27,8 +30,6 @@ from mechproof.document.sides import (
     ties_letters,
     ties_running,
 )
-from mechproof.document.sizes import list_zeros
-from mechproof.document.solutions import read_signs, state_signs
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -39,7 +40,6 @@ from mechproof.document.special_cases import (
     state_modulo,
     stay_within_pieces,
 )
-from mechproof.document.stated_numbers import StatedNumbers
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row

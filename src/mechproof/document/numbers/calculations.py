@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.calculated_sizes import find_span
+from mechproof.document.numbers.calculated_sizes import find_span
 from mechproof.document.roles import Sign
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print

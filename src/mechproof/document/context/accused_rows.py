@@ -5,18 +5,23 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from mechproof.document.applicable_constraints import (
+from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
+from mechproof.document.constraints.applicable_constraints import (
     is_plain,
     is_turned,
     may_hold_for,
 )
-from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.consequences import FOLLOWING, GIVEN
-from mechproof.document.constrained_rows import connect, is_constraint, is_proof, list_following
-from mechproof.document.doubted_definitions import leaves_free
-from mechproof.document.doubts import defines, list_printed, list_used, tell_contradiction
+from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
+from mechproof.document.context.constrained_rows import (
+    connect,
+    is_constraint,
+    is_proof,
+    list_following,
+)
+from mechproof.document.context.doubted_definitions import leaves_free
+from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
+from mechproof.document.context.judging_beside import judge_beside, judge_misprint
 from mechproof.document.judging import Key
-from mechproof.document.judging_beside import judge_beside, judge_misprint
 from mechproof.document.roles import Role
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Task

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.document.scales import Scales
+from mechproof.document.numbers.scales import Scales
 from mechproof.nomenclature.cells import Head, Numeral, find_unit
 from mechproof.nomenclature.inline import Inline, SaidQuantity, find_inline, find_quantities
 from mechproof.nomenclature.symbols import Symbols

@@ -13,10 +13,10 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import is_bare, is_of_another_example
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.consequences import FOLLOWING
-from mechproof.document.doubts import (
+from mechproof.document.constraints.applicable_constraints import is_bare, is_of_another_example
+from mechproof.document.constraints.consequences import FOLLOWING
+from mechproof.document.context.doubts import (
     is_later_case,
     is_left_case,
     is_linear,

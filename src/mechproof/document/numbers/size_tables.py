@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.known import Known
+from mechproof.document.numbers.scales import Result, RoundedSize, Scales
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import Result, RoundedSize, Scales
 from mechproof.document.tasks import Task
 from mechproof.latex import Reader
 from mechproof.nomenclature.cells import (

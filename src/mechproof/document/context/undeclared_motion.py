@@ -13,12 +13,12 @@ import numpy as np
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.consequences import FOLLOWING, GIVEN
-from mechproof.document.doubts import list_compared, list_printed, reach
+from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
+from mechproof.document.constraints.witnesses import find_points
+from mechproof.document.context.doubts import list_compared, list_printed, reach
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
-from mechproof.document.witnesses import find_points
 from mechproof.domains.domain import Domain
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict

@@ -12,11 +12,17 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.conversions import NEAR, UNFIT, convert, differs_by_unit, round_irrational
-from mechproof.document.printed_sizes import PrintedSize
+from mechproof.document.numbers.conversions import (
+    NEAR,
+    UNFIT,
+    convert,
+    differs_by_unit,
+    round_irrational,
+)
+from mechproof.document.numbers.printed_sizes import PrintedSize
+from mechproof.document.numbers.scales import RoundedSize, Scales, agrees, is_near
+from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.sizes import Sizes, show
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.nomenclature.units import Unit, read_unit
 from mechproof.record import NUMBER, Equality, PrintedNumber

@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import is_left, is_turned
 from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.constraints.applicable_constraints import is_left, is_turned
 from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task

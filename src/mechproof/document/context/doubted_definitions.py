@@ -11,7 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.doubts import defines, list_printed, list_used, reach
+from mechproof.document.context.doubts import defines, list_printed, list_used, reach
 from mechproof.document.judging import COMPARED, Key, judge_without
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task

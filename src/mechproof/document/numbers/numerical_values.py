@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.known import Known
+from mechproof.document.numbers.scales import Scales
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import Scales
 from mechproof.document.sides import SLOW
 from mechproof.record import Equality, Row
 

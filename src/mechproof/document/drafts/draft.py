@@ -9,8 +9,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from mechproof.document.complex_parts import find_imaginary_unit
-from mechproof.document.drafted_letters import (
+from mechproof.document.constraints.complex_parts import find_imaginary_unit
+from mechproof.document.drafts.drafted_letters import (
     Entry,
     find_running,
     is_motion,
@@ -19,7 +19,7 @@ from mechproof.document.drafted_letters import (
     split_letter,
     strip_arguments,
 )
-from mechproof.document.drafted_lines import (
+from mechproof.document.drafts.drafted_lines import (
     COUNTING,
     ask_refused,
     ask_sizes,
@@ -31,9 +31,13 @@ from mechproof.document.drafted_lines import (
     write_families,
     write_letter,
 )
-from mechproof.document.extremes import ask_extremes, find_extremes
+from mechproof.document.drafts.extremes import ask_extremes, find_extremes
+from mechproof.document.drafts.said_values import (
+    ask_what_follows,
+    propose_relations,
+    propose_values,
+)
 from mechproof.document.rows import Document
-from mechproof.document.said_values import ask_what_follows, propose_relations, propose_values
 from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printed_units
 from mechproof.nomenclature.letters import collect_letters, name_symbol
 from mechproof.nomenclature.said import Said, find_pi, find_said

@@ -7,9 +7,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.constraints import find_combination, find_multiple, list_factors_below
+from mechproof.document.constraints.combinations import (
+    find_combination,
+    find_multiple,
+    list_factors_below,
+)
+from mechproof.document.constraints.witnesses import hold_together
 from mechproof.document.tasks import Task
-from mechproof.document.witnesses import hold_together
 from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict

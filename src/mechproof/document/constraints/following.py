@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import state_at
-from mechproof.document.consequences import find_consequence
-from mechproof.document.constraints import list_factors
+from mechproof.document.constraints.applicable_constraints import state_at
+from mechproof.document.constraints.combinations import list_factors
+from mechproof.document.constraints.consequences import find_consequence
 from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain

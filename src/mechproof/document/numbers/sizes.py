@@ -11,12 +11,12 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.conversions import may_count
 from mechproof.document.known import Known
-from mechproof.document.printed_sizes import PrintedSize, list_numbers, read_size
-from mechproof.document.restated_sizes import RestatedSizes
+from mechproof.document.numbers.conversions import may_count
+from mechproof.document.numbers.printed_sizes import PrintedSize, list_numbers, read_size
+from mechproof.document.numbers.restated_sizes import RestatedSizes
+from mechproof.document.numbers.scales import RoundedSize, Scales, may_turn_units
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import RoundedSize, Scales, may_turn_units
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.nomenclature.units import Unit
 from mechproof.proof.verdict import Left

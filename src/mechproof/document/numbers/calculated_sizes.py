@@ -12,7 +12,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.scales import RoundedSize, has_sixty, spread
+from mechproof.document.numbers.scales import RoundedSize, has_sixty, spread
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number

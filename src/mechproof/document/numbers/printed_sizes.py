@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.known import Known
+from mechproof.document.numbers.scales import RoundedSize, Scales
 from mechproof.document.roles import Role, Sign
-from mechproof.document.scales import RoundedSize, Scales
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.nomenclature.units import read_unit
 from mechproof.record import find_last_place

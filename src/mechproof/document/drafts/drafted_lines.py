@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
 
-from mechproof.document.drafted_letters import Entry
+from mechproof.document.drafts.drafted_letters import Entry
 from mechproof.document.rows import Document
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.block import BlockError

@@ -8,13 +8,13 @@ from itertools import chain
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import list_applicable, state_at
-from mechproof.document.consequences import find_consequence, list_letters
-from mechproof.document.following import list_entries
+from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
+from mechproof.document.constraints.consequences import find_consequence, list_letters
+from mechproof.document.constraints.following import list_entries
+from mechproof.document.constraints.solutions import SUBSTITUTION, Solutions, write_sign
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.misprints import RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.slips import Entry
-from mechproof.document.solutions import SUBSTITUTION, Solutions, write_sign
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.latex.values import settle_all

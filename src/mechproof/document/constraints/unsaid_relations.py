@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 
 import sympy as sp
 
-from mechproof.document.consequences import list_letters
+from mechproof.document.constraints.consequences import list_letters
 from mechproof.document.slips import TURNING
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain

@@ -8,12 +8,17 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.document.conversions import NEAR, UNFIT
-from mechproof.document.numbers_at_sizes import SINGLE, measure_off, state_number, tell_missing
-from mechproof.document.numerical_values import OPEN, is_of_units
+from mechproof.document.numbers.conversions import NEAR, UNFIT
+from mechproof.document.numbers.numbers_at_sizes import (
+    SINGLE,
+    measure_off,
+    state_number,
+    tell_missing,
+)
+from mechproof.document.numbers.numerical_values import OPEN, is_of_units
+from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, spread
+from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.roles import Sign
-from mechproof.document.scales import ARCS, RoundedSize, agrees, spread
-from mechproof.document.sizes import Sizes, show
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.units import Unit, is_share, read_unit
 from mechproof.record import Equality, PrintedNumber

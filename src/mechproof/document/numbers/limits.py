@@ -10,8 +10,8 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.known import Known
+from mechproof.document.numbers.scales import Scales, may_turn_units
 from mechproof.document.roles import Sign
-from mechproof.document.scales import Scales, may_turn_units
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.nomenclature.units import UNITS, Unit, read_unit, weigh
 from mechproof.record import FREQUENCY, NUMBER, Holds, Row

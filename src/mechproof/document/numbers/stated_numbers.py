@@ -7,15 +7,15 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
-from mechproof.document.numbers_at_sizes import OTHERS, state_number
-from mechproof.document.put_in_sizes import may_be_rounded, state_put_in, state_result
+from mechproof.document.numbers.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
+from mechproof.document.numbers.numbers_at_sizes import OTHERS, state_number
+from mechproof.document.numbers.put_in_sizes import may_be_rounded, state_put_in, state_result
+from mechproof.document.numbers.rounded_factors import is_far
+from mechproof.document.numbers.scales import agrees, is_near
+from mechproof.document.numbers.sizes import Sizes
 from mechproof.document.roles import Role, Sign
-from mechproof.document.rounded_factors import is_far
-from mechproof.document.scales import agrees, is_near
-from mechproof.document.sizes import Sizes
 from mechproof.latex.values import settle_all
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row

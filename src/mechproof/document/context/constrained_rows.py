@@ -7,24 +7,24 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.applicable_constraints import (
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.constraints.applicable_constraints import (
     list_applicable,
     may_hold_for,
 )
-from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.consequences import FOLLOWING, GIVEN, SQUARE, list_letters
-from mechproof.document.doubts import (
+from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, SQUARE, list_letters
+from mechproof.document.context.doubts import (
     CONTRADICTING,
     defines,
     list_used,
 )
-from mechproof.document.judging import Key
-from mechproof.document.judging_beside import (
+from mechproof.document.context.judging_beside import (
     judge_beside,
     judge_excused,
     judge_freed,
     judge_roots,
 )
+from mechproof.document.judging import Key
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict

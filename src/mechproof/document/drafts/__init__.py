@@ -1,0 +1,1 @@
+"""Drafts of the block of letters: what displays and sentences propose, for a person to confirm."""

@@ -1,0 +1,1 @@
+"""Numbers of a paper: sizes, units, calculations and tables, and what formulas give there."""
