@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 
 from mechproof.document.checking import check
+from mechproof.document.drafts.draft import draft_block
 from mechproof.document.rows import Document
 from mechproof.nomenclature.block import BlockError, read_block
 from mechproof.nomenclature.units import UnitError, read_unit
@@ -63,11 +64,13 @@ def test_the_block_may_lie_beside_the_paper(tmp_path: Path) -> None:
     [
         ("a.tex", "%% mechproof\n%% a : length\n%% end\n"),
         ("a.md", "<!-- mechproof\na : length\n-->\n"),
+        ("a.md", "# Text\n%% mechproof\n%% a : length\n%% end\n"),
     ],
 )
 def test_the_block_stands_in_comments(name: str, content: str) -> None:
     source = read_source(name, content)
     assert [line.string for line in source.lines] == ["a : length"]
+    assert "length" not in source.text.string
     with pytest.raises(DocumentError, match="has no end"):
         read_source(name, content.replace("%% end", "").replace("-->", ""))
 
@@ -186,3 +189,15 @@ def test_units_have_sizes() -> None:
 def test_an_unknown_unit_is_told() -> None:
     with pytest.raises(UnitError, match="'mile'"):
         read_unit("mile/h")
+
+
+@pytest.mark.parametrize("name", ["a.tex", "a.md"])
+def test_a_draft_is_read_as_it_comes(name: str, tmp_path: Path) -> None:
+    text = "\nThe radius $r$ of the wheel.\n$$u=2\\pi r$$\n"
+    block = draft_block(read_source(name, text))
+    assert any("radius" in line.string for line in read_source(name, f"{block}{text}").lines)
+    # So it is in a file of its own.
+    (tmp_path / name).write_text(text)
+    (tmp_path / "a.letters").write_text(block)
+    beside = read_source(str(tmp_path / name))
+    assert [x.string for x in beside.lines] == [x.string for x in read_source(name, block).lines]

@@ -69,6 +69,11 @@ def read_source(path: str, content: str | None = None) -> Source:
     return source
 
 
+def is_markdown_name(name: str) -> bool:
+    """Return whether a file is Markdown, by its name."""
+    return Path(name).suffix in MARKDOWN
+
+
 def _open(path: Path) -> str:
     try:
         return path.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
@@ -82,9 +87,10 @@ def _read(
 ) -> LocatedText:
     """Return a file without comments, and in it the files that it inputs."""
     text = source.files.add(name, content)
-    is_markdown = Path(name).suffix in MARKDOWN
-    block = _HIDDEN if is_markdown else _BLOCK
-    blocks = list(block.finditer(content))
+    is_markdown = is_markdown_name(name)
+    patterns = (_HIDDEN, _BLOCK) if is_markdown else (_BLOCK,)
+    found = (match for pattern in patterns for match in pattern.finditer(content))
+    blocks = sorted(found, key=lambda match: match.start())
     if len(blocks) < len(_OPENED.findall(content)):
         end = "-->" if is_markdown else "%% end"
         raise DocumentError(f"{name}: its block of letters has no end: a line {end}")
@@ -92,7 +98,8 @@ def _read(
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
-        shown = _show(text, _MATH).replace(_FENCE, lambda match: "\n")
+        shown = _show(text.replace(_BLOCK, lambda match: "\n"), _MATH)
+        shown = shown.replace(_FENCE, lambda match: "\n")
         return _show(shown.replace(_ESCAPED, lambda match: match[1]), _ALONE)
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
     plain = _drop_false(plain.replace(_VERB, lambda match: " "))
@@ -129,7 +136,7 @@ def _take_lines(block: LocatedText, source: Source) -> None:
         mark = _MARK.match(match[0].lstrip())
         line = block[match.start() : match.end()].strip()
         line = line[mark.end() :].strip() if mark else line
-        is_edge = line.string in ("mechproof", "end")
+        is_edge = line.string in ("mechproof", "end", "<!-- mechproof", "-->")
         if len(line) and not (is_edge or line.string.startswith("#")):
             source.lines.append(line)
 
