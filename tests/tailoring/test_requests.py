@@ -16,8 +16,10 @@ from mechproof.tailoring.request import prove_periodicity, read_request
 
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}
+# That of the ovals takes nine seconds.
+LONG = {("oval_planetary", "jerk"): [pytest.mark.slow]}
 PERIODIC = [
-    (system, quantity.name)
+    pytest.param(system, quantity.name, marks=LONG.get((system, quantity.name), []))
     for system in ("elliptic_planetary", "oval_planetary")
     for quantity in paper_of(system).quantities
     if quantity.periodicity
