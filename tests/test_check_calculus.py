@@ -251,3 +251,8 @@ def test_what_has_a_value_where_it_is_meant_is_proved(latex: str, where: tuple[s
 @pytest.mark.parametrize(("latex", "where"), NOT_PROVED)
 def test_what_is_not_true_everywhere_is_not_proved(latex: str, where: tuple[str, ...]) -> None:
     assert Verdict.PROVED not in judge(latex, where)
+
+
+@pytest.mark.parametrize("latex", [r"\int_0^1e^{-x^2+\sqrt x}dx=1", r"\int_0^1e^{-x+\sin x}dx=1"])
+def test_an_integral_without_an_antiderivative_is_refuted_by_its_number(latex: str) -> None:
+    assert judge(latex) == {Verdict.REFUTED}

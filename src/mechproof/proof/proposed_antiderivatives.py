@@ -54,10 +54,10 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if integrand.free_symbols - {variable}:
         yield from _propose_by_sums(integrand, variable)
-    yield from _propose_by_bell(integrand, variable)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
-    # By fractions first: at some of them SymPy tries its rules for long.
-    for propose in (_propose_by_fractions, _propose_by_rules, *by_others, _propose_in_parallel):
+    # These two first: at some fractions SymPy tries its rules for long.
+    at_first = (_propose_by_bell, _propose_by_fractions)
+    for propose in (*at_first, _propose_by_rules, *by_others, _propose_in_parallel):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
 

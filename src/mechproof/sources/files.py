@@ -32,6 +32,9 @@ _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
 # What Markdown needs a backslash before, so that it is no emphasis.
 _ESCAPED = re.compile(r"\\(_)")
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
+# How a block of letters begins, what its lines begin with, and how it ends.
+LATEX_BLOCK = "%% mechproof", "%% ", "%% end"
+MARKDOWN_BLOCK = "<!-- mechproof", "", "-->"
 _BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MULTILINE)
 _OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
 _HIDDEN = re.compile(r"^<!--\s*mechproof\s*$(.*?)^-->\s*$", re.DOTALL | re.MULTILINE)
@@ -92,7 +95,7 @@ def _read(
     found = (match for pattern in patterns for match in pattern.finditer(content))
     blocks = sorted(found, key=lambda match: match.start())
     if len(blocks) < len(_OPENED.findall(content)):
-        end = "-->" if is_markdown else "%% end"
+        *_, end = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
         raise DocumentError(f"{name}: its block of letters has no end: a line {end}")
     for match in blocks:
         source.has_block = True
@@ -136,7 +139,7 @@ def _take_lines(block: LocatedText, source: Source) -> None:
         mark = _MARK.match(match[0].lstrip())
         line = block[match.start() : match.end()].strip()
         line = line[mark.end() :].strip() if mark else line
-        is_edge = line.string in ("mechproof", "end", "<!-- mechproof", "-->")
+        is_edge = line.string in ("mechproof", "end", *MARKDOWN_BLOCK)
         if len(line) and not (is_edge or line.string.startswith("#")):
             source.lines.append(line)
 

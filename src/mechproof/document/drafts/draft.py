@@ -43,16 +43,13 @@ from mechproof.nomenclature.letters import collect_letters, name_symbol
 from mechproof.nomenclature.said import Said, find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
 from mechproof.sources.displays import Printed, find_displays
-from mechproof.sources.files import Source, is_markdown_name
+from mechproof.sources.files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
 # Seconds to find out whether a letter is a matrix.
 _LIMIT = 10.0
 # A letter e: any, and one that is raised.
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
-# How a block begins, what its lines begin with, and how it ends.
-_LATEX_BLOCK = "%% mechproof", "%% ", "%% end"
-_MARKDOWN_BLOCK = "<!-- mechproof", "", "-->"
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
 
 
@@ -105,7 +102,7 @@ def draft_block(source: Source) -> str:
     lines += ask_what_follows(source, displays)
     lines += tell_unread(displays, plain, collected, source)
     is_markdown = is_markdown_name(source.files.names[0])
-    first, mark, last = _MARKDOWN_BLOCK if is_markdown else _LATEX_BLOCK
+    first, mark, last = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
     return "\n".join([first, *(f"{mark}{line}" for line in lines), last, ""])
 
 
