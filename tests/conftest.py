@@ -22,9 +22,11 @@ LONGEST = (
     *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
-# Of the cases of a slow test always the same eighth is run with the others, unless what takes long
-# is done for all of them `together`.
+# Of a slow test with as many cases always the same one in so many is run with what is not slow, and
+# one in fewer with what is slow; the rest is thorough. Where what takes long is done for all cases
+# `together`, all of them stay slow.
 SHOWN = 8
+SLOW = 4
 
 # What a derivation is made of.
 DERIVED = (".py", ".tex", ".json")
@@ -62,8 +64,7 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Keep the tests of a file in one worker, which loads and compiles what they share once."""
-    for item in _list_shown(items):
-        item.own_markers = [mark for mark in item.own_markers if mark.name != "slow"]
+    _part_cases(items)
     groups = {item: _find_group(item) for item in items}
     for item, group in groups.items():
         item.add_marker(pytest.mark.xdist_group(group))
@@ -81,17 +82,29 @@ def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None
         items[:] = [item for item in items if item not in left_out]
 
 
-def _list_shown(items: list[pytest.Item]) -> Iterator[pytest.Item]:
-    """List what is marked slow and is not run with the slow tests."""
+def _part_cases(items: list[pytest.Item]) -> None:
+    """Let some cases of a slow test be run sooner, most of them with what is thorough."""
     slow: dict[str, list[pytest.Item]] = {}
     for item in items:
+        mark = item.get_closest_marker("slow")
         if item.get_closest_marker("thorough"):
-            yield item
-        elif (mark := item.get_closest_marker("slow")) and not mark.kwargs.get("together"):
+            _unmark(item)
+        elif mark and not mark.kwargs.get("together"):
             slow.setdefault(item.nodeid.split("[")[0], []).append(item)
     for cases in slow.values():
-        if len(cases) >= SHOWN:
-            yield from _take_share(cases, SHOWN)
+        if len(cases) < SHOWN:
+            continue
+        shown = _take_share(cases, SHOWN)
+        kept = _take_share([item for item in cases if item not in shown], SLOW)
+        for item in cases:
+            if item not in kept:
+                _unmark(item)
+            if item not in kept and item not in shown:
+                item.add_marker(pytest.mark.thorough)
+
+
+def _unmark(item: pytest.Item) -> None:
+    item.own_markers = [mark for mark in item.own_markers if mark.name != "slow"]
 
 
 def _take_share(items: list[pytest.Item], count: int) -> list[pytest.Item]:
