@@ -122,6 +122,18 @@ def test_words_about_a_symbol_do_not(judged: Callable[..., list[str]]) -> None:
     assert judged(*ROWS, words="sign='to the right'") == []
 
 
+def test_rows_of_a_copied_folder_are_known(judged: Callable[..., list[str]], folder: Path) -> None:
+    judged(*ROWS)
+    known = VerdictCache(folder / "mine.py").load()
+    assert len(known) == len(ROWS)
+    copies = [folder / "here" / "mine", folder / "there" / "mine", folder / "there" / "other"]
+    for copy in copies:
+        copy.mkdir(parents=True)
+    VerdictCache(copies[0]).save(known)
+    assert VerdictCache(copies[1]).load() == known
+    assert VerdictCache(copies[2]).load() == VerdictCache(folder / "there" / "mine.py").load() == {}
+
+
 def test_without_the_cache_all_rows_are_judged(
     judged: Callable[..., list[str]], folder: Path
 ) -> None:

@@ -1,13 +1,15 @@
 """Cache: the verdicts of the rows that have not changed since they were last judged.
 
 A row is judged anew when its record, the domain, a source file of the prover or the version of
-Python, SymPy or flint differs. One file for each derivation holds the rows of its last run.
+Python, SymPy or flint differs. One file for each derivation holds the rows of its last run. Of a
+folder those of its namesakes are read as well: what is installed is often also checked out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from glob import escape
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +19,7 @@ from mechproof.ledger.fingerprint import Fingerprint, NoFingerprintError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
 from mechproof.sources.text import Place
-from mechproof.tools.cache import Store, make_key, name_place
+from mechproof.tools.cache import Store, cache_folder, make_key, name_place
 
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"
@@ -59,10 +61,13 @@ class VerdictCache:
 
     def __init__(self, location: Path) -> None:
         self.store = Store(f"{name_place(location)}.json")
+        self.named_alike = f"{escape(location.stem)}-*.json" if location.is_dir() else ""
 
     def load(self) -> dict[str, tuple[Judgement, ...]]:
         """Return what is kept; entries that cannot be read are as good as absent."""
-        entries = self.store.read().items()
+        alike = sorted(cache_folder().glob(self.named_alike)) if self.named_alike else ()
+        stores = (*(Store(file.name) for file in alike), self.store)
+        entries = [entry for store in stores for entry in store.read().items()]
         return {key: found for key, entry in entries if (found := _read_all(entry))}
 
     def save(self, judgements: Mapping[str, tuple[Judgement, ...]]) -> None:
