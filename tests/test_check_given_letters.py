@@ -143,6 +143,40 @@ def test_a_letter_of_a_value_may_be_introduced() -> None:
     assert judge("a=2x", values=("k=a/b",)).verdict == "DEFINITION"
 
 
+# Decimals that letters are given by, beside others that are no roundings.
+ROUNDED = [
+    (r"\omega=2\pi n/60", ("n=1500",), r"\omega=%s", "157.08", "157.18"),
+    (r"2\pi n/60=\omega", ("n=1500",), r"\omega=%s", "157.1", "157.0"),
+    (r"v=\omega r", ("r=0.05", r"\omega=157.08"), "v=%s", "7.85", "7.84"),
+    ("a=b", ("b=1.5",), "a=%s", "1.50", "1.52"),
+    ("b=a", ("b=1.52",), "a=%s", "1.52", "1.5"),
+]
+
+
+@pytest.mark.parametrize(("latex", "values", "rounded", "true", "wrong"), ROUNDED)
+def test_a_decimal_is_what_the_other_side_rounds_to(
+    latex: str, values: tuple[str, ...], rounded: str, true: str, wrong: str
+) -> None:
+    assert judge(latex, values=(*values, rounded % true)).verdict == "PROVED"
+    assert judge(latex, values=(*values, rounded % wrong)).verdict == "REFUTED"
+
+
+def test_a_decimal_within_an_expression_is_exact() -> None:
+    assert judge("v=2r", values=("r=0.333", "v=0.666")).verdict == "PROVED"
+    assert judge("3r=1", values=("r=0.333",)).verdict == "REFUTED"
+    assert judge(r"v=\omega r", values=("r=0.05", "v=7.85")).verdict == "REFUTED"
+
+
+@pytest.mark.parametrize("value", ["F=117.7 N", r"F=2\,\mathrm{kN}", "F=100~Nmm"])
+def test_a_value_with_a_unit_is_refused(value: str) -> None:
+    with pytest.raises(ValueError, match="units are not read"):
+        judge(r"F=12\cdot9.81", values=(value,))
+
+
+def test_a_letter_of_the_equation_is_no_unit() -> None:
+    assert judge("d=m+m", values=("d=2 m",)).verdict == "PROVED"
+
+
 # Of an equation one letter is taken that it gives, or its reciprocal.
 TIED = [
     (r"\frac1p+\frac1q=1", "p+q=%s", "pq", "2pq"),

@@ -268,6 +268,23 @@ CASES = {
         ["DEFINITION", "DEFINITION", "not judged", "not judged"],
     ),
 }
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("factor", "outcome"), [("", "PROVED"), ("2", "REFUTED")])
+def test_what_is_said_to_be_an_identity_may_follow(factor: str, outcome: str) -> None:
+    letters = "%% r ; l : lengths {r>0}\n%% x(t) : position\n%% \\varphi(t) ; \\beta(t) : angles\n"
+    said = "%% where -\\pi/2<\\beta<\\pi/2\n%% where l>r\n%% identity (3)\n"
+    printed = (
+        r"x=r\cos\varphi+l\cos\beta",
+        r"l\sin\beta=r\sin\varphi",
+        rf"\dot x=-{factor}r\dot\varphi\frac{{\sin(\varphi+\beta)}}{{\cos\beta}}",
+    )
+    equations = "".join(rf"\begin{{equation}}{one}\end{{equation}}" for one in printed)
+    rows = check("p.tex", f"%% mechproof\n{letters}{said}%% end\n{equations}").rows
+    assert rows[-1].outcome == outcome
+
+
 SLIDER = (r"r\cos\varphi+l\cos\alpha=x", r"r\sin\varphi=l\sin\alpha")
 FOLLOWING = {
     r"x^2-2rx\cos\varphi+r^2=l^2": "PROVED",

@@ -168,6 +168,11 @@ def spell_unit(text: str) -> str:
     return re.sub(r"\s+(?=[\^/])", "", _MACRO.sub(spell, text)).strip()
 
 
+def is_unit(text: str) -> bool:
+    """Return whether a word names a unit, with or without a prefix."""
+    return text in _BASE
+
+
 def read_unit(text: str) -> Unit:
     """Return a unit such as mm, m/s^2, N m or 1/s.
 

@@ -12,9 +12,13 @@ from mechproof.latex import Reader
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, settle_all
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.relations import read_relations
+from mechproof.nomenclature.units import is_unit
 from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
 from mechproof.record import Variable
 
+# A number, and behind a blank what may be its unit.
+_WITH_UNIT = re.compile(r"[-+\d.]+(?:\s|~|\\[,:;!])+(?:\\mathrm\s*\{)?([^\W\d_]+)\}?\s*")
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 _ACCENTS = re.compile(r"\\d{1,3}ot(?![A-Za-z])|'+")
 
 
@@ -25,6 +29,24 @@ def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic,
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"{text}: a value is written letter=expression")
             yield relation.lhs, relation.rhs
+
+
+def find_decimals(said: Iterable[str], variables: Sequence[Variable]) -> dict[sp.Basic, str]:
+    """Return the digits of letters whose values are decimals, which are rounded as printed ones."""
+    values = ((name.strip(), value.strip()) for name, _, value in (x.partition("=") for x in said))
+    digits = {name: value for name, value in values if _DECIMAL.fullmatch(value)}
+    return {v.symbol: digits[name] for v in variables for name in v.latex if name in digits}
+
+
+def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
+    """Refuse a value with a unit whose letters the equation does not have."""
+    for text in said:
+        found = _WITH_UNIT.fullmatch(text.partition("=")[2].strip())
+        if found and is_unit(found[1]) and not {*found[1]} & {*letters}:
+            raise ValueError(
+                f"--let {text}: {found[1]} behind a number: units are not read in a single "
+                "equation, but in a paper; give the number alone, all of them in units that fit"
+            )
 
 
 def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.Expr]:

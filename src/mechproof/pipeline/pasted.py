@@ -29,7 +29,16 @@ from mechproof.pipeline.special_letters import take_set
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Definition, Equality, Equation, Paper, Part, Row, Variable
+from mechproof.record import (
+    Definition,
+    Equality,
+    Equation,
+    Paper,
+    Part,
+    PrintedNumber,
+    Row,
+    Variable,
+)
 from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack
 from mechproof.tools.processes import WorkerError, run_tasks
@@ -108,7 +117,8 @@ def _judge(pasted: Pasted) -> Checked:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     if printed:
         rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
-    rows = tuple(compare_bold(_compare_given(row, letters, reader), variables) for row in rows)
+    rows = tuple(_round_given(_compare_given(row, letters, reader), letters) for row in rows)
+    rows = tuple(compare_bold(row, variables) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
@@ -155,6 +165,18 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
         return row
     given, printed = (letters.rates.get(one, one) for one in (says.symbol, says.printed))
     return replace(row, says=Equality(given, printed, "member"))
+
+
+def _round_given(row: Row, letters: Letters) -> Row:
+    """Let the decimal that a letter is given by be what the other side rounds to."""
+    says, values = row.says, {v.symbol: v.given for v in letters.variables if v.given is not None}
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    for letter, other in zip(sides, sides[::-1], strict=True):
+        digits = letters.decimals.get(letter)
+        value = settle_all(other, values) if digits and not other.is_Symbol else letter
+        if digits and not value.free_symbols:
+            return replace(row, says=PrintedNumber(digits, value))
+    return row
 
 
 def _take_condition(pasted: Pasted) -> Pasted:

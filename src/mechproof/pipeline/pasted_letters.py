@@ -12,6 +12,7 @@ from sympy.core.relational import Relational
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
 from mechproof.latex.names import INDEX
+from mechproof.latex.tokens import list_signs
 from mechproof.latex.undeclared import UNSURE
 from mechproof.nomenclature.adjacent_letters import find_factors, find_increments, find_phases
 from mechproof.nomenclature.counting_letters import find_counts
@@ -26,9 +27,11 @@ from mechproof.pipeline.bold_letters import (
 )
 from mechproof.pipeline.given_letters import (
     find_all_rates,
+    find_decimals,
     find_given_moving,
     give_values,
     read_values,
+    refuse_units,
     solve_equation,
 )
 from mechproof.pipeline.moving_letters import (
@@ -91,7 +94,8 @@ class Letters:
     """Letters with their values, how they are written, and relations that are said of them.
 
     `tied` are those of equations that give one of them by the others, `rates` the derivatives of
-    letters that have values; `needed` must hold so that values are real.
+    letters that have values; `needed` must hold so that values are real, and `decimals` are the
+    digits of those that are rounded.
     """
 
     variables: tuple[Variable, ...]
@@ -100,6 +104,7 @@ class Letters:
     tied: frozenset[sp.Basic]
     rates: Mapping[sp.Basic, sp.Expr]
     needed: Sequence[Relational]
+    decimals: Mapping[sp.Basic, str]
 
 
 def read_letters(pasted: Pasted) -> Letters:
@@ -129,6 +134,7 @@ def read_letters(pasted: Pasted) -> Letters:
         *(solve_equation(one, moving) for one in equations),
     ]
     variables = give_values(variables, values)
+    refuse_units(pasted.values, list_signs(pasted.latex))
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
     rates = find_all_rates(variables, moving)
     variables = tuple(
@@ -137,7 +143,8 @@ def read_letters(pasted: Pasted) -> Letters:
         for one in show_entries(replace(v, given=rates.get(v.symbol, v.given)))
     )
     left = [r for r in relations if r not in equations]
-    return Letters(variables, notation, left, tied, rates, _list_needed(variables))
+    decimals = find_decimals(pasted.values, variables)
+    return Letters(variables, notation, left, tied, rates, _list_needed(variables), decimals)
 
 
 def _take_special(pasted: Pasted) -> Pasted:

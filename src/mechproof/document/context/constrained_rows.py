@@ -43,7 +43,7 @@ def follow_from_constraints(
     """Judge again what is not shown to hold by itself: it may follow from constraints before it.
 
     A step of a chain may be one, i=n_1/n_2=z_2/z_1. What differs from a definition, but may be
-    another case of it, may follow, too.
+    another case of it, may follow, too, and so may what is said to be an identity and is none.
     """
     asked, proved = _ask_what_follows(tasks, rows), set[int]()
     while asked:
@@ -66,7 +66,9 @@ def _ask_what_follows(
     for n, task in enumerate(tasks):
         common = [g for g in list_applicable(given, n, tasks) if _have_common(tasks[g], task)]
         is_left = task.is_solution and rows[n].outcome == State.NOT_JUDGED.value
-        if common and (rows[n].outcome in _UNPROVED or is_left) and not task.is_claimed:
+        is_open = rows[n].outcome in _UNPROVED or is_left
+        is_false = rows[n].outcome == Verdict.REFUTED.value
+        if common and (is_false if task.is_claimed else is_open):
             asked[n] = tuple(common)
     return asked
 
@@ -83,7 +85,8 @@ def _follow(
     for place, found in run_tasks(judge_beside, numbers, limit=limit):
         number = numbers[place][1]
         if isinstance(found, Judgement):
-            if rows[number].judgement or found.verdict is Verdict.PROVED:
+            is_settled = tasks[number].is_claimed or not rows[number].judgement
+            if found.verdict is Verdict.PROVED or not is_settled:
                 yield number, make_row(tasks[number], found)
         elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
             alone = rows[number].judgement
