@@ -46,6 +46,15 @@ def test_every_row_has_a_script_or_a_reason_in_the_order_of_the_ledger(place: Pa
     assert sorted(told) == ["mine: (1)", "mine: (2)", "mine: (3)"]
 
 
+def test_a_row_that_the_print_has_alone_is_withheld(tmp_path: Path) -> None:
+    file = tmp_path / "own.tex"
+    file.write_text("$$x=1+1$$ $$(x+1)^2=x^2+2x+1$$", encoding="utf-8")
+    assert run("new", str(tmp_path / "own.py")).exit_code == 0
+    (ledger,) = judge_derivations([tmp_path / "own.py"], use_cache=False)
+    (script,) = write_row_scripts({tmp_path / "own.py": ledger})
+    assert script.reason == WITHOUT_ROW
+
+
 def test_a_row_at_which_it_fails_is_named(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (ledger,) = judge_derivations([place], use_cache=False)
 

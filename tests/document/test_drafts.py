@@ -246,6 +246,11 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"It does not slip with $\tan b=c$ $$y=b+c$$", [r"# claim \tan b=c"], [r"claim \tan b=c"]),
         # A speed that varies is defined by the angle.
         (r"The speed $w=\dot q$ varies. $$b=cw\cos q$$", [r"let w=\dot q"], [r"let \dot q=w"]),
+        (
+            r"The acceleration at constant $\dot q=w$ is $$b=cw\cos q$$",
+            [r"let \dot q=w"],
+            [r"let w=\dot q"],
+        ),
         (r"A variable speed $\dot q=w$. $$b=cw\cos q$$", [r"let w=\dot q"], [r"let \dot q=w"]),
         (
             r"with $w=\dot q$ and $v=\dot w$ $$b=cw\cos q+v$$",

@@ -40,7 +40,8 @@ _NO_DEFINITION = re.compile(
     re.IGNORECASE,
 )
 _DEFINING = re.compile(r",\s*(?:with|where)\s+\Z")
-# What is said of a speed that is no constant.
+# What is said of a speed that is a constant, and of one that is none.
+_STEADY = re.compile(r"(?<!not\s)\b(?:constant|uniform(?:ly)?)\b")
 _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+|changes?)\b")
 _BEFORE = 70
 # A unit of one letter, without braces: 3\,\mathrm m.
@@ -105,7 +106,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         before = text[max(match.start() - _BEFORE, 0) : match.start()]
         is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
-        is_varying = bool(_VARYING.search(sentence))
+        is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
         end = match.end()
         yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset)
 

@@ -63,5 +63,5 @@ def _run(tasks: Sequence[Task]) -> Iterator[tuple[int, tuple[RowScript, ...] | W
 def _write_task(task: Task) -> tuple[RowScript, ...]:
     opened, ledger = _opened[task[0]]
     judged = {j.number: j for j in ledger.judgements if j.verdict in CERTIFIABLE}
-    rows = [row for row in opened.state(task[1]) if row.number in judged]
+    rows = [row for row in opened.state(task[1]) if row.number in judged and row.says]
     return tuple(write_row_script(judged[row.number], row, ledger) for row in rows)
