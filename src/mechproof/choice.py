@@ -21,6 +21,7 @@ from mechproof.arguments.scalars import check_count, check_number, refuse, requi
 from mechproof.measured import (
     FOLDER as MEASURED,
     KERNELS,
+    MADE_BY,
     MeasuredWay,
     Record,
     Timing,
@@ -228,7 +229,7 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
     require(is_path, "measured", measured, "must be the path of a folder", TypeError)
     files = find_files(None if measured is None else Path(measured))
     found = measured is None or files
-    require(found, "measured", measured, "no folder with records of `mechproof measure`")
+    require(found, "measured", measured, f"no folder with records of {MADE_BY}")
     named = [name for name in files if quantity in (name, name.partition(".")[2])]
     if len(named) > 1:
         refuse("quantity", quantity, f"several systems have it, name one: {', '.join(named)}")

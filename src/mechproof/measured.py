@@ -254,6 +254,9 @@ def goes_by(quantity: str, name: str) -> bool:
     return name in (quantity, *quantity.split(".", 1))
 
 
+MADE_BY = "`mechproof measure`, which writes into measured, with --quick into measured/quick"
+
+
 def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
     """Return the files of a folder, by default those that come with the package, by quantity."""
     folder = files(KERNELS).joinpath(FOLDER) if folder is None else folder

@@ -183,6 +183,13 @@ def test_the_title_says_what_is_seen(others: list[tuple[str, float, float]], say
     assert write_headline(marks) == f"{seen}, {says}"
 
 
+def test_the_verb_of_another_way_is_that_of_the_shipped_one() -> None:
+    lost = [make_mark(name, time, 2.88e11) for name, time in (("kernel", 1), ("a", 2))]
+    lost[0] = replace(lost[0], family="shipped")
+    told = "The shipped kernel loses 11 digits (2.9e+11 eps by search), as does the only other way"
+    assert write_headline(lost, 2.9e11) == f"{told}; none is faster"
+
+
 @pytest.mark.parametrize(
     ("searched", "says"),
     [

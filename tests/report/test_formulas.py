@@ -283,6 +283,11 @@ def test_marked_decimals_stand_close_to_their_point() -> None:
         ("(Abs(a) + 2)", "(|a|\N{NO-BREAK SPACE}+ 2)"),
         ("D^XYZ**2", "D<sup>XYZ²</sup>"),
         ("d phi3/d phi1", "dφ<sub>3</sub>/dφ<sub>1</sub>"),
+        (
+            r"-\dot{\psi}*l*cos(\psi)^3 of x_{1}, \hat{n}",
+            "\N{MINUS SIGN}\N{GREEK SMALL LETTER PSI}\N{COMBINING DOT ABOVE}·l·"
+            "cos(\N{GREEK SMALL LETTER PSI})³ of x<sub>1</sub>, n\N{COMBINING CIRCUMFLEX ACCENT}",
+        ),
         ("variants 1 and 2 a year", "variants 1 and 2 a year"),
         (
             "tg 20 deg of 3 sigma",

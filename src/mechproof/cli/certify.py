@@ -16,7 +16,7 @@ from mechproof.tools.made import ForeignFileError
 
 
 def certify(
-    papers: options.Papers = None,
+    papers: options.Systems = None,
     out: Annotated[
         Path,
         typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),

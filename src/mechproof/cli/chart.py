@@ -10,7 +10,7 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.console import refuse, say
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.measured import Record, find_files, goes_by, read_record
+from mechproof.measured import MADE_BY, Record, find_files, goes_by, read_record
 
 
 def chart(
@@ -52,7 +52,7 @@ def _read(folder: Path | None, names: tuple[str, ...]) -> list[Record]:
     """Read the records with these names: quantity, system or system.quantity; all without."""
     files = find_files(folder)
     if not files:
-        refuse(f"--measured {folder}: no folder with records of `mechproof measure`")
+        refuse(f"--measured {folder}: no folder with records of {MADE_BY}")
     for name in names:
         if not any(goes_by(quantity, name) for quantity in files):
             refuse(f"quantity {name!r} is not one of {', '.join(files)}")

@@ -168,7 +168,8 @@ def regenerate(
 def measure(
     quantities: options.Quantities = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Few points, short times: under a minute.")
+        bool,
+        typer.Option("--quick", help="Few points, short times: seconds for a quantity."),
     ] = False,
     processes: Annotated[
         int,

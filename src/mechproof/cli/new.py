@@ -32,7 +32,8 @@ def new(
     Exit status 0: written; 2: the file is there already, or its name is not allowed.
     """
     if file.exists():
-        refuse(f"{file}: is there already; --draft of `mechproof check` writes a block for a paper")
+        hint = "; --draft of `mechproof check` writes the block of letters for it"
+        refuse(f"{file}: is there already{hint if file.suffix == '.tex' else ''}")
     if file.suffix == ".tex":
         write_whole(file, SKELETONS.joinpath("paper.tex").read_text(encoding="utf-8"))
         say(f"{file}: written; mechproof check {file}")

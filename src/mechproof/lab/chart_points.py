@@ -163,8 +163,8 @@ def rank(mark: ChartPoint) -> tuple[float, float]:
 
 
 def write_eps(error: float) -> str:
-    """Write an error in eps with three digits, or with those before its point."""
-    return f"{error:.0f}" if error >= 1000 else f"{error:.3g}"
+    """Write an error in eps with three digits, or with up to six before its point."""
+    return f"{error:.0f}" if 1000 <= error < 1e6 else f"{error:.3g}"
 
 
 def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
@@ -186,10 +186,16 @@ def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
         equal = (
             "the only other way" if len(others) == 1 else f"the best of {len(others)} other ways"
         )
-        accuracy = f"{seen}, as is {equal}"
+        accuracy = f"{seen}, as {_name_auxiliary(seen)} {equal}"
     else:
         accuracy = f"{seen}, the least of {1 + len(others)} ways"
     return f"{subject} {accuracy}; {_compare_times(shipped, others)}"
+
+
+def _name_auxiliary(said: str) -> str:
+    """Name the verb that stands for one which was said: is off, as is another."""
+    verb = next(word for word in said.split() if word in ("is", "has", "loses"))
+    return "does" if verb == "loses" else verb
 
 
 def _compare_times(shipped: ChartPoint, others: Sequence[ChartPoint]) -> str:

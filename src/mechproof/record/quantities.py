@@ -136,7 +136,10 @@ class Quantity:
         keys = [form.key for form in self.rivals]
         wrong = sorted({k for k in keys if not is_name(f"x_{k}") or keys.count(k) > 1 or not k})
         if wrong:
-            raise ValueError(f"quantity {self.name!r}: keys of rivals {wrong}: no names, or twice")
+            raise ValueError(
+                f"quantity {self.name!r}: each form that is not shipped needs a key that is a name "
+                f"and that no other has; these are none: {wrong}"
+            )
 
 
 @dataclass(frozen=True)

@@ -82,6 +82,17 @@ def _raise(power: re.Match[str]) -> str:
     return power[1].translate(SUPERSCRIPTS)
 
 
+# Letters of a paper's source, as they are typed there.
+ACCENTS = {
+    name: unicodedata.lookup(f"COMBINING {mark}")
+    for name, mark in (
+        *(("dot", "DOT ABOVE"), ("ddot", "DIAERESIS"), ("hat", "CIRCUMFLEX ACCENT")),
+        *(("bar", "OVERLINE"), ("tilde", "TILDE"), ("vec", "RIGHT ARROW ABOVE")),
+    )
+}
+ACCENTED = re.compile(rf"\\({'|'.join(ACCENTS)})\{{\\?([A-Za-z]+)\}}")
+MACRO = re.compile(rf"\\(?=(?:{'|'.join(GREEK)})(?![A-Za-z]))")
+BRACED = re.compile(r"_\{(\w+)\}")
 # What is typed within a sentence, and how people write it, in this order.
 SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = tuple(
     (re.compile(pattern), written)
@@ -90,7 +101,7 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
         (r"\b([A-Z])_[a-z]\[(\w+)\]", r"\1_\2"),
         (r"(?<=[\w)])\^(-?\d+)\b", _raise),
         (r"(?<=\d )um\b", "\N{MICRO SIGN}m"),
-        (r"(?<=[\w)\]]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
+        (rf"(?<=[\w)\]{''.join(ACCENTS.values())}]) ?\* ?(?=[\w(|])", "\N{MIDDLE DOT}"),
         (r"(?<=\d) deg\b", "\N{DEGREE SIGN}"),
         (r"\bM(ax|in)\(", r"m\1("),
         (r"\bAbs\(([^()|]+)\)", r"|\1|"),
@@ -149,11 +160,17 @@ def set_prose(text: str) -> Markup:
 
     The text is escaped first.
     """
-    plain = set_numbers(text.replace("+-", "±"))
+    plain = set_numbers(_set_letters(text).replace("+-", "±"))
     for pattern, written in SET:
         plain = pattern.sub(written, plain)
     raised = RAISED_NAME.sub(r"<sup>\1</sup>", str(escape(plain)))
     return Markup(NAME.sub(_set_name, raised))
+
+
+def _set_letters(text: str) -> str:
+    r"""Set letters of LaTeX by the signs themselves: \dot{\beta} is a letter with a dot."""
+    signs = ACCENTED.sub(lambda one: GREEK.get(one[2], one[2]) + ACCENTS[one[1]], text)
+    return BRACED.sub(r"_\1", MACRO.sub("", signs))
 
 
 def _set_name(name: re.Match[str]) -> str:

@@ -204,7 +204,8 @@ def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
     system, _, wanted = name.partition(".")
     systems = find_systems(folder or packaged_directory())
     if system not in systems:
-        refuse("name", name, f"the system must be one of {', '.join(systems)}")
+        others = "" if folder else "; derivations=FOLDER has papers of your own"
+        refuse("name", name, f"the system must be one of {', '.join(systems)}{others}")
     paper: Paper = (
         load_paper(systems[system])
         if folder
