@@ -9,6 +9,7 @@ from typing import Any
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from mechproof.lab.chart import DPI, STYLE, WIDTH, draw_key, find_limits, save
 from mechproof.lab.chart_points import (
@@ -23,6 +24,8 @@ from mechproof.lab.panel import draw_mark, draw_panel, set_ticks
 from mechproof.measured import Record
 
 COLUMNS, HEIGHT = 6, 1.3
+# Inches that the label of the errors needs.
+LOWEST_HEIGHT = 2.2
 NAME = "overview"
 # Marks and lines in small panels, of their usual size.
 SIZE, LINE = 0.6, 0.9
@@ -65,10 +68,12 @@ def _is_as_shipped(mark: ChartPoint, shipped: ChartPoint) -> bool:
 
 def draw_panels(records: Sequence[Record]) -> Figure:
     """Draw the small panels on common axes."""
-    rows = math.ceil(len(records) / COLUMNS)
-    figure = Figure(figsize=(WIDTH, HEIGHT * rows + 1), dpi=DPI, layout="constrained")
+    columns = min(COLUMNS, len(records))
+    rows = math.ceil(len(records) / columns)
+    height = max(HEIGHT * rows, LOWEST_HEIGHT) + 1
+    figure = Figure(figsize=(WIDTH, height), dpi=DPI, layout="constrained")
     figure.suptitle(write_summary(records), weight="bold", fontsize=10)
-    panels = figure.subplots(rows, COLUMNS, sharex=True, sharey=True, squeeze=False).flat
+    panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).flat
     drawn = [pick_marks(collect_first(record)) for record in records]
     copies = [find_copy(record, *list_workloads(record)[0]) for record in records]
     shown = [mark for marks in drawn for mark in marks]
@@ -79,6 +84,8 @@ def draw_panels(records: Sequence[Record]) -> Figure:
         axes.set_visible(False)
     for axes in panels:
         axes.tick_params(labelsize=6.5, pad=1)
+        # Within few decades numbers between the powers of ten would be labelled, side by side.
+        axes.xaxis.set_minor_formatter(NullFormatter())
     set_ticks(panels[0], shown, right=False)
     figure.supylabel("worst error of all points, eps of the scale", fontsize=8)
     draw_key(figure, {mark.family for mark in shown}, "time per point, ns; dotted: of a copy")
