@@ -10,7 +10,7 @@ import pytest
 from command import PROVED, run, write
 
 from mechproof.pipeline import row_scripts
-from mechproof.pipeline.row_scripts import WITHOUT_ROW, write_row_scripts
+from mechproof.pipeline.row_scripts import BESIDE_OTHERS, WITHOUT_ROW, write_row_scripts
 from mechproof.pipeline.verification import judge_derivations
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
@@ -46,13 +46,18 @@ def test_every_row_has_a_script_or_a_reason_in_the_order_of_the_ledger(place: Pa
     assert sorted(told) == ["mine: (1)", "mine: (2)", "mine: (3)"]
 
 
-def test_a_row_that_the_print_has_alone_is_withheld(tmp_path: Path) -> None:
-    file = tmp_path / "own.tex"
-    file.write_text("$$x=1+1$$ $$(x+1)^2=x^2+2x+1$$", encoding="utf-8")
-    assert run("new", str(tmp_path / "own.py")).exit_code == 0
-    (ledger,) = judge_derivations([tmp_path / "own.py"], use_cache=False)
-    (script,) = write_row_scripts({tmp_path / "own.py": ledger})
-    assert script.reason == WITHOUT_ROW
+@pytest.mark.parametrize("suffix", [".tex", ".py"])
+def test_prints_without_mechanics_have_scripts_but_for_what_follows(
+    tmp_path: Path, suffix: str
+) -> None:
+    printed = r"$$(x+1)^2=x^2+2x+1$$ $$\sqrt2=1.42$$ $$x\cos y=z\sin y$$ $$2x\cos y=2z\sin y$$"
+    (tmp_path / "own.tex").write_text(printed, encoding="utf-8")
+    file = tmp_path / f"own{suffix}"
+    assert suffix == ".tex" or run("new", str(file)).exit_code == 0
+    (ledger,) = judge_derivations([file], use_cache=False)
+    written = write_row_scripts({file: ledger})
+    assert [script.reason for script in written] == ["", "", BESIDE_OTHERS]
+    assert [bool(script.text) for script in written] == [True, True, False]
 
 
 def test_a_row_at_which_it_fails_is_named(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,11 +12,12 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.paths import find_locations, find_places, read_out
 from mechproof.pipeline.verification import LIMIT
+from mechproof.sources.files import SUFFIXES
 from mechproof.tools.made import ForeignFileError
 
 
 def certify(
-    papers: options.Systems = None,
+    papers: options.Papers = None,
     out: Annotated[
         Path,
         typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),
@@ -59,7 +60,7 @@ def certify(
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")
     places = find_places(derivations, None)
-    locations = find_locations(papers or (), places)
+    locations = find_locations(papers or (), places, SUFFIXES)
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     refuse_failures(ledgers)
     try:

@@ -12,6 +12,7 @@ from mechproof.document.roles import Role
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.proof.witness_text import name_bound
+from mechproof.record import Row
 from mechproof.sources.text import Place
 from mechproof.tools.processes import WorkerError
 
@@ -21,7 +22,10 @@ _MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
 
 @dataclass(frozen=True)
 class CheckedRow:
-    """One relation sign of a paper: where it stands, what it does, its judgement or why none."""
+    """One relation sign of a paper: where it stands, what it does, its judgement or why none.
+
+    `stated` is the row with what it says by itself, where that could be read.
+    """
 
     name: str
     place: Place
@@ -31,6 +35,7 @@ class CheckedRow:
     judgement: Judgement | None = None
     reason: str = ""
     remedy: str = ""
+    stated: Row | None = None
 
     @property
     def outcome(self) -> str:
@@ -66,7 +71,8 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
     head = (task.row.number, task.place, task.row.printed_latex)
     if isinstance(answer, Judgement):
         judged = replace(answer, place=task.place, reason=_write_plainly(answer.reason))
-        return CheckedRow(*head, State.JUDGED, task.sign.role, judged, judged.reason)
+        told = (task.sign.role, judged, judged.reason)
+        return CheckedRow(*head, State.JUDGED, *told, stated=task.row)
     return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_plainly(str(answer)))
 
 

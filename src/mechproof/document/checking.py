@@ -96,7 +96,7 @@ class CheckedPaper:
             self.paper,
             system=system,
             citation=Path(self.file).name,
-            rows=tuple(Equation(row.name, row.latex) for row in rows),
+            rows=tuple(_state(row) for row in rows),
         )
         return JudgedPaper(
             paper.system,
@@ -106,6 +106,11 @@ class CheckedPaper:
             left=tuple(row.leave() for row in rows if not row.judgement),
             paper=paper,
         )
+
+
+def _state(row: CheckedRow) -> Row:
+    """Return the row of a print; one without a verdict says nothing."""
+    return replace(row.stated or Equation("", row.latex), number=row.name)
 
 
 def check(

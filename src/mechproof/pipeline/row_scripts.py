@@ -9,13 +9,17 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_row_script
+from mechproof.document.constraints.consequences import FOLLOWING
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.pipeline.opening import Opened, open_paper
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Row
 from mechproof.tools.processes import START, WorkerError, run_tasks
 
 # Seconds for the scripts of a row; beyond, something hangs.
 LIMIT = 600.0
 WITHOUT_ROW = "the print is judged, but the paper's module has no row of it"
+BESIDE_OTHERS = "it follows from other equations, and scripts have one row each"
 Task = tuple[int, int]
 # What is at work, for the processes that are forked.
 _opened: list[tuple[Opened, JudgedPaper]] = []
@@ -64,4 +68,10 @@ def _write_task(task: Task) -> tuple[RowScript, ...]:
     opened, ledger = _opened[task[0]]
     judged = {j.number: j for j in ledger.judgements if j.verdict in CERTIFIABLE}
     rows = [row for row in opened.state(task[1]) if row.number in judged and row.says]
-    return tuple(write_row_script(judged[row.number], row, ledger) for row in rows)
+    return tuple(_write_row(judged[row.number], row, ledger) for row in rows)
+
+
+def _write_row(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
+    if judgement.rung in FOLLOWING and judgement.verdict is Verdict.PROVED:
+        return withhold(judgement, BESIDE_OTHERS)
+    return write_row_script(judgement, row, ledger)
