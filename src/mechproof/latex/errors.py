@@ -38,6 +38,7 @@ class Remedies:
     family: str
     membership: str
     rate: str
+    sign: str
 
 
 MODULE = Remedies(
@@ -52,6 +53,7 @@ MODULE = Remedies(
     family="Declare an IndexedBase in the place of {0}.",
     membership=r"Print an interval as a relation, 0<x<1; declare the set of a letter as `within`.",
     rate="If it is a derivative of {0}, declare that in Notation(moving=…). Otherwise:",
+    sign=", or declare a letter that is 1 or -1, Notation(branch=…)",
 )
 
 

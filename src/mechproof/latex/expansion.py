@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.latex.errors import PrintedText
+from mechproof.latex.errors import PrintedText, Remedies
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
@@ -59,7 +59,7 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     pairs = list(zip(upper, lower, strict=True))
     if reader.notation.branch is not None and any(map(_is_on_one_side, *zip(*pairs, strict=True))):
         return _read_signs(row, reader, 0)
-    return tuple(_join_signs(one, other, row.printed_latex) for one, other in pairs)
+    return tuple(_join_signs(one, other, reader.remedies) for one, other in pairs)
 
 
 def _is_on_one_side(upper: Row, lower: Row) -> bool:
@@ -70,18 +70,18 @@ def _is_on_one_side(upper: Row, lower: Row) -> bool:
     return not is_same and (is_other or not all(a != b for a, b in pairs))
 
 
-def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
+def _join_signs(upper: Row, lower: Row, remedies: Remedies) -> Row:
     """Assert what a relation says with the upper of its double signs, and with the lower."""
     if upper.says == lower.says:
         return upper
     says = (upper.statement, lower.statement)
     if _is_on_one_side(upper, lower):
+        latex = upper.printed_latex
         place = min(found for sign in _DOUBLE if (found := latex.find(sign)) >= 0)
         error = PrintedText(latex).refuse(
             place,
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
-            "It says two equations: print one after the other, or declare a letter that is 1 or "
-            "-1, Notation(branch=…).",
+            f"It says two equations: print one after the other{remedies.sign}.",
         )
         error.row = upper.number
         raise error

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 # Letters that not everybody reads alike, where they stand without index.
 UNSURE = {
     "e": r"Print \mathrm{e} for Euler's number. Otherwise:",
-    "i": "The imaginary unit is not read. Otherwise:",
+    "i": "The imaginary unit is not read. Otherwise, as for a ratio:",
     "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
 # Before another letter they make one quantity of it, or a product.

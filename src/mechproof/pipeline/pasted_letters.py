@@ -60,6 +60,7 @@ COMMAND = Remedies(
     membership="Print an interval as a relation, 0<x<1; say --natural for a letter that counts "
     "from 1. Letters are real anyway.",
     rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
+    sign="",
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}", "j")
