@@ -38,6 +38,22 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
+    # Derivatives of any order.
+    (
+        r"\frac{d^n}{dx^n}\sin ax=%s",
+        (r"a^n\sin\left(ax+\frac{n\pi}2\right)", r"a^n\sin\left(ax-\frac{n\pi}2\right)"),
+        (),
+    ),
+    (r"\frac{d^n}{dx^n}(xe^x)=%s", ("(x+n)e^x", "(x+n-1)e^x"), ()),
+    (
+        r"\frac{d^n}{dx^n}\frac1{ax+b}=%s",
+        (r"\frac{(-1)^nn!a^n}{(ax+b)^{n+1}}", r"\frac{(-1)^nn!a^n}{(ax+b)^n}"),
+        ("a>0",),
+    ),
+    (r"\frac{d^n}{dx^n}\ln x=%s", (r"\frac{(-1)^{n-1}(n-1)!}{x^n}", r"\frac{(-1)^nn!}{x^n}"), ()),
+    (r"\frac{d^n}{dx^n}x^m=%s", (r"\frac{m!}{(m-n)!}x^{m-n}", r"m!\,x^{m-n}"), (r"n\le m",)),
+    (r"\frac{d^n}{dx^n}x^3=%s", ("0", "6"), (r"n\ge4",)),
+    (r"\frac{d^{2n}}{dx^{2n}}\cos x=%s", (r"(-1)^n\cos x", r"-\cos x"), ()),
     # From both ends, by cosines, and over one period after the other.
     (r"\int_0^\pi\frac{x\sin x}{1+\cos^2x}dx=%s", (r"\frac{\pi^2}4", r"\frac{\pi^2}2"), ()),
     (r"\int_{-1}^1\frac{x^2}{1+e^x}dx=%s", (r"\frac13", r"\frac23"), ()),
@@ -137,6 +153,10 @@ FACTORIALS = [
     (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
 ]
 NOT_PROVED = [
+    # Derivatives at a single place, and where the function has no value.
+    (r"\frac{d^n}{dx^n}x^2=2x", (r"x\ge1", r"x\le1")),
+    (r"\frac{d^n}{dx^n}\ln x=\frac{(-1)^{n-1}(n-1)!}{x^n}", ("x<0",)),
+    (r"\frac{d^n}{dx^n}x^2=0", (r"n\ge m", r"m\in\mathbb N")),
     # A divisor that may be zero, or negative.
     (r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=\frac{2\pi}{\sqrt{a^2-b^2}}", (r"a\ge|b|",)),
     (r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=\frac{2\pi}{\sqrt{a^2-b^2}}", ("|a|>|b|",)),

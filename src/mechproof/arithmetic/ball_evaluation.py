@@ -29,6 +29,7 @@ from mechproof.arithmetic.ball_functions import (
 )
 from mechproof.arithmetic.layout import Layout, Operation, Plan, Values
 from mechproof.arithmetic.roots import enclose_iterate, enclose_root
+from mechproof.record import NthDerivative
 from mechproof.record.implicit import Implicit, Root
 from mechproof.record.parts import find_free
 
@@ -232,8 +233,9 @@ def _run(expression: sp.Basic, values: Values) -> Ball:
     return compile_expression(expression)(values)
 
 
+_WITHOUT_BALL = (sp.AccumBounds, NthDerivative)
 _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
-    (sp.AccumBounds, lambda node: ((lambda values: NOT_FINITE), ())),
+    *((kind, lambda node: ((lambda values: NOT_FINITE), ())) for kind in _WITHOUT_BALL),
     (sp.Add, _add),
     (sp.Mul, _multiply),
     (sp.Pow, _power),

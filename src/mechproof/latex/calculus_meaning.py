@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.latex.pieces import has_value
 from mechproof.latex.products import is_matrix
-from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Repeated
+from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Node, Repeated
 from mechproof.latex.values import (
     OF_SIGNS,
     UNSMOOTH,
@@ -20,7 +20,12 @@ from mechproof.latex.values import (
     settle_all,
     split_tangents,
 )
-from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, ValueWhere
+from mechproof.record import (
+    DerivativeWhere,
+    IntegralWithoutDifferential,
+    NthDerivative,
+    ValueWhere,
+)
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
@@ -160,6 +165,8 @@ def _give_rate(
     for number in sorted(turning, key=sp.default_sort_key):
         needed = ValueWhere(needed, 1 / number)
     moving = {} if node.is_partial else meaning.moving
+    if not isinstance(node.order, int):
+        return DerivativeWhere(_give_any(meaning, node.order, value, variable, depends_on), needed)
     try:
         for _ in range(node.order):
             value = value.replace(sp.sign, lambda number: number / sp.Abs(number))
@@ -167,6 +174,23 @@ def _give_rate(
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
     return DerivativeWhere(value, needed)
+
+
+def _give_any(
+    meaning: Meaning, printed: Node, value: sp.Expr, variable: sp.Symbol, depends_on: set[sp.Basic]
+) -> sp.Expr:
+    """Return the derivative of an order that is a letter, of what depends on the variable alone."""
+    order = meaning.of(printed)
+    if not (order.is_integer and order.is_nonnegative) or order.has(variable):
+        raise meaning.source.refuse(
+            printed.start, "a derivative whose order does not count", meaning.remedies.name
+        )
+    if depends_on & value.free_symbols != {variable} or value.has(*OF_SIGNS):
+        raise meaning.source.refuse(
+            printed.start, f"a derivative of order {order} of what has letters that move, or signs"
+        )
+    running = make_running(variable.name, value)
+    return NthDerivative(value.xreplace({variable: running}), running, variable, order)
 
 
 def _moves_by_rates(meaning: Meaning, value: sp.Expr, variable: sp.Symbol) -> bool:

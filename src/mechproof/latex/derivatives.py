@@ -10,6 +10,7 @@ from mechproof.latex.errors import MeaningError
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.signs import find_close
 from mechproof.latex.tree import (
+    Add,
     Approach,
     Bracket,
     Call,
@@ -19,6 +20,7 @@ from mechproof.latex.tree import (
     Number,
     Power,
     PrintedFunction,
+    Product,
 )
 
 if TYPE_CHECKING:
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 LARGEST_FACTORIAL = 1000
 # A binomial over a larger number is no polynomial of so high a degree.
 _MOST_FACTORS = 12
+_FIRST: int | Node = 1
 _OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
 PARTIAL = r"\partial"
 
@@ -63,7 +66,8 @@ def read_derivative(parser: Parser) -> Node:
     is_partial = parser.tokens[parser.place + 1].text == PARTIAL
     order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
     steps = parser.read_inside("{", lambda: _read_below(parser), "}")
-    if order != sum(own for _, own in steps):
+    orders = [own for _, own in steps]
+    if orders != [order] and order != sum(own for own in orders if isinstance(own, int)):
         raise parser.refuse("a derivative of two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
@@ -94,7 +98,7 @@ def read_suffix(parser: Parser, atom: Node) -> Node | None:
     return Derivation(atom, letter, order, start=atom.start, end=parser.end)
 
 
-def _read_above(parser: Parser) -> tuple[int, Node | None]:
+def _read_above(parser: Parser) -> tuple[int | Node, Node | None]:
     parser.take()
     order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
     if parser.text == "}":
@@ -105,12 +109,12 @@ def _read_above(parser: Parser) -> tuple[int, Node | None]:
     return order, operand
 
 
-def _read_below(parser: Parser) -> list[tuple[Letter, int]]:
+def _read_below(parser: Parser) -> list[tuple[Letter, int | Node]]:
     """Read the letters by which it is with the order by each, of partial ones several."""
-    steps: list[tuple[Letter, int]] = []
+    steps: list[tuple[Letter, int | Node]] = []
     while not steps or parser.text == PARTIAL:
         start = parser.take().start
-        by, order = parser.read_factor(), 1
+        by, order = parser.read_factor(), _FIRST
         if isinstance(by, Power):
             order = _read_order(by.exponent, parser)
             by = by.base
@@ -120,9 +124,13 @@ def _read_below(parser: Parser) -> list[tuple[Letter, int]]:
     return steps
 
 
-def _read_order(node: Node, parser: Parser) -> int:
+def _read_order(node: Node, parser: Parser) -> int | Node:
+    """Read a number, or what counts: n, n+1."""
+    if isinstance(node, Letter | Add | Product):
+        return node
     if not isinstance(node, Number) or node.text not in ("1", "2", "3", "4"):
-        raise parser.refuse("a derivative whose order is none of 1, 2, 3, 4", place=node.start)
+        reason = "a derivative whose order is none of 1, 2, 3, 4, and no letter"
+        raise parser.refuse(reason, place=node.start)
     return int(node.text)
 
 

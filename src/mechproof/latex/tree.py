@@ -162,7 +162,7 @@ class Derivation(Node):
 
     of: Node
     by: Letter
-    order: int = 1
+    order: int | Node = 1
     is_partial: bool = False
 
 

@@ -22,6 +22,8 @@ _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
 _OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
 _SPEEDS = (r"\omega", r"\Omega")
 RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
+# Before the letter by which something is differentiated.
+_BY = ["{", "d"]
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
 
 
@@ -56,13 +58,14 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
 def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
     r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx.
 
-    So do a letter and \pi, a letter and one that goes to a limit, and a ratio of fixed letters with
-    one that runs, \sin\frac{2\pi}Tt.
+    So do a letter and \pi, a letter and one that goes to a limit or by which something is
+    differentiated, and a ratio of fixed letters with one that runs, \sin\frac{2\pi}Tt.
     """
     met: list[tuple[str, str]] = []
     found: set[tuple[str, str]] = set()
     for texts in map(list_signs, prints):
         going = {"".join(texts[n + 3 : n + 4]) for n, x in enumerate(texts) if x == r"\lim"}
+        going |= {by for *two, by in zip(texts, texts[1:], texts[2:], strict=False) if two == _BY}
         for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
             n = _skip_power(texts, start + 1)
             while texts[n : n + 1] and is_digit(texts[n]):

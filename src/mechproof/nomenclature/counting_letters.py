@@ -1,4 +1,4 @@
-r"""Letters that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n."""
+r"""Letters that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n, \frac{d^n}{dx^n}."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 
 
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
-    r"""Return what is said to count, the letters of n! and those up to which sums go.
+    r"""Return what is said to count, the letters of n!, of orders, and those up to which sums go.
 
     It is n also in \sum_{k=1}^{n-1}, in \dots+n^2, and alone in \dots+kx_n.
     """
@@ -43,6 +43,8 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
             if text == r"\dots":
                 found |= dict.fromkeys(_letters_of_last(texts[place + 1 :]))
+            if texts[place : place + 4] == ["{", "d", "^", "{"]:
+                found |= dict.fromkeys(_letters_of_order(texts[place + 4 :]))
             if text == r"\binom":
                 found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(found)
@@ -90,6 +92,11 @@ def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
         close = texts.index("}") if "}" in texts else 0
         yield from _letters_of_factorial(["(", *texts[1:close], ")"])
         texts = texts[close + 1 :]
+
+
+def _letters_of_order(texts: list[str]) -> Iterator[str]:
+    """Yield the letters of the order of a derivative, if that is a plain sum."""
+    yield from _letters_of_factorial(["(", *takewhile(lambda sign: sign != "}", texts), ")"])
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:

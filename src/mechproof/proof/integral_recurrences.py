@@ -25,22 +25,25 @@ from mechproof.proof.improper import is_improper
 from mechproof.proof.powers import is_analytic
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.telescoping import is_nonzero_below, reduce_quotient
+from mechproof.record import NthDerivative
 from mechproof.record.needs import KINKED
 from mechproof.record.parts import find_parts
+from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
 
 # Of both sides and the domain.
 Prove = Callable[..., str | None]
 RUNG = "integration by parts to the next number"
+DERIVATIVES = "derivative of the derivative"
 # Work limits: factors of a term of R, and x with its functions in an integrand.
 _LARGEST_DEGREE = 3
 _MOST_PARTS = 3
 
 
 class _Claim(NamedTuple):
-    """An integral, from what its variable starts to where it ends, is the value for all n."""
+    """An integral between limits, or a derivative of order n, is the value for all n."""
 
-    integral: sp.Integral
+    integral: sp.Integral | NthDerivative
     value: sp.Expr
     n: sp.Symbol
 
@@ -69,7 +72,7 @@ def settle_by_parts(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove)
 
 
 def decide_by_parts(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> str | None:
-    """Return the rungs if left = right says what one integral with n in it is, else None."""
+    """Return the rungs if left = right says what the one integral or derivative is."""
     found = _find(left, right, domain, prove)
     return found[1] if found else None
 
@@ -79,10 +82,11 @@ def _find(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> tuple[
         for counted, part in _list_beginnings(claim, domain):
             integral, value, n = counted
             first = {n: find_first(n, part)}
-            if _goes_on(counted, part):
+            is_derivative = isinstance(integral, NthDerivative)
+            if _derives(counted, part, prove) if is_derivative else _goes_on(counted, part):
                 begun = prove(substitute(integral, first), substitute(value, first), part)
                 if begun:
-                    return claim, f"{RUNG}, {begun}"
+                    return claim, f"{DERIVATIVES if is_derivative else RUNG}, {begun}"
     return None
 
 
@@ -98,21 +102,47 @@ def _list_beginnings(claim: _Claim, domain: Domain) -> Iterator[tuple[_Claim, Do
 
 
 def _list_claims(difference: sp.Expr, domain: Domain) -> Sequence[_Claim]:
-    """Solve a difference that is zero for the one integral in it."""
-    integrals = difference.atoms(sp.Integral)
+    """Solve a difference that is zero for the one integral or derivative in it."""
+    integrals = difference.atoms(sp.Integral, NthDerivative)
     if len(integrals) != 1 or difference.has(sp.Sum, sp.Product, *KINKED):
         return []
     (integral,) = integrals
-    (_, *ends), *others = integral.limits
+    is_derivative = isinstance(integral, NthDerivative)
+    (_, *ends), *others = [integral.args[:3]] if is_derivative else integral.limits
     named = sp.Dummy("integral")
     difference = sp.expand(difference.xreplace({integral: named}))
     scale = difference.coeff(named)
     value = sp.expand(-(difference - scale * named) / scale) if scale != 0 else named
     if others or len(ends) != 2 or value.has(named) or not is_analytic(scale):
         return []
-    counts = [n for n in integral.function.free_symbols if find_first(n, domain) is not None]
+    inside = integral.args[3 if is_derivative else 0]
+    counts = [n for n in inside.free_symbols if _goes_up(n, domain)]
     free = (n for n in counts if not scale.has(n) and not any(end.has(n) for end in ends))
     return [_Claim(integral, value, n) for n in sorted(free, key=str)]
+
+
+def _goes_up(n: sp.Symbol, domain: Domain) -> bool:
+    """Tell whether n begins somewhere, and what is said of it for n + 1 holds for n as well."""
+    slacks = [find_slack(relation) for relation in domain.where if relation.has(n)]
+    ends = [slack.value for slack in slacks if slack]
+    is_plain = all(end.free_symbols == {n} or sp.diff(end, n).is_nonpositive for end in ends)
+    return find_first(n, domain) is not None and len(ends) == len(slacks) and is_plain
+
+
+def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
+    """Tell whether a derivative of order n + 1 is that of the one of order n.
+
+    It has to be one about each place, which nothing binds to a single one or to n.
+    """
+    (inside, _, x, order), value, n = claim.integral.args, *claim[1:]
+    within = domain.set_of(x)
+    is_wide = isinstance(within, sp.Interval) and within.measure > 0 and x.is_Symbol
+    bound = [relation for relation in domain.where if relation.has(x)]
+    is_wide &= all(isinstance(r, sp.Gt | sp.Lt | sp.Ne) and not r.has(n) for r in bound)
+    more = sp.diff(order, n)
+    if not (is_wide and more.is_Integer and more > 0) or inside.has(n) or x.is_integer:
+        return False
+    return prove(sp.diff(value, (x, more)), value.subs(n, n + 1), domain) is not None
 
 
 def _goes_on(claim: _Claim, domain: Domain) -> bool:

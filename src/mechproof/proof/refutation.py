@@ -24,6 +24,7 @@ from mechproof.proof.counts import choose_counts, is_count
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point
+from mechproof.record import NthDerivative
 from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
@@ -43,6 +44,8 @@ _FAR = (sp.Integer(10) ** 6, sp.Integer(10) ** 15)
 _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
 # Characters of a relation that a reader still takes in.
 _LONGEST_RELATION = 120
+# They are written out for each number.
+_COUNTED = (sp.Sum, sp.Product, NthDerivative)
 # Balls wider than this say nothing of how close two sides are.
 _NARROW = arb(2) ** -32
 
@@ -164,7 +167,7 @@ def _find_point(
 
 def _has_value(side: sp.Basic, point: Point) -> bool:
     """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
-    if not has_parts(side, sp.Sum, sp.Product) and balls.evaluate(side, point).is_finite():
+    if not has_parts(side, *_COUNTED) and balls.evaluate(side, point).is_finite():
         return True
     return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
 
@@ -206,7 +209,7 @@ def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
 
     None where counts say how many terms or elements there are.
     """
-    if any(has_parts(e, sp.Sum, sp.Product, sp.Indexed) for e in expressions):
+    if any(has_parts(e, *_COUNTED, sp.Indexed) for e in expressions):
         return []
     named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
     sizes = [*_NEAR, *(f * c for c in (*sorted(named), *_FAR) for f in (1, 2))]
@@ -250,7 +253,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_sums = has_parts(expression, sp.Sum, sp.Product)
+    has_sums = has_parts(expression, *_COUNTED)
     exact = {
         s: v
         for s, v in point.items()

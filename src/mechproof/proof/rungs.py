@@ -23,6 +23,8 @@ RUNGS = {
     "integration by parts to the next number": "an integral has its value for the first whole "
     "number, and from each to the next both change by the same factor, but for what is a "
     "derivative and adds nothing between the limits",
+    "derivative of the derivative": "a derivative of order n has its value for the first n, and "
+    "that of each value is the next one",
     "logarithms and powers": "both sides are the same once powers of positive bases are written as "
     "exponentials and logarithms of products as sums",
     "induction": "both sides are equal for one term, and each further term adds the same to both, "

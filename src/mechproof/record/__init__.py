@@ -11,6 +11,7 @@ from mechproof.record.expressions import (
     DerivativeWhere,
     FunctionWithoutArgument,
     IntegralWithoutDifferential,
+    NthDerivative,
     ValueWhere,
     sum_distinct,
 )
@@ -99,6 +100,7 @@ __all__ = [
     "IntegralWithoutDifferential",
     "NotCheckable",
     "Notation",
+    "NthDerivative",
     "OnePass",
     "Paper",
     "Part",

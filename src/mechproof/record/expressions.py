@@ -7,6 +7,9 @@ from typing import Any
 import sympy as sp
 from sympy.printing.precedence import precedence
 
+# Work limit.
+_HIGHEST_ORDER = 12
+
 
 def _raise(latex: str, exponent: str) -> str:
     return rf"\left({latex}\right)^{{{exponent}}}" if exponent else latex
@@ -41,6 +44,41 @@ class ValueWhere(sp.Function):  # type: ignore[misc]
 
 class DerivativeWhere(ValueWhere):
     """A derivative where the function has values; nothing is said of it elsewhere."""
+
+
+class NthDerivative(sp.Function):  # type: ignore[misc]
+    """The n-th derivative of an expression by a bound variable, at a place.
+
+    The arguments are the expression, its variable, the place and n; for a number it is worked out.
+    """
+
+    @classmethod
+    def eval(cls, inside: sp.Expr, by: sp.Dummy, place: sp.Expr, order: sp.Expr) -> sp.Expr | None:
+        """Return the derivative of an order that is known, and not too high."""
+        if not (order.is_Integer and 0 <= order <= _HIGHEST_ORDER):
+            return None
+        return sp.diff(inside, (by, order)).xreplace({by: place})
+
+    @property
+    def free_symbols(self) -> set[sp.Basic]:
+        """Return those that are not bound."""
+        inside, by, place, order = self.args
+        return (inside.free_symbols - {by}) | place.free_symbols | order.free_symbols
+
+    def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
+        inside, by, place, order = self.args
+        along = self.func(inside, by, place, order + 1) * sp.diff(place, symbol)
+        return along + self.func(sp.diff(inside, symbol), by, place, order)
+
+    def _sympystr(self, printer: Any) -> str:
+        inside, by, place, order = map(printer.doprint, self.args)
+        return f"derivative {order} by {by} of {inside} at {place}"
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        inside, by, place, order = map(printer.doprint, self.args)
+        operator = rf"\frac{{d^{{{order}}}}}{{d{by}^{{{order}}}}}"
+        written = rf"\left.{operator}{inside}\right|_{{{by}={place}}}"
+        return _raise(written, exp)
 
 
 class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
-from mechproof.record.expressions import ValueWhere
+from mechproof.record.expressions import NthDerivative, ValueWhere
 from mechproof.record.parts import find_parts
 from mechproof.record.relations import Slack
 
@@ -38,7 +38,7 @@ def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
         if node in seen:
             return
         seen.add(node)
-        if not isinstance(node, ExprWithLimits | sp.Limit | sp.Piecewise):
+        if not isinstance(node, ExprWithLimits | sp.Limit | sp.Piecewise | NthDerivative):
             for part in node.args:
                 visit(part)
         if _is_partial(node):
