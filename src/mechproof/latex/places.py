@@ -103,6 +103,9 @@ def _find_moving(parser: Parser, term: Node) -> Letter | None:
     """
     letters = {node.text: node for node in walk(term) if isinstance(node, Letter)}
     if len(letters) > 1 or isinstance(strip(term), Letter):
+        called = {parser.notation.called.get(node.symbol) for node in letters.values()}
+        if len(called) == 1 and (by := called.pop()):
+            return Letter(by, str(by), start=term.start, end=term.end)
         texts = [token.text for token in parser.tokens]
         letters = {x: node for x, node in letters.items() if ("d", x) in pairwise(texts)}
     return next(iter(letters.values())) if len(letters) == 1 else None
@@ -139,7 +142,9 @@ def is_value(parser: Parser, letter: Letter) -> bool:
     running = _find_running(parser, letter)
     if parser.text != "(" or letter.text in parser.factors or running is None:
         return False
-    if _is_letter_inside(parser, letter) or _is_shifted(parser, letter, running):
+    if letter.symbol in parser.notation.called or _is_letter_inside(parser, letter):
+        return True
+    if _is_shifted(parser, letter, running):
         return True
     texts = [token.text for token in parser.rest[1:]]
     inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
@@ -176,6 +181,8 @@ def _find_running(parser: Parser, letter: Letter) -> Letter | None:
         name = parser.names.find_argument(letter.symbol)
         start, end = letter.start, letter.end
         return Letter(name.symbol, name.latex, start=start, end=end) if name else None
+    if by := parser.notation.called.get(letter.symbol):
+        return Letter(by, str(by), start=letter.start, end=letter.end)
     for symbol, (by, rates) in parser.notation.moving.items():
         if letter.symbol in (symbol, *rates):
             return Letter(by, str(by), start=letter.start, end=letter.end)
@@ -187,6 +194,7 @@ def read_value(parser: Parser, letter: Letter) -> Node:
     point = parser.read_inside("(", parser.read_sum, ")")
     running = _find_running(parser, letter)
     assert running is not None
-    if isinstance(point, Letter) and point.symbol == running.symbol:
+    is_own = isinstance(point, Letter) and point.symbol == running.symbol
+    if is_own and letter.symbol not in parser.notation.called:
         return letter
     return At(letter, running, point, start=letter.start, end=parser.end)

@@ -129,7 +129,9 @@ def find_given_moving(
     return moving
 
 
-def find_all_rates(variables: Sequence[Variable], moving: Moving) -> dict[sp.Basic, sp.Expr]:
+def find_all_rates(
+    variables: Sequence[Variable], moving: Moving, called: Mapping[sp.Basic, sp.Symbol]
+) -> dict[sp.Basic, sp.Expr]:
     """Return derivatives of letters that have values, also by what moves in these."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     free = {x: steps for x, steps in moving.letters.items() if x not in values}
@@ -146,4 +148,4 @@ def find_all_rates(variables: Sequence[Variable], moving: Moving) -> dict[sp.Bas
         last = max(n for n, step in enumerate(steps) if first or step in printed)
         for rate in steps[first + 1 : last + 1]:
             value = rates[rate] = settle_all(differentiate(value, by, free), values)
-    return rates | find_rates([v for v in variables if v.symbol not in rates])
+    return rates | find_rates([v for v in variables if v.symbol not in rates], called)

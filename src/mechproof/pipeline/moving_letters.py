@@ -30,7 +30,7 @@ _RATE = re.compile(
     r"(?P<index>.*)"
 )
 # What is done to a derivative as to a constant, although it is none.
-_OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
+OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
 _DOTS = (r"\dot", r"\ddot", r"\dddot")
 # Of a letter so many derivatives have symbols; so many are printed of one that depends on another.
 _ORDERS = range(1, 6)
@@ -47,7 +47,7 @@ def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, st
     indexed = {text for texts in split for text, mark in pairwise(texts) if mark == "_"}
     for texts in split:
         for place, text in enumerate(texts):
-            behind = texts[_find_end(texts, place) :]
+            behind = texts[find_end(texts, place) :]
             by = behind[1] if behind[:1] == ["("] and behind[2:3] == [")"] else ""
             is_letter = text in _FUNCTIONS or (by == "t" and begins_letter(text))
             if by in RUNNING and is_letter and text not in (*others, *indexed, by):
@@ -65,7 +65,7 @@ def list_differentials(prints: Iterable[str]) -> set[str]:
     are signs of other ways to treat a derivative.
     """
     texts = [[text for text in _split(latex) if text not in "{}"] for latex in prints]
-    found = {text for one in texts for text in one if text in _OTHERWISE}
+    found = {text for one in texts for text in one if text in OTHERWISE}
     for one in texts:
         for place, (d, by) in enumerate(pairwise(one)):
             mark = "".join(one[place + 2 : place + 3])
@@ -82,10 +82,10 @@ def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
     for texts in map(_split, prints):
         for place in (place for place, text in enumerate(texts) if text == letter):
             start = place - 2 * (place > 1 and texts[place - 2] in _DOTS)
-            yield "".join(texts[start : _find_end(texts, place)])
+            yield "".join(texts[start : find_end(texts, place)])
 
 
-def _find_end(texts: Sequence[str], place: int) -> int:
+def find_end(texts: Sequence[str], place: int) -> int:
     """Return the place behind a letter, the dots above it and its primes."""
     is_dotted = place > 1 and texts[place - 2] in _DOTS and texts[place + 1 : place + 2] == ["}"]
     end = place + 1 + is_dotted
@@ -124,7 +124,7 @@ def find_moving(
     met = [(v, rate) for v in shown.values() if (rate := _RATE.fullmatch(v.latex[0]))]
     primed = {name_symbol(rate["primed"]) for _, rate in met if rate["primed"]}
     of = {name_symbol(letter): name_symbol(by) for letter, by in functions.items()}
-    below = {*map(name_symbol, {*differentials} - {*_OTHERWISE, "'"})}
+    below = {*map(name_symbol, {*differentials} - {*OTHERWISE, "'"})}
     plain = {by for by in below if not by.endswith("_")}
     by_prime = _find_running(symbols, primed, {*of.values()}, plain)
     steps = _list_steps(met, of, by_prime)
@@ -142,7 +142,7 @@ def find_moving(
         )
     letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
     accented = {name_symbol(v.latex[0]) for v, _ in met}
-    unclear = {x for x in symbols.keys() - accented - {*steps} if not _is_constant(x, primed)}
+    unclear = {x for x in symbols.keys() - accented - {*steps} if not is_constant(x, primed)}
     for base, (by, known) in steps.items():
         # The derivative of one that is nothing else may be a constant.
         is_lone = len(known) + (base in symbols) < _FEWEST and base not in of
@@ -203,7 +203,7 @@ def _refuse_others(
     Dots and primes of one print are by different letters, and may be of one that depends on both.
     """
     names = sorted({_name_base(rate) for _, rate in met} or {*moving})
-    if names and (found := sorted({*_OTHERWISE} & {*differentials})):
+    if names and (found := sorted({*OTHERWISE} & {*differentials})):
         raise ValueError(
             f"{names[0]} depends on another letter, and {found[0]} stands beside its derivative: "
             "that is not worked out"
@@ -212,12 +212,18 @@ def _refuse_others(
         raise ValueError("derivatives with dots and with primes in one equation: by which letters?")
 
 
+def name_base(latex: str) -> str:
+    """Return the letter of which a print is the derivative, or that it is."""
+    rate = _RATE.fullmatch(latex)
+    return _name_base(rate).strip() if rate else latex
+
+
 def _name_base(rate: re.Match[str]) -> str:
     """Return the letter of which something is the derivative, with its index."""
     return rate["primed"] or rate["dotted"] + rate["index"]
 
 
-def _is_constant(name: str, primed: Collection[str]) -> bool:
+def is_constant(name: str, primed: Collection[str]) -> bool:
     """Return whether a letter is mostly a constant; g may be a function beside ones with primes.
 
     Of vectors that is c alone.
@@ -238,7 +244,9 @@ def _get(symbols: Mapping[str, sp.Symbol], name: str) -> sp.Symbol:
     return symbols.get(name, sp.Symbol(name, real=True))
 
 
-def find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
+def find_rates(
+    variables: Sequence[Variable], called: Mapping[sp.Basic, sp.Symbol]
+) -> dict[sp.Basic, sp.Expr]:
     r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
@@ -248,18 +256,24 @@ def find_rates(variables: Sequence[Variable]) -> dict[sp.Basic, sp.Expr]:
         rate = _RATE.fullmatch(variable.latex[0])
         base = given.get(name_symbol(_name_base(rate))) if rate else None
         if rate and base is not None and variable.given is None:
-            value = settle_all(base, values if rate["dotted"] else {base: values[base], **euler})
-            derivative = _differentiate(variable.latex[0], value, rate, {*values})
+            all_known = rate["dotted"] or base in called
+            value = settle_all(base, values if all_known else {base: values[base], **euler})
+            by = called.get(base)
+            derivative = _differentiate(variable.latex[0], value, rate, {*values}, by)
             rates[variable.symbol] = derivative
     return rates
 
 
 def _differentiate(
-    latex: str, value: sp.Expr, rate: re.Match[str], given: set[sp.Basic]
+    latex: str,
+    value: sp.Expr,
+    rate: re.Match[str],
+    given: set[sp.Basic],
+    by: sp.Symbol | None = None,
 ) -> sp.Expr:
     """Return a derivative by the time for dots, for primes by x or the only letter that runs."""
     letters = {s.name: s for s in value.free_symbols}
-    by = letters.get("t" if rate["dotted"] else "x")
+    by = by or letters.get("t" if rate["dotted"] else "x")
     if by is None and rate["primed"] and len(letters) == 1 and {*letters} <= {*RUNNING}:
         (by,) = letters.values()
     if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):

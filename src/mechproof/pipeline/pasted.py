@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -17,6 +18,7 @@ from mechproof.latex.tree import Integration, Letter, walk
 from mechproof.latex.values import settle_all
 from mechproof.nomenclature.relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
+from mechproof.pipeline.called_letters import find_unknown, take_said
 from mechproof.pipeline.pasted_letters import (
     COMMAND,
     Letters,
@@ -90,11 +92,18 @@ def _answer(pasted: Pasted) -> Checked | str:
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read.
 
-    Bold letters are vectors; where that cannot be read, capitals are matrices.
+    Bold letters are vectors; where that cannot be read, capitals are matrices, and letters before
+    brackets functions of which nothing is known.
     """
+    values, called = take_said(pasted.values)
+    pasted = replace(pasted, values=values, called=called)
     try:
         return _judge(pasted)
     except ValueError:
+        unknown = find_unknown(pasted.prints) if pasted.names == pasted.factors == () else {}
+        if unknown and not called:
+            with suppress(ValueError):
+                return _judge(replace(pasted, called=unknown, unknown=(*unknown,)))
         if not is_capital(pasted.latex):
             raise
         return _judge(replace(pasted, has_matrices=True))
@@ -120,6 +129,8 @@ def _judge(pasted: Pasted) -> Checked:
     rows = tuple(_round_given(_compare_given(row, letters, reader), letters) for row in rows)
     rows = tuple(compare_bold(row, variables) for row in rows)
     _refuse_definitions(rows, said)
+    if pasted.unknown:
+        _refuse_open(rows, reader, {*notation.called.values()})
     paper = Paper("pasted", "", variables, ())
     named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
     read = tuple(judge(row, paper) for row in named)
@@ -252,6 +263,13 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
                 f"the equation defines {symbol}, of which its condition or --where says something: "
                 "say its value by --let, or leave that out"
             )
+
+
+def _refuse_open(rows: Sequence[Row], reader: Reader, running: Collection[sp.Basic]) -> None:
+    r"""Refuse a function of what runs that stands where nothing runs, \int_0^1u'\,dx=u."""
+    for side in (side for row in rows for side in reader.members(row)):
+        if met := settle_all(side, reader.values).free_symbols & {*running}:
+            raise ValueError(f"nothing says at which {min(map(str, met))} a function is meant")
 
 
 # What is said -----------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 from sympy.core.relational import Relational
@@ -25,6 +25,7 @@ from mechproof.pipeline.bold_letters import (
     refuse_unclear,
     show_entries,
 )
+from mechproof.pipeline.called_letters import find_called, give_unknown, list_names
 from mechproof.pipeline.given_letters import (
     find_all_rates,
     find_decimals,
@@ -47,7 +48,14 @@ from mechproof.pipeline.special_letters import (
     has_letter_d,
     means_euler,
 )
-from mechproof.record import Notation, Variable, list_divisors, list_needs, list_partial
+from mechproof.record import (
+    AnyFunction,
+    Notation,
+    Variable,
+    list_divisors,
+    list_needs,
+    list_partial,
+)
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -72,7 +80,8 @@ class Pasted:
 
     `names` are prints that are one quantity, `factors` names that a bracket multiplies, `where`
     relations (`0<x<1`), `values` definitions (`C=0`), `natural` counts. Vectors have three
-    components; with `has_matrices` bold capitals are matrices of three rows and columns.
+    components; with `has_matrices` bold capitals are matrices of three rows and columns. Letters
+    that are `called` are functions of others; of the `unknown` among them nothing is said.
     """
 
     latex: str
@@ -83,6 +92,8 @@ class Pasted:
     natural: tuple[str, ...] = ()
     lower_limit: str = ""
     has_matrices: bool = False
+    called: Mapping[str, str] = field(default_factory=dict)
+    unknown: tuple[str, ...] = ()
 
     @property
     def prints(self) -> tuple[str, ...]:
@@ -113,19 +124,22 @@ def read_letters(pasted: Pasted) -> Letters:
     pasted = _take_special(pasted)
     counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
     # f(x) is none of f where that is a factor, or the print a name.
-    said = [*pasted.factors, *(name.partition("(")[0] for name in pasted.names)]
+    said = [*pasted.factors, *pasted.called, *(name.partition("(")[0] for name in pasted.names)]
     functions = find_functions(pasted.prints, said)
     variables = _declare(pasted, counts, functions)
     symbols = {r"\pi": sp.pi} | {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
     given = {name_symbol(text.partition("=")[0]) for text in (*pasted.values, *pasted.where)}
-    moving = find_given_moving(variables, functions, list_differentials(pasted.prints), given)
+    called = find_called(variables, pasted.called)
+    others = [v for v in variables if v.symbol not in called]
+    moving = find_given_moving(others, functions, list_differentials(pasted.prints), given)
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
         moving=move_entries(moving.letters),
         primed=moving.primed,
         phases=frozenset((one, other) for one, other in phases if one and other),
+        called=called,
     )
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
@@ -133,11 +147,12 @@ def read_letters(pasted: Pasted) -> Letters:
     values = [
         *read_values(pasted.values, reader),
         *(solve_equation(one, moving) for one in equations),
+        *give_unknown(variables, pasted.unknown, called),
     ]
     variables = give_values(variables, values)
     refuse_units(pasted.values, list_signs(pasted.latex))
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
-    rates = find_all_rates(variables, moving)
+    rates = find_all_rates(variables, moving, called)
     variables = tuple(
         one
         for v in (*variables, *moving.rates)
@@ -186,11 +201,16 @@ def _declare(
     bold = find_bold(pasted.prints, pasted.names)
     rates = [name for letter in functions for name in list_rates(letter, pasted.prints)]
     of = (*functions, *functions.values(), *rates)
+    of = (*of, *list_names(pasted.called, pasted.prints))
     said = dict.fromkeys((*pasted.names, *pasted.natural, *bold, *of))
     named = [_make(latex, pasted, counts) for latex in said]
-    moving = find_moving(named, functions)
+    called = find_called(named, pasted.called)
+    moving = find_moving([v for v in named if v.symbol not in called], functions)
     notation = Notation(
-        factors=(*pasted.factors, *counts), moving=moving.letters, primed=sp.Symbol("x", real=True)
+        factors=(*pasted.factors, *counts),
+        moving=moving.letters,
+        primed=sp.Symbol("x", real=True),
+        called=called,
     )
     reader = Reader(named, notation, COMMAND)
     prints = pasted.prints
@@ -280,6 +300,8 @@ def describe(variable: Variable) -> str:
         return (
             "a vector of 3 real numbers" if variable.symbol.shape[1] == 1 else "a real 3x3 matrix"
         )
+    if isinstance(variable.given, AnyFunction):
+        return "any function that is smooth everywhere"
     if variable.given is not None:
         return "Euler's number" if variable.given is sp.E else f"= {variable.given}"
     names = {

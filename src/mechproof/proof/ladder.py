@@ -15,6 +15,7 @@ from mechproof.domains.preparation import take_values
 from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
+from mechproof.proof.any_functions import decide_any, has_any_functions
 from mechproof.proof.count_zeros import find_count_without_value, tell_zero_quotients
 from mechproof.proof.definedness import (
     list_needed,
@@ -103,6 +104,8 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
+    if has_any_functions(printed, rebuilt):
+        return decide_any(printed, rebuilt, domain, _decide_sides)
     sides = [settle_limits(put_in(side, domain), domain) for side in (printed, rebuilt)]
     for rung, settle in _SETTLED.items():
         printed, rebuilt = (settle(side, domain) for side in sides)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
+from sympy.core.symbol import Str
 
 from mechproof.domains.domain import Domain
 from mechproof.domains.preparation import take_values
@@ -21,14 +22,17 @@ from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.improper import list_zeros_between
 from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
-from mechproof.record import DerivativeWhere, ValueWhere, list_partial
+from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
 
 FROM_SIDES = "limits from both sides"
 _MOST_DERIVATIVES = 6
 # Work limit: zeros beyond are not looked at.
 _FAR = sp.Integer(10) ** 9
-_ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan)
+_ENTIRE = (
+    *(sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan),
+    *(AnyFunction, Str),
+)
 
 
 def settle_limits(expression: Any, domain: Domain) -> Any:

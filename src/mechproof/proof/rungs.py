@@ -73,6 +73,9 @@ RUNGS = {
     "by sines of half the step, so all but the ends cancel",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
+    "values of any functions": "of functions that are named nothing is known but that they are "
+    "smooth: their values are numbers of which nothing is known, and those of antiderivatives are "
+    "found where what is integrated is a derivative",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
     "limits from both sides": "the limits from above and from below differ, so there is none",
     "recomputation": "a printed number is the exact value rounded to its last place, or is not",

@@ -8,6 +8,7 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 from mechproof.record.dimensions import ANGLE, FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Power
 from mechproof.record.exactness import RecordError
 from mechproof.record.expressions import (
+    AnyFunction,
     DerivativeWhere,
     FunctionWithoutArgument,
     IntegralWithoutDifferential,
@@ -73,6 +74,7 @@ __all__ = [
     "SLOPES",
     "SPEED",
     "Accuracy",
+    "AnyFunction",
     "Argument",
     "ChainLink",
     "Chart",

@@ -63,7 +63,8 @@ class NthDerivative(sp.Function):  # type: ignore[misc]
     def free_symbols(self) -> set[sp.Basic]:
         """Return those that are not bound."""
         inside, by, place, order = self.args
-        return (inside.free_symbols - {by}) | place.free_symbols | order.free_symbols
+        free: set[sp.Basic] = (inside.free_symbols - {by}) | place.free_symbols | order.free_symbols
+        return free
 
     def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
         inside, by, place, order = self.args
@@ -79,6 +80,30 @@ class NthDerivative(sp.Function):  # type: ignore[misc]
         operator = rf"\frac{{d^{{{order}}}}}{{d{by}^{{{order}}}}}"
         written = rf"\left.{operator}{inside}\right|_{{{by}={place}}}"
         return _raise(written, exp)
+
+
+class AnyFunction(sp.Function):  # type: ignore[misc]
+    """A function of which only a name is said, or a derivative of it; real and smooth everywhere.
+
+    The arguments are the name, the order of the derivative, -1 for an antiderivative, and the
+    argument.
+    """
+
+    is_extended_real = True
+    is_finite = True
+
+    def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
+        name, order, argument = self.args
+        return self.func(name, order + 1, argument) * sp.diff(argument, symbol)
+
+    def _sympystr(self, printer: Any) -> str:
+        name, order, argument = self.args
+        return f"{name}{chr(39) * max(int(order), 0)}({printer.doprint(argument)})"
+
+    def _latex(self, printer: Any, exp: str = "") -> str:
+        name, order, argument = self.args
+        primes = "'" * max(int(order), 0)
+        return _raise(rf"{name}{primes}\left({printer.doprint(argument)}\right)", exp)
 
 
 class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
