@@ -10,6 +10,25 @@ from mechproof.proof.verdict import Verdict
 
 # The print with a place for the value, the true value, a wrong one, and what is said.
 PAIRS = [
+    # Known integrals.
+    (r"\int_0^{\pi/2}\ln\sin x\,dx=%s", r"-\frac\pi2\ln2", r"-\pi\ln2", ()),
+    (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=%s", r"\frac\pi2\ln\frac a2", r"\frac\pi2\ln a", ("a>0",)),
+    (r"\int_{-\infty}^\infty\cos x^2\,dx=%s", r"\sqrt{\frac\pi2}", r"\frac12\sqrt{\frac\pi2}", ()),
+    (
+        r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=%s",
+        r"\ln\frac ba",
+        r"\ln\frac ab",
+        ("a>0", "b>0"),
+    ),
+    (
+        r"\int_0^\infty\frac{\cos ax}{b^2+x^2}\,dx=%s",
+        r"\frac\pi{2b}e^{-ab}",
+        r"\frac\pi2e^{-ab}",
+        (r"a\ge0", "b>0"),
+    ),
+    (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=%s", r"\frac\pi{\sin\pi a}", r"\sin\pi a", ("0<a<1",)),
+    (r"\int_0^\infty\frac{x^3}{e^x-1}\,dx=%s", r"\frac{\pi^4}{15}", r"\frac{\pi^4}{90}", ()),
+    (r"\int_0^\infty\frac{x^2}{e^x-1}\,dx=%s", r"2\sum_{n=1}^\infty\frac1{n^3}", "2", ()),
     # By error functions and sine integrals, and by what the integrand is made of.
     (r"\int_0^\infty x^2e^{-x^2}dx=%s", r"\frac{\sqrt\pi}4", r"\frac{\sqrt\pi}2", ()),
     (
@@ -130,6 +149,12 @@ WITHOUT_LIMIT = [
 ]
 # Of what is infinite with both signs, or not shown to be, nothing is said.
 OPEN = [
+    # Known integrals with letters for which they have no value, or another one.
+    (r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
+    (r"\int_0^\infty\frac{\cos ax}{1+x^2}\,dx=\frac\pi2e^{-a}", ()),
+    (r"\int_0^\infty\frac{x\sin ax}{1+x^2}\,dx=\frac\pi2e^{-a}", (r"a\ge0",)),
+    (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),
+    (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=\frac\pi2\ln\frac a2", ()),
     (r"\int_{-1}^1\frac{dx}x=0", ()),
     (r"\int_{-1}^1\int_0^1\frac yxdy\,dx=0", ()),
     (r"\int_{-\infty}^\infty x\,dx=0", ()),

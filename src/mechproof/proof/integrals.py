@@ -53,7 +53,7 @@ def decide_by_antiderivative(
 ) -> str | None:
     """Return the rungs if left = right is proved with the values of integrals, else None."""
     sides = (domain.resolve(left), domain.resolve(right))
-    integrals = _list_free(*sides)
+    integrals = list_free(*sides)
     if not integrals or are_seen_to_differ(sides, domain):
         return None
     values = {integral: _find_finite(integral, domain) for integral in integrals}
@@ -78,7 +78,7 @@ def _turn(integral: sp.Integral) -> sp.Integral:
 
 def find_counterexample(sides: Sequence[sp.Expr], domain: Domain) -> Evidence | None:
     """Return a point at which improper integrals with letters are worked out, and sides differ."""
-    if not any(is_improper(node) and node.free_symbols for node in _list_free(*sides)):
+    if not any(is_improper(node) and node.free_symbols for node in list_free(*sides)):
         return None
     for point in points_for((*sides,), domain, _FEWEST):
         values = [settle_improper(substitute(side, point), domain) for side in sides]
@@ -100,14 +100,14 @@ def put_values(
     expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool] = lambda node: True
 ) -> Any:
     """Put values of integrals in their places as far as shown; infinite ones that stand alone."""
-    values = {node: _find_value(node, domain) for node in _list_free(expression) if is_met(node)}
+    values = {node: _find_value(node, domain) for node in list_free(expression) if is_met(node)}
     if (alone := values.get(expression)) is not None:
         return alone
     finite = {node: v for node, v in values.items() if v is not None and not v.is_infinite}
     return expression.xreplace(finite)
 
 
-def _list_free(*sides: Any) -> list[sp.Integral]:
+def list_free(*sides: Any) -> list[sp.Integral]:
     """List the integrals of which no symbol is bound, here or elsewhere in the sides."""
     bound = {symbol for side in sides for symbol in find_bound(side)}
     found = {node for side in sides for node in find_parts(side, sp.Integral)}
@@ -187,7 +187,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     integrand = sp.Integral(integral.function, *inner) if inner else integral.function
     integrand = substitute(integrand, {variable: place}) * sp.diff(place, variable)
     inside = domain.with_set(variable, run.interior)
-    values = {node: _find_finite(node, inside) for node in _list_free(integrand)}
+    values = {node: _find_finite(node, inside) for node in list_free(integrand)}
     if not values or None in values.values():
         return None
     limits = (variable, run.start, run.end)

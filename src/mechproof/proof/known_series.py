@@ -1,4 +1,4 @@
-"""Sums without end that are the series of elementary functions, or of the even zeta values.
+"""Sums without end that are the series of elementary functions, or of zeta values.
 
 A term is known by the first one and by its quotient with the one before (Petkovšek, Wilf,
 Zeilberger, A = B, 1996, chapter 3). SymPy simplifies that quotient; it has to be the one of a
@@ -24,7 +24,7 @@ RUNG = "known series"
 # Work limit: so many terms before the first of a sum are tried as the beginning of the series.
 _MOST_BEFORE = 4
 # Of zeta and its like.
-_POWERS = (2, 4, 6, 8)
+_POWERS = range(2, 9)
 _J = sp.Dummy("j", integer=True, nonnegative=True)
 _A = sp.Dummy("a", real=True)
 _ODD = 2 * _J + 1

@@ -31,6 +31,7 @@ from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_s
 from mechproof.proof.fourier_series import RUNG as FOURIER_SERIES, settle_waves
 from mechproof.proof.integral_recurrences import settle_by_parts
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, find_counterexample, settle_improper
+from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
 from mechproof.proof.printed_number import decide_number
@@ -70,6 +71,7 @@ UNCOMPARED = "nothing to compare with"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 _SETTLED = {
+    KNOWN_INTEGRAL: settle_known_integrals,
     ANTIDERIVATIVE: settle_improper,
     PARTIAL_SUMS: settle_endless,
     KNOWN_SERIES: settle_series,

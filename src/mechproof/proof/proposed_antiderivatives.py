@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import lru_cache
 
 import sympy as sp
 from sympy.integrals.heurisch import heurisch
@@ -21,17 +22,19 @@ from mechproof.proof.signs import is_positive
 
 # Work limit: a power of the variable by which waves are divided.
 _HIGHEST = 2
+# The same integral is asked for more than once, and SymPy may try its rules for long.
+_integrate = lru_cache(maxsize=64)(manualintegrate)
 _TANGENT = sp.Dummy("t", real=True)
 
 
 def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
     """Propose antiderivatives; SymPy is told which parameters are positive, and decides nothing."""
     told = {
-        s: sp.Dummy(s.name, positive=True)
+        s: sp.Symbol(s.name, positive=True)
         for s in sorted(integrand.free_symbols - {variable}, key=str)
         if is_positive(s, domain)
     }
-    back = {dummy: symbol for symbol, dummy in told.items()}
+    back = {positive: symbol for symbol, positive in told.items()}
     met: set[sp.Expr] = set()
     for known in dict.fromkeys((integrand.xreplace(told), integrand)):
         for proposed in _propose_any(known, variable):
@@ -64,7 +67,7 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
 
 def _propose_by_rules(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate by SymPy's rules, those by which one integrates by hand."""
-    found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
+    found = _close(_integrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
 

@@ -20,6 +20,7 @@ RUNGS = {
     "continuity": "both sides are continuous over the whole domain, so no branch is lost",
     "antiderivative": "the integral has the value of an antiderivative, which is proved to be one "
     "and to be continuous up to both limits, or is the same from its other end",
+    "known integral": "a definite integral is one of a table, with letters for which it converges",
     "integration by parts to the next number": "an integral has its value for the first whole "
     "number, and from each to the next both change by the same factor, but for what is a "
     "derivative and adds nothing between the limits",
@@ -64,7 +65,7 @@ RUNGS = {
     "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
     "proved by induction, or that of a geometric series",
     "known series": "a sum without end whose first term and quotients of terms are those of the "
-    "series of an elementary function, where it converges, or of an even value of zeta",
+    "series of an elementary function, where it converges, or of a value of zeta",
     "Fourier series": "a sum without end of sines or cosines of all or odd multiples of an angle, "
     "divided by a power of these, is that of a saw, a square wave or the like, within its period",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "

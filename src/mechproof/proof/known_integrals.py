@@ -1,0 +1,162 @@
+"""Definite integrals without an elementary antiderivative whose values stand in every table.
+
+A row counts where the integrand is proved to be its own, with letters for which it converges
+(Gradshteyn, Ryzhik, Table of Integrals, Series, and Products, 2007, chapters 3 and 4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from mechproof.domains.domain import Domain
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.integrals import list_free
+from mechproof.proof.signs import is_nonnegative, is_positive
+
+RUNG = "known integral"
+X = sp.Dummy("x", real=True)
+_A, _B = (sp.Wild(name, exclude=(X, 0)) for name in "ab")
+_N = sp.Wild("n", properties=[lambda number: number.is_Integer and number.is_positive])
+_PI, _OO, _HALF = sp.pi, sp.oo, sp.S.Half
+_Limits = tuple[sp.Expr, sp.Expr]
+
+
+@dataclass(frozen=True)
+class KnownIntegral:
+    """An integrand in X with letters, its limits, its value, and what is positive."""
+
+    integrand: sp.Expr
+    limits: _Limits
+    value: sp.Expr
+    positive: tuple[sp.Expr, ...] = ()
+    nonnegative: tuple[sp.Expr, ...] = ()
+
+
+def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
+    """Return that of (f(a*x) - f(b*x))/x, f given at X with its last value less its first."""
+    one, other = at.subs(X, _A * X), at.subs(X, _B * X)
+    return KnownIntegral((one - other) / X, (0, _OO), jump * sp.log(_A / _B), (_A, _B))
+
+
+_ROOT = sp.sqrt(_PI / _A) / 2
+KNOWN = (
+    # Logarithms of sines (4.224).
+    KnownIntegral(sp.log(sp.sin(X)), (0, _PI / 2), -_PI / 2 * sp.log(2)),
+    KnownIntegral(sp.log(sp.cos(X)), (0, _PI / 2), -_PI / 2 * sp.log(2)),
+    KnownIntegral(sp.log(sp.sin(X)), (0, _PI), -_PI * sp.log(2)),
+    KnownIntegral(sp.log(sp.tan(X)), (0, _PI / 2), sp.S.Zero),
+    KnownIntegral(sp.log(1 + sp.tan(X)), (0, _PI / 4), _PI / 8 * sp.log(2)),
+    KnownIntegral(sp.log(1 + sp.cos(X)), (0, _PI), -_PI * sp.log(2)),
+    KnownIntegral(sp.log(1 - sp.cos(X)), (0, _PI), -_PI * sp.log(2)),
+    KnownIntegral(X * sp.log(sp.sin(X)), (0, _PI), -(_PI**2) / 2 * sp.log(2)),
+    # Of fractions (4.231, 4.291).
+    KnownIntegral(sp.log(1 + X) / (1 + X**2), (0, 1), _PI / 8 * sp.log(2)),
+    KnownIntegral(sp.log(X) / (1 + X), (0, 1), -(_PI**2) / 12),
+    KnownIntegral(sp.log(X) / (1 - X), (0, 1), -(_PI**2) / 6),
+    KnownIntegral(sp.log(X) / (1 - X**2), (0, 1), -(_PI**2) / 8),
+    KnownIntegral(sp.atan(X) / (1 + X), (0, 1), _PI / 8 * sp.log(2)),
+    KnownIntegral(sp.log(1 + X) / X, (0, 1), _PI**2 / 12),
+    KnownIntegral(sp.log(X) * sp.log(1 - X), (0, 1), 2 - _PI**2 / 6),
+    KnownIntegral(sp.log(1 - X) / X, (0, 1), -(_PI**2) / 6),
+    KnownIntegral(sp.log(X) / (1 + X**2), (0, _OO), sp.S.Zero),
+    KnownIntegral(sp.log(X) / (_A**2 + X**2), (0, _OO), _PI * sp.log(_A) / (2 * _A), (_A,)),
+    KnownIntegral(
+        (X**_A - X**_B) / sp.log(X), (0, 1), sp.log((_A + 1) / (_B + 1)), (_A + 1, _B + 1)
+    ),
+    KnownIntegral((X**_A - 1) / sp.log(X), (0, 1), sp.log(_A + 1), (_A + 1,)),
+    # Fresnel (3.691).
+    KnownIntegral(sp.sin(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),
+    KnownIntegral(sp.cos(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),
+    # Frullani (3.434, 3.784, 4.536).
+    _frullani(sp.exp(-X), -sp.S.One),
+    _frullani(sp.cos(X), -sp.S.One),
+    _frullani(sp.atan(X), _PI / 2),
+    # Laplace (3.723), and what is like it (3.896, 3.325, 3.941).
+    KnownIntegral(
+        sp.cos(_A * X) / (_B**2 + X**2), (0, _OO), _PI * sp.exp(-_A * _B) / (2 * _B), (_B,), (_A,)
+    ),
+    KnownIntegral(
+        X * sp.sin(_A * X) / (_B**2 + X**2), (0, _OO), _PI * sp.exp(-_A * _B) / 2, (_A, _B)
+    ),
+    KnownIntegral(
+        sp.exp(-_A * X**2) * sp.cos(_B * X), (0, _OO), _ROOT * sp.exp(-(_B**2) / (4 * _A)), (_A,)
+    ),
+    KnownIntegral(
+        sp.exp(-_A * X**2 - _B / X**2),
+        (0, _OO),
+        _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)),
+        (_A, _B),
+    ),
+    KnownIntegral(sp.exp(-_B * X) * sp.sin(_A * X) / X, (0, _OO), sp.atan(_A / _B), (_B,)),
+    # Powers and exponentials (3.241, 3.411).
+    KnownIntegral(X**_A / (1 + X), (0, _OO), -_PI / sp.sin(_PI * _A), (1 + _A, -_A)),
+    KnownIntegral(1 / (1 + X**_A), (0, _OO), _PI / _A / sp.sin(_PI / _A), (_A - 1,)),
+    KnownIntegral(
+        X**_N / (sp.exp(_A * X) - 1),
+        (0, _OO),
+        sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1),
+        (_A,),
+    ),
+    KnownIntegral(
+        X**_N / (sp.exp(_A * X) + 1),
+        (0, _OO),
+        (1 - 2**-_N) * sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1),
+        (_A,),
+    ),
+    KnownIntegral(X / sp.sinh(_A * X), (0, _OO), _PI**2 / (4 * _A**2), (_A,)),
+)
+
+
+def settle_known_integrals(expression: Any, domain: Domain) -> Any:
+    """Put the values of known integrals in their places."""
+    found = {node: _find_value(node, domain) for node in list_free(expression)}
+    return expression.xreplace({node: v for node, v in found.items() if v is not None})
+
+
+def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    (variable, *limits), *others = integral.limits
+    if others or len(limits) != 2:
+        return None
+    factor, integrand = integral.function.as_independent(variable, as_Add=False)
+    integrand = integrand.xreplace({variable: X})
+    if limits == [-_OO, _OO] and integrand.subs(X, -X) == integrand:
+        factor, limits = 2 * factor, [sp.S.Zero, _OO]
+    length = limits[1] - limits[0]
+    scale, argument = integrand.args[0].as_independent(X) if integrand.func == sp.log else (1, X)
+    if scale not in (0, 1) and length.is_finite and is_positive(scale, domain):
+        # ln(2*sin x) is ln 2 and ln(sin x).
+        found = _find_value(sp.Integral(sp.log(argument), (X, *limits)), domain)
+        return None if found is None else factor * (length * sp.log(scale) + found)
+    kinds = _list_kinds(integrand)
+    for row in KNOWN:
+        if [*row.limits] == limits and _list_kinds(row.integrand) == kinds:
+            value = _find_by(row, integrand, domain)
+            if value is not None:
+                return factor * value
+    return None
+
+
+def _find_by(row: KnownIntegral, integrand: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Return the value that a row gives; the match only proposes letters."""
+    found = integrand.match(row.integrand)
+    if found is None:
+        return None
+    # Of a letter that is squared the match finds one of two numbers.
+    found = {wild: sp.powdenest(value, force=True) for wild, value in found.items()}
+    positive, nonnegative = (
+        [number.xreplace(found) for number in some] for some in (row.positive, row.nonnegative)
+    )
+    inside = domain.with_set(X, sp.Interval.open(*row.limits))
+    is_met = (
+        all(is_positive(number, domain) for number in positive)
+        and all(is_nonnegative(number, domain) for number in nonnegative)
+        and decide_equal(integrand, row.integrand.xreplace(found), inside) is not None
+    )
+    return row.value.xreplace(found).doit() if is_met else None
+
+
+def _list_kinds(expression: sp.Expr) -> set[type[sp.Basic]]:
+    return {node.func for node in expression.atoms(sp.Function)}
