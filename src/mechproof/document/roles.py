@@ -51,6 +51,7 @@ class Sign:
     the letters of that part. `formula` is what stands before a calculation that a number is of,
     `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
     Of two calculations `span` is that of their difference.
+    `halves` are x_1 and x_2 of what is printed of both, x_{1,2}.
     Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
     """
 
@@ -71,3 +72,9 @@ class Sign:
     is_calculated: bool = False
     units: tuple[str, str] = ("", "")
     limited: tuple[Any, Any] = (None, None)
+    halves: tuple[sp.Basic, ...] = ()
+
+    @property
+    def is_tied(self) -> bool:
+        """Return whether it is what ties two letters that are printed at once, as `first` says."""
+        return self.role is Role.CONSTRAINT and bool(self.first) and all(self.worked_out)

@@ -48,6 +48,7 @@ from mechproof.nomenclature.letters import (
     is_vector,
     name_symbol,
 )
+from mechproof.nomenclature.pairs import add_pairs, leave_pairs
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.scopes import add_scopes
 from mechproof.nomenclature.shapes import find_sizes
@@ -99,6 +100,7 @@ class Document:
         self._uncollected: Mapping[str, ReadingError] = {}
         if not source.has_block:
             self._take_letters()
+        self.pairs = add_pairs(self.block, (one.latex.string for one in self.printed))
         refuse_unknown(self.block, self.printed)
         self._declare({}, {})
 
@@ -112,6 +114,7 @@ class Document:
         collected = collect_letters(prints, imaginary=self.block.imaginary)
         self._uncollected = collected.unread
         letters = drop_transposition([*collected.letters, *collected.guessed], prints)
+        letters = leave_pairs(letters, prints)
         shapes = dict(find_shapes(prints))
         if vectors := {name_symbol(x) for x in letters if is_vector(x)}:
             sizes = find_sizes(prints, collected, has_plain_matrices=False).known
@@ -267,7 +270,7 @@ class Document:
 
     def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
         """Yield the letters that are said to be zero behind an equation in its line."""
-        names = {name_symbol(name): v.symbol for v in self.symbols.variables for name in v.latex}
+        names = self.symbols.names
         line = printed.locate(self.files).line
         for one in self.printed[self.printed.index(printed) + 1 :]:
             said = _ZERO.fullmatch(one.latex.string)
@@ -289,7 +292,18 @@ class Document:
         is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
         if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
             return []
-        return [replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number=""), *steps]
+        halves = self._find_halves(*sides)
+        # Rows of the two letters are about what is printed of both.
+        self.known.met.update(halves)
+        solved = replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="", halves=halves)
+        return [solved, *steps]
+
+    def _find_halves(self, left: sp.Expr, value: sp.Expr) -> tuple[sp.Basic, ...]:
+        """Return x_1 and x_2 of what is printed of both, unless the index is one of any other."""
+        letter = name_symbol(str(left.as_base_exp()[0]))
+        is_any = any(name_symbol(str(s)) in self.pairs for s in value.free_symbols)
+        names = self.symbols.names
+        return () if is_any else tuple(names[x] for x in self.pairs.get(letter, ()))
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""

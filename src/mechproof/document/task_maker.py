@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.constraints.complex_parts import split_parts
-from mechproof.document.constraints.solutions import read_signs, state_signs
+from mechproof.document.constraints.solutions import read_signs, state_signs, tie_pair
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.mentions import is_listed, is_met_once, look_up
@@ -99,11 +99,12 @@ class TaskMaker:
         has_sign = signs[0].role is Role.SOLUTIONS
         rows = read_row(row, read_signs(reader) if has_sign else reader)
         pairs = [*zip(rows, signs, strict=True)]
+        dimensions = self.known.symbols.notation.dimensions
         if has_sign:
-            dimensions = self.known.symbols.notation.dimensions
             pairs = [(state_signs(one, sign, dimensions), sign) for one, sign in pairs]
         judged = count_signs(printed.latex.string[: printed.taken])
-        parts = (part for pair in pairs[judged:] for part in split_parts(*pair, self.known))
+        tied = (one for pair in pairs[judged:] for one in tie_pair(*pair, dimensions))
+        parts = (part for one in tied for part in split_parts(*one, self.known))
         held = dict.fromkeys(self.known.held.get(printed.name, ()), sp.S.Zero)
         parts = ((put_on(r, held if s.role is Role.CONSTRAINT else {}), s) for r, s in parts)
         tasks = ((self._prepare(printed, *part, own), part) for part in parts)
@@ -233,7 +234,7 @@ class TaskMaker:
         is_either = self._is_either(printed, sign, sides)
         follows = self._list_named(look_up(printed, self.block.follows) or ())
         words = printed.announced
-        is_case = words.is_other if sign.role is Role.SOLUTIONS else words.is_case
+        is_case = words.is_other if sign.is_tied or sign.role is Role.SOLUTIONS else words.is_case
         is_given = is_listed(printed, block.constraints)
         return Task(
             row,

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.latex.values import Moving
-from mechproof.nomenclature.letters import REMEDIES
+from mechproof.nomenclature.letters import REMEDIES, name_symbol
 from mechproof.nomenclature.units import UNITS
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 from mechproof.sources.text import Place
@@ -42,6 +42,11 @@ class Symbols:
     def branches(self) -> tuple[sp.Basic, ...]:
         """Return the letters that are one of a few numbers, 1 or -1."""
         return tuple(v.symbol for v in self.variables if v.within.is_FiniteSet)
+
+    @property
+    def names(self) -> dict[str, sp.Basic]:
+        """Return the letters by the names of their prints."""
+        return {name_symbol(name): v.symbol for v in self.variables for name in v.latex}
 
     def list_branches(self, letters: Collection[sp.Basic]) -> list[dict[sp.Basic, sp.Expr]]:
         """Return the choices of the branches among letters: one without any if there is none."""

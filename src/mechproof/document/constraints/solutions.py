@@ -7,7 +7,6 @@ one part of the print with which it does is a misprint. Angles are compared up t
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -21,6 +20,8 @@ from mechproof.document.tasks import Task
 from mechproof.domains.dimensions import Dimensions, is_angle
 from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.pairs import find_stem
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
@@ -30,7 +31,8 @@ SIGN = sp.Symbol("±", real=True)
 SUBSTITUTION = "substitution"
 # How far angles are equal that differ.
 _TURNS = ", up to whole turns"
-_PAIR = re.compile(r"(.+)_(?:\{1, ?2\}|1,2)")
+# What two letters are tied by, whichever of them has the upper sign.
+_JOINED: dict[str, type[sp.Expr]] = {"sum": sp.Add, "product": sp.Mul}
 
 
 def read_signs(reader: Reader) -> Reader:
@@ -45,6 +47,30 @@ def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
         left, right = map(_choose, sign.sides)
         says = _state_step(left, right, dimensions)
     return replace(row, says=says, read_as=write_sign(row.read_as))
+
+
+def tie_pair(row: Row, sign: Sign, dimensions: Dimensions) -> Iterator[tuple[Row, Sign]]:
+    r"""Yield a row, and of x_{1,2}=a\pm b what ties x_1 and x_2: their sum and their product.
+
+    Angles are equal up to whole turns.
+    """
+    yield row, sign
+    if not sign.halves or is_angle(sign.sides, dimensions):
+        return
+    left, value = sign.sides
+    _, power = left.as_base_exp()
+    for name, join in _JOINED.items():
+        sides = join(*(one**power for one in sign.halves)), sp.expand(join(*_choose(value)))
+        own = Sign(Role.CONSTRAINT, None, row.number, sides, worked_out=(True, True))
+        says = Equality(*sides, "member")
+        yield replace(row, number=f"{row.number}, {name}", says=says), own
+
+
+def join_values(sign: Sign, sides: Sides) -> Sides:
+    """Return sides of a row; of what ties two letters what is printed of both, joined so."""
+    if not sign.is_tied:
+        return sides
+    return sign.sides[0], sp.expand(sign.sides[0].func(*_choose(sides[1])))
 
 
 def _state_step(
@@ -125,11 +151,17 @@ class Solutions:
             return [state_angles(one) for one in says]
         return [*says]
 
+    @property
+    def is_pair(self) -> bool:
+        """Return whether two letters are printed, x_{1,2}, of which no constraint says anything."""
+        return bool(find_stem(name_symbol(str(self.left.as_base_exp()[0]))))
+
     def name_root(self, letters: Iterable[sp.Basic]) -> Solutions:
         """Return what is printed of both roots, x_{1,2}, as what it says of x, if that is met."""
-        pair = _PAIR.fullmatch(str(self.left))
-        named = [s for s in letters if pair and str(s) == pair[1]]
-        return replace(self, left=named[0]) if named else self
+        base, power = self.left.as_base_exp()
+        stem = find_stem(name_symbol(str(base)))
+        named = next((s for s in letters if name_symbol(str(s)) == stem), base)
+        return replace(self, left=named**power)
 
     def find_met(self, given: Mapping[str, sp.Expr], domain: Domain) -> tuple[sp.Basic, str] | None:
         """Return the letter that is put in, and the first constraint that both values meet."""
@@ -140,13 +172,18 @@ class Solutions:
         if not unknown.is_Symbol or unknown in value.free_symbols:
             return None
         for name, residual in given.items():
-            if unknown not in residual.free_symbols:
+            if unknown not in residual.free_symbols or not self._has_each(unknown, residual):
                 continue
             rests = (residual.xreplace({unknown: one}) for one in _choose(value))
             says = Conjunction(tuple(Equality(sp.expand_trig(r), sp.S.Zero) for r in rests))
             if decide(says, replace(domain, where=where)).verdict is Verdict.PROVED:
                 return unknown, name
         return None
+
+    def _has_each(self, unknown: sp.Basic, residual: sp.Expr) -> bool:
+        """Return whether a residual tells no root of what a power of a letter is from the other."""
+        is_power = self.left.is_Pow and self.left.base == unknown
+        return not is_power or sp.expand(residual - residual.xreplace({unknown: -unknown})) == 0
 
     def find_misprint(
         self, given: Sequence[sp.Expr], domain: Domain, printed: Collection[sp.Basic]
@@ -161,10 +198,23 @@ class Solutions:
         # To become the constraint that it solves is what a print is mended for.
         return find_misprint(entry, given, domain, printed, state=state)
 
+    def name_half(self, value: sp.Expr) -> Solutions:
+        """Return what is said of a value of one of the letters whose power is printed."""
+        return replace(self, left=value ** self.left.as_base_exp()[1])
+
+    def is_met(self, domain: Domain) -> bool:
+        """Return whether one of the values is printed on the other side."""
+        conditions = _list_conditions(domain.resolve(self.left))
+        where = (*domain.where, *conditions)
+        says = self.state(domain.dimensions)
+        return decide(says, replace(domain, where=where)).verdict is Verdict.PROVED
+
 
 def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:
-    """Return the letter of whose part a tangent is printed, or is a letter, and its value then."""
+    """Return the letter of whose part a tangent is printed, or its square, and its value then."""
     known = domain.given.get(left, left)
+    if isinstance(known, sp.Pow) and known.base.is_Symbol and known.exp == 2:
+        return known.base, sp.sqrt(value)
     if isinstance(known, sp.tan) and len(known.free_symbols) == 1:
         (unknown,) = known.free_symbols
         part = known.args[0] / unknown

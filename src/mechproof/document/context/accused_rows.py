@@ -41,10 +41,13 @@ def find_misprints(
     out where it comes first and further rows follow from it, and not without it.
     """
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    proved = {row.name for row in rows.values() if row.outcome == Verdict.PROVED.value}
     asked = {
         n: tuple(connect(n, [g for g in given if may_hold_for(tasks[g], task)], tasks))
         for n, task in enumerate(tasks)
         if _may_be_misprint(task, rows[n])
+        # What ties the roots of a constraint is as right as that.
+        and not (task.sign.is_tied and task.sign.first in proved)
         # Of a letter whose first prints differ nobody knows which is meant.
         and not (task.others and len(list_standing(task, tasks, rows)) > 1)
     }
@@ -73,7 +76,7 @@ def find_misprints(
     needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
     pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
     open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
-    pairs += [*open_pairs, *_list_later(tasks, accused)]
+    pairs += [*open_pairs, *_list_later(tasks, rows, accused)]
     refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
@@ -164,15 +167,19 @@ def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
     return replace(row.judgement, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
 
 
-def _list_later(tasks: Sequence[Task], accused: Collection[int]) -> Iterator[tuple[int, int]]:
+def _list_later(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], accused: Collection[int]
+) -> Iterator[tuple[int, int]]:
     """Yield rows that are accused, with what defines their letters after them.
 
-    What says behind a display what its letters mean is no print of its own.
+    What says behind a display what its letters mean is no print of its own, and what is proved
+    is as right as what is printed before it.
     """
     for n in accused:
         used = list_used(tasks[n], tasks)
         behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
-        used_later = [m for m in behind if defines(tasks[m], used)]
+        open_ones = (m for m in behind if rows[m].outcome != Verdict.PROVED.value)
+        used_later = [m for m in open_ones if defines(tasks[m], used)]
         yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
 
 

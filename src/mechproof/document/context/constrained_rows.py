@@ -22,6 +22,7 @@ from mechproof.document.context.judging_beside import (
     judge_beside,
     judge_excused,
     judge_freed,
+    judge_half,
     judge_roots,
 )
 from mechproof.document.judging import Key
@@ -163,17 +164,43 @@ def solve_constraints(
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     solved = [n for n in given if tasks[n].sign.role is Role.SOLUTIONS]
     asked = [(key, n, tuple(g for g in given if _may_solve(g, n, tasks))) for n in solved]
-    for place, found in run_tasks(judge_roots, asked, limit=limit):
+    found = dict(run_tasks(judge_roots, asked, limit=limit))
+    roots = {asked[p][1]: one for p, one in found.items() if isinstance(one, Judgement)}
+    solved_rows = {n: make_row(tasks[n], one) for n, one in roots.items()}
+    yield from solved_rows.items()
+    yield from _judge_halves(key, tasks, {**rows, **solved_rows}, limit)
+
+
+def _judge_halves(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge what introduces one of two letters that are printed at once, x_{1,2}, before.
+
+    What ties them where that print is refuted is left open.
+    """
+    asked: dict[int, int] = {}
+    for n, task in enumerate(tasks):
+        if not task.sign.is_tied:
+            continue
+        pair = next(m for m, one in enumerate(tasks) if one.row.number == task.sign.first)
+        if rows[pair].outcome == Verdict.REFUTED.value:
+            yield n, make_row(task, f"it is said by {tasks[pair].row.number}, which is refuted")
+            continue
+        halves = task.sign.sides[0].free_symbols
+        behind = [m for m in range(n, len(tasks)) if defines(tasks[m], halves)]
+        asked |= {m: pair for m in behind if may_hold_for(tasks[pair], tasks[m])}
+    numbers = [(key, m, (pair,)) for m, pair in asked.items()]
+    for place, found in run_tasks(judge_half, numbers, limit=limit):
         if isinstance(found, Judgement):
-            number = asked[place][1]
-            yield number, make_row(tasks[number], found)
+            yield numbers[place][1], make_row(tasks[numbers[place][1]], found)
 
 
 def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
     """Return whether a constraint may be one of which a print with a double sign has the roots."""
     one, task = tasks[given], tasks[number]
     is_known = given < number or not (one.said.is_new or one.sign.role is Role.SOLUTIONS)
-    return given != number and is_known and may_hold_for(one, task) and _have_common(one, task)
+    is_known &= given != number and one.sign.first != task.row.number
+    return is_known and may_hold_for(one, task) and _have_common(one, task)
 
 
 def doubt_by_premises(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import chain
 
 import sympy as sp
@@ -11,7 +12,12 @@ import sympy as sp
 from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
 from mechproof.document.constraints.consequences import find_consequence, list_letters
 from mechproof.document.constraints.following import list_entries
-from mechproof.document.constraints.solutions import SUBSTITUTION, Solutions, write_sign
+from mechproof.document.constraints.solutions import (
+    SUBSTITUTION,
+    Solutions,
+    join_values,
+    write_sign,
+)
 from mechproof.document.judging import Key, open_tasks
 from mechproof.document.misprints import RUNG, find_failure, find_misprint, holds_at_rest
 from mechproof.document.slips import Entry
@@ -78,21 +84,25 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
         domain = Domain.of(task.paper, task.row.on)
         beside = [*state_at(constraints, task)]
         given = list(_list_given(task, beside))
-        compared = [e for one in (task, *tasks[number].others) for e in _list_entries(one)]
+        compared = [*_list_compared(task, tasks[number].others, tasks)]
+        state = partial(join_values, task.sign)
         if tasks[number].others and not all(find_failure(e.sides, given, domain) for e in compared):
             return None
         cases = [] if task.at else [(one.special or one).at for one in tasks[:number]]
         if any(at and _may_hold_at(at, task, constraints) for at in cases):
             return None
-        printed, repeated = _list_printed(tasks), list(_list_given(task, constraints))
+        plain = [one for one in constraints if not one.sign.is_tied]
+        # What becomes one that stands elsewhere is no misprint, unless it is meant to be the same.
+        is_same = task.asserts or task.sign.is_tied
+        printed, repeated = _list_printed(tasks), None if is_same else [*_list_given(task, plain)]
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
-            found = find_misprint(entry, given, domain, printed, None if task.asserts else repeated)
-            if found and not holds_at_rest(entry.sides, given, domain, second):
+            found = find_misprint(entry, given, domain, printed, repeated, state=state)
+            if found and not holds_at_rest(state(entry.sides), given, domain, second):
                 met = dict.fromkeys((task.sign.first, *(one.row.number for one in beside)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
                 compared_with = f"; compared with {names}" if names else ""
-                reason = f"{found.change.reason}{compared_with}"
+                reason = write_sign(f"{found.change.reason}{compared_with}")
                 return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     except (RecordError, ContradictionError):
         pass
@@ -130,12 +140,33 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     if met := solutions.find_met(given, domain):
         reason = "both signs give {} of {}, taken as given".format(*met)
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
-    if task.is_case:
+    if task.is_case or solutions.is_pair:
         return None
     if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
         reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
         return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     return None
+
+
+def judge_half(which: tuple[Key, int, tuple[int]]) -> Judgement | None:
+    """Judge what introduces x_1 by what is printed of x_{1,2}: None if nothing is shown."""
+    key, number, (pair,) = which
+    tasks = open_tasks(key)
+    task, says = tasks[number], tasks[number].row.says
+    domain = Domain.of(task.paper, task.row.on)
+    if not (isinstance(says, Definition) and isinstance(says.printed, sp.Expr)):
+        return None
+    both = Solutions(*tasks[pair].sign.sides)
+    half = both.name_half(says.printed)
+    if half.is_met(domain):
+        reason = f"it is one of the two values of {tasks[pair].row.number}"
+        return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
+    entry = Entry((half.left, both.left), (True, False))
+    found = find_misprint(entry, [tasks[pair].residual], domain, _list_printed(tasks))
+    if found is None or task.is_case:
+        return None
+    reason = f"{found.change.reason}; compared with both values of {tasks[pair].row.number}"
+    return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
 
 
 def _replace(
@@ -146,6 +177,16 @@ def _replace(
     values = ", ".join(f"{letter} = {value}" for letter, value in task.at.items())
     reason = f"{reason}; for {values}" if values else reason
     return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
+
+
+def _list_compared(task: Task, others: Sequence[Task], tasks: Sequence[Task]) -> Iterator[Entry]:
+    """Yield the sides of a row and of others; of what ties two letters those printed of both."""
+    if task.sign.is_tied:
+        pair = next(one for one in tasks if one.row.number == task.sign.first)
+        yield Entry(pair.sign.sides, (False, True))
+        return
+    for one in (task, *others):
+        yield from _list_entries(one)
 
 
 def _list_entries(task: Task) -> Iterator[Entry]:

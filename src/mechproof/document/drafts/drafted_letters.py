@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mechproof.nomenclature.letters import Collected, drop_transposition, is_vector, name_symbol
+from mechproof.nomenclature.pairs import leave_pairs
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 
@@ -58,7 +59,7 @@ def list_entries(
     quotients = [match for latex in prints for match in _QUOTIENT.finditer(latex)]
     by = {name_symbol(match["of"]): match["by"] for match in quotients}
     met = drop_transposition([*collected.letters, *collected.guessed], prints)
-    letters = [letter for letter in met if not _EXTREME.search(letter)]
+    letters = [letter for letter in leave_pairs(met, prints) if not _EXTREME.search(letter)]
     by |= {name: running for name, running in said.items() if running in letters}
     for base, running in map(split_letter, letters):
         if running:
@@ -85,7 +86,7 @@ def list_entries(
         entry = entries.setdefault(name_symbol(base), Entry())
         entry.names[base] = None
         entry.running = entry.running or running
-    extremes = (letter for letter in met if letter not in letters)
+    extremes = (letter for letter in met if _EXTREME.search(letter))
     return entries | {name_symbol(letter): Entry({letter: None}) for letter in extremes}
 
 
