@@ -274,6 +274,31 @@ SAID = {
 }
 
 
+# Rows about w(\varphi) beside \varphi(t), and what becomes of the last one.
+CHAINED = [
+    ([r"w=h\sin\varphi", r"\dot w=h\dot\varphi\cos\varphi"], "PROVED"),
+    ([r"w=h\sin\varphi", r"\dot w=-h\dot\varphi\cos\varphi"], "REFUTED"),
+    ([r"w=h\sin\varphi", r"\frac{dw}{dt}=h\dot\varphi\sin\varphi"], "REFUTED"),
+    ([r"\ddot w=w''\dot\varphi^2+w'\ddot\varphi"], "DEFINITION"),
+    ([r"\ddot w=w''\dot\varphi^2-w'\ddot\varphi"], "REFUTED"),
+    ([r"w'=h\cos\varphi", r"\ddot w=h\ddot\varphi\cos\varphi-h\dot\varphi^2\sin\varphi"], "PROVED"),
+    ([r"k\dot w=kw'\dot\varphi"], "PROVED"),
+    ([r"\frac{d}{dt}\left(kw^2\right)=2kww'\dot\varphi"], "PROVED"),
+    ([r"\frac{d}{dt}\left(kw^2\right)=2kw\dot\varphi^2w'"], "REFUTED"),
+    ([r"\frac{d}{dt}(kw\cos\varphi)=k\dot w\cos\varphi-kw\dot\varphi\sin\varphi"], "PROVED"),
+    ([r"\frac{d}{d\varphi}\left(kw^2\right)=2kww'"], "PROVED"),
+]
+
+
+@pytest.mark.parametrize(("latex", "outcome"), CHAINED)
+@pytest.mark.parametrize("rate", ["", "%% \\dot w : speed [mm/s]\n"])
+def test_the_rates_of_what_moves_with_a_letter_are_by_the_chain_rule(
+    latex: list[str], outcome: str, rate: str
+) -> None:
+    block = f"%% w(\\varphi) : lift [mm]\n{rate}"
+    assert outcomes(*latex, block=block)[-1] == outcome
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_every_row_has_its_outcome(case: str) -> None:

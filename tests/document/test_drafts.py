@@ -159,6 +159,15 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [r"# claim \max_{u}s'=2b", r"# claim \min_{u}s=0", r"s_{\max}' :", r"b_{\max} :"],
             [r"# claim \max_{u}b=1", r"s_{\max}(u) :"],
         ),
+        # What moves with what moves in time: both are declared, and the chain rule does the rest.
+        (r"the lift $s(u)$ $$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
+        (r"$$s=bu^2$$ $$\dot s=s'\dot u$$", ["s(u) :", "u(t) :"], ["s' :", "s(t) :"]),
+        (r"$$\dot s=\frac{ds}{du}\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
+        (r"$$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(t) :", "u(t) :"], []),
+        (r"the lift $s(u)$ $$s=bu^2$$ $$\dot y=2s$$", ["s(u) :", "y(t) :"], ["u(t) :"]),
+        # Two letters that are printed at once are those two.
+        (r"$$y_{1,2}=b\pm c$$ $$y_1+y_2=2b$$", ["y_{1} :", "y_{2} :"], ["y_{1,2} :"]),
+        (r"$$y_{1,2}=b\pm c$$ $$y_{1}=2b$$", ["y_{1} :", "y_{1,2} :"], []),
         # Relations of no single letter, beside what they introduce.
         (r"the angle $b$ with $\tan b=c$ $$y=b+c$$", [r"claim \tan b=c"], []),
         (r"With $k=b/c$ and $b^2=2c$ $$y=kb+c$$", ["claim b^2=2c", "let k=b/c"], []),

@@ -39,6 +39,7 @@ from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
+from mechproof.nomenclature.chained_rates import add_chained_rates, give_chained_rates
 from mechproof.nomenclature.declarations import add_phases, declare
 from mechproof.nomenclature.letters import (
     collect_letters,
@@ -100,6 +101,7 @@ class Document:
         self._uncollected: Mapping[str, ReadingError] = {}
         if not source.has_block:
             self._take_letters()
+        self.chained = add_chained_rates(self.block)
         self.pairs = add_pairs(self.block, (one.latex.string for one in self.printed))
         refuse_unknown(self.block, self.printed)
         self._declare({}, {})
@@ -133,6 +135,9 @@ class Document:
             with self.block.blame(text):
                 give_values(text, self.known)
         self.block.refuse_faults()
+        for rate, value in give_chained_rates(self.chained, self.symbols):
+            if rate not in self.known.values:
+                self.known.define(rate, value, "the chain rule")
         define_later(later, self.known)
         self.known.define_laws(laws)
 

@@ -15,6 +15,7 @@ from mechproof.latex.values import (
     UNSMOOTH,
     depends,
     differentiate,
+    list_steps,
     make_running,
     settle,
     settle_all,
@@ -127,8 +128,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     if not isinstance(printed, sp.MatrixBase):
         printed = meaning.take_number(node.of, printed)
     moving = {} if node.is_partial else meaning.moving
-    depends_on = {variable, *(s for s, (by, _) in moving.items() if by == variable)}
-    depends_on |= {rate for s in depends_on & moving.keys() for rate in moving[s][1]}
+    depends_on = {variable, *(s for steps, _ in list_steps(variable, moving) for s in steps)}
     needed = settle(printed, meaning.values, {s: s for s in depends_on - meaning.values.keys()})
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     is_unknown = not node.is_partial or isinstance(value, sp.Symbol)

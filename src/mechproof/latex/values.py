@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import partial
 from itertools import count, pairwise
 from typing import Any
@@ -73,6 +73,17 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
     raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
 
 
+def list_steps(by: sp.Basic, moving: Moving) -> Iterator[tuple[tuple[sp.Basic, ...], sp.Basic]]:
+    """Yield letters that move with another, each with its derivatives and what these are times.
+
+    That is the speed of the letter by which they are, where it moves with the other itself.
+    """
+    for symbol, (other, rates) in moving.items():
+        carrier, speeds = moving.get(other, (None, ()))
+        if by in (other, carrier):
+            yield (symbol, *rates), sp.S.One if other == by else speeds[0]
+
+
 def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
     """Return the derivative of a value by a letter, also through the letters that depend on it.
 
@@ -80,11 +91,10 @@ def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
     """
     total = value.diff(by)
     met = value.free_symbols
-    for symbol, (other, rates) in moving.items():
-        steps = (symbol, *rates) if other == by else ()
+    for steps, speed in list_steps(by, moving):
         for one, derivative in pairwise(steps):
-            total += value.diff(one) * derivative if one in met else 0
-        if steps and steps[-1] in met:
+            total += value.diff(one) * derivative * speed if one in met else 0
+        if steps[-1] in met:
             raise ValueError(f"no symbol is declared for the derivative of {steps[-1]} by {by}")
     # SymPy writes x^(a - 1) as x^a/x, which has no value at zero for any a.
     return total.replace(_is_power_product, partial(sp.powsimp, combine="exp"))

@@ -29,6 +29,8 @@ _RESPECT = re.compile(
     r"(?P<noun>\b(?:primes?|dash(?:es)?|derivatives?)\b[^$.]{0,60})?"
     r"\bwith\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$(?P<by>[^$]{1,20})\$"
 )
+# What primes are by, as the chain rule tells: s'\dot\theta.
+_CHAINED = re.compile(r"(?<!')'\s*(?:\\cdot\s*|\\,\s*)?\\dot\s*\{?\s*(\\?[A-Za-z]+)")
 _EXTREME = re.compile(r"_\{?\s*(?:\\mathrm\s*\{|\\text\s*\{|\\)?(?:max|min)\b")
 _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 
@@ -61,13 +63,12 @@ def list_entries(
     met = drop_transposition([*collected.letters, *collected.guessed], prints)
     letters = [letter for letter in leave_pairs(met, prints) if not _EXTREME.search(letter)]
     by |= {name: running for name, running in said.items() if running in letters}
+    if respect in letters:
+        primed = (base.rstrip("'") for base, _ in map(split_letter, letters) if "'" in base)
+        by = dict.fromkeys(map(name_symbol, primed), respect) | by
     for base, running in map(split_letter, letters):
         if running:
             by.setdefault(name_symbol(base), running)
-    for letter in letters:
-        base, running = split_letter(letter)
-        if base.endswith("'") and respect in letters:
-            by.setdefault(name_symbol(base.rstrip("'")), respect)
     functions = _find_functions(letters, shapes, prints)
     for letter in letters:
         stem = strip_arguments(letter)
@@ -86,6 +87,11 @@ def list_entries(
         entry = entries.setdefault(name_symbol(base), Entry())
         entry.names[base] = None
         entry.running = entry.running or running
+    for letter in filter(_RATE.match, letters):
+        # \dot s of s(\theta) is by the chain rule.
+        running = by.get(name_symbol(split_letter(letter)[0]), "t")
+        if running != "t" and name_symbol(running) in entries:
+            entries[name_symbol(running)].running = "t"
     extremes = (letter for letter in met if _EXTREME.search(letter))
     return entries | {name_symbol(letter): Entry({letter: None}) for letter in extremes}
 
@@ -120,7 +126,7 @@ def find_running(
     """Return the letter with respect to which words differentiate, if it is but one.
 
     They tell what primes are, or a prime is printed next: primes may also be of other coordinates.
-    So do words by which what is printed with a prime is a function of it.
+    So do words by which what is printed with a prime is a function of it, and the chain rule.
     """
     primed = {name_symbol(split_letter(x)[0].rstrip("'")) for x in letters if "'" in x}
     said = []
@@ -130,6 +136,7 @@ def find_running(
         if match["noun"] or "'" in next(behind, ""):
             said.append(match["by"])
     said += [by for name, by in functions.items() if name in primed]
+    said += [by for one in displays for by in _CHAINED.findall(one.latex.string)]
     found = {name_symbol(one): one for one in said}
     return next(iter(found.values())) if len(found) == 1 else ""
 
