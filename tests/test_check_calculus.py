@@ -54,6 +54,10 @@ PAIRS = [
     (r"\frac{d^n}{dx^n}x^m=%s", (r"\frac{m!}{(m-n)!}x^{m-n}", r"m!\,x^{m-n}"), (r"n\le m",)),
     (r"\frac{d^n}{dx^n}x^3=%s", ("0", "6"), (r"n\ge4",)),
     (r"\frac{d^{2n}}{dx^{2n}}\cos x=%s", (r"(-1)^n\cos x", r"-\cos x"), ()),
+    # Sequences, for even and for odd n.
+    (r"\lim_{n\to\infty}\frac{3n+(-1)^n}{2n-1}=%s", (r"\frac32", "2"), ()),
+    (r"\lim_{n\to\infty}\frac{1+(-1)^{2n}}2=%s", ("1", "0"), ()),
+    (r"\lim_{n\to\infty}\frac{(-1)^{n(n+1)/2}+n}n=%s", ("1", "0"), ()),
     # From both ends, by cosines, and over one period after the other.
     (r"\int_0^\pi\frac{x\sin x}{1+\cos^2x}dx=%s", (r"\frac{\pi^2}4", r"\frac{\pi^2}2"), ()),
     (r"\int_{-1}^1\frac{x^2}{1+e^x}dx=%s", (r"\frac13", r"\frac23"), ()),
@@ -153,6 +157,11 @@ FACTORIALS = [
     (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
 ]
 NOT_PROVED = [
+    # Another limit for even n than for odd n, or one of them alone.
+    (r"\lim_{n\to\infty}(-1)^n=1", ()),
+    (r"\lim_{n\to\infty}(-1)^{n(n+1)/2}=1", ()),
+    (r"\lim_{n\to\infty}\frac{n(-1)^n}{n+1}=1", ()),
+    (r"\lim_{n\to\infty}(1+(-1)^n)n=0", ()),
     # Derivatives at a single place, and where the function has no value.
     (r"\frac{d^n}{dx^n}x^2=2x", (r"x\ge1", r"x\le1")),
     (r"\frac{d^n}{dx^n}\ln x=\frac{(-1)^{n-1}(n-1)!}{x^n}", ("x<0",)),

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import accumulate, takewhile
 
+from mechproof.latex.signs import find_close
 from mechproof.latex.tokens import list_signs
 
 # The letters of last terms, behind dots.
@@ -32,7 +33,7 @@ _ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
     r"""Return what is said to count, the letters of n!, of orders, and those up to which sums go.
 
-    It is n also in \sum_{k=1}^{n-1}, in \dots+n^2, and alone in \dots+kx_n.
+    It is n also in \sum_{k=1}^{n-1}, in \dots+n^2, alone in \dots+kx_n, and in (-1)^n.
     """
     found = dict.fromkeys(said)
     for texts in map(list_signs, prints):
@@ -41,6 +42,9 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
             if text == "!":
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
+            if texts[place : place + 5] == ["(", "-", "1", ")", "^"]:
+                behind = texts[place + 5 : place + 5 + find_close(texts[place + 5 :])]
+                found |= dict.fromkeys(sign for sign in behind if sign in _LAST)
             if text == r"\dots":
                 found |= dict.fromkeys(_letters_of_last(texts[place + 1 :]))
             if texts[place : place + 4] == ["{", "d", "^", "{"]:

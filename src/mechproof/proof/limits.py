@@ -56,9 +56,23 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     value = _find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
         value = _find_of_sequence(body, variable, domain)
-    if value is not None:
-        return value
-    return _find_from_sides(run, running, point, str(direction), domain)
+    if value is None:
+        value = _find_from_sides(run, running, point, str(direction), domain)
+    found = () if value is not None else _list_by_parity(limit, domain)
+    return found[0] if found and all(decide_equal(found[0], x, domain) for x in found) else value
+
+
+def _list_by_parity(limit: sp.Limit, domain: Domain) -> tuple[sp.Expr, ...]:
+    """List the limits for even and for odd n of a sequence with powers of -1, none if not shown."""
+    body, n, point, direction = limit.args
+    turns = [p for p in body.atoms(sp.Pow) if p.base == -1 and p.exp.has(n)]
+    is_met = turns and n.is_integer and point == sp.oo
+    if not is_met or not all(turn.exp.is_polynomial(n) for turn in turns):
+        return ()
+    parts = [_turn_whole(body.subs(n, 2 * n + r)) for r in (0, 1)]
+    values = [_find_value(sp.Limit(part, n, point, direction), domain) for part in parts]
+    found = [value for value in values if value is not None and value.is_finite]
+    return tuple(found) if len(found) == len(values) else ()
 
 
 def _write_by_sines(body: sp.Expr) -> sp.Expr:
@@ -113,6 +127,18 @@ def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None
     return sp.Integral(f, (x, 0, 1))
 
 
+def _turn_whole(body: sp.Expr) -> sp.Expr:
+    """Leave even terms out of the exponents of -1."""
+
+    def is_odd(term: sp.Expr) -> bool:
+        return not (term / 2).is_integer
+
+    return body.replace(
+        lambda node: isinstance(node, sp.Pow) and node.base == -1,
+        lambda turn: (-1) ** sp.Add(*filter(is_odd, sp.Add.make_args(sp.expand(turn.exp)))),
+    )
+
+
 def _find_from_sides(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
 ) -> sp.Expr | None:
@@ -160,6 +186,10 @@ def tell_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:
 def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
     """Say what the limits from both sides are where they differ and one of them is a number."""
     body, variable, point, direction = limit.args
+    if by_parity := _list_by_parity(limit, domain):
+        even, odd = map(write_value, by_parity)
+        shown = f"the limit for even {variable} is {even}, for odd {odd}"
+        return shown if is_nonzero(by_parity[0] - by_parity[1], domain) else ""
     found = _list_from_sides(_write_by_sines(body), variable, point, str(direction), domain)
     if len(found) < 2 or all(one.is_infinite for one in found):
         return ""
