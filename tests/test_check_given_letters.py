@@ -292,3 +292,42 @@ def test_a_derivative_of_a_value_is_told() -> None:
 def test_what_is_taken_as_a_constant_is_told(latex: str, value: str, told: dict[str, str]) -> None:
     taken = judge_pasted(Pasted(latex, values=(value,))).taken
     assert {letter: taken[letter] for letter in told} == told
+
+
+# A curve, a derivative along it, what it is and what it is not.
+CURVES = [
+    (
+        (r"x=r(t-\sin t)", r"y=r(1-\cos t)"),
+        r"\frac{dy}{dx}=%s",
+        r"\cot\frac t2",
+        r"\tan\frac t2",
+    ),
+    (
+        (r"x=r(t-\sin t)", r"y=r(1-\cos t)"),
+        r"\frac{d^2y}{dx^2}=%s",
+        r"-\frac1{r(1-\cos t)^2}",
+        r"-\frac1{r(1-\cos t)}",
+    ),
+    (
+        (r"x=r\cos\varphi", r"y=b\sin\varphi"),
+        r"\frac{dy}{dx}=%s",
+        r"-\frac br\cot\varphi",
+        r"\frac br\cot\varphi",
+    ),
+]
+
+
+@pytest.mark.parametrize(("values", "latex", "true", "wrong"), CURVES)
+def test_a_derivative_goes_along_a_curve(
+    values: tuple[str, ...], latex: str, true: str, wrong: str
+) -> None:
+    assert judge(latex % true, "r>0", values=values).verdict == "PROVED"
+    assert judge(latex % wrong, "r>0", values=values).verdict == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    "values", [("x=|t|", "y=t^2"), (r"x=t+\varphi", "y=t"), ("x=2", "y=t"), ("x=t^2", "y=r")]
+)
+def test_a_derivative_along_no_single_letter_is_refused(values: tuple[str, ...]) -> None:
+    with pytest.raises(ValueError, match="a derivative by x"):
+        judge(r"\frac{dy}{dx}=1", values=values)

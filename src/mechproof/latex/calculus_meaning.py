@@ -120,6 +120,8 @@ def give_derivative(meaning: Meaning, node: Derivation) -> Any:
 
 def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: Any) -> Any:
     is_given = variable in meaning.values and not node.is_partial
+    if is_given and (along := meaning.parameters.get(variable)):
+        return _differentiate_along(meaning, node, printed, variable, along)
     if not isinstance(variable, sp.Symbol) or is_given:
         by = meaning.source.latex[node.by.start : node.by.end]
         raise meaning.source.refuse(
@@ -150,6 +152,22 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     if isinstance(needed, sp.MatrixBase):
         return needed.applyfunc(lambda x: _give_rate(meaning, node, x, variable, depends_on))
     return _give_rate(meaning, node, needed, variable, depends_on)
+
+
+def _differentiate_along(
+    meaning: Meaning, node: Derivation, printed: sp.Expr, variable: sp.Symbol, along: sp.Symbol
+) -> sp.Expr:
+    """Return the derivative of a curve, dy/dx of y(t) and x(t), where x does not stand still."""
+    needed, place = (settle_all(part, meaning.values) for part in (printed, variable))
+    value = needed.replace(ValueWhere, lambda inner, _: inner)
+    unsmooth = [*value.atoms(*UNSMOOTH, *OF_SIGNS), *place.atoms(*UNSMOOTH, *OF_SIGNS)]
+    if not (isinstance(node.order, int) and value.has(along)) or unsmooth:
+        raise meaning.source.refuse(
+            node.start, f"a derivative by {variable} along {along} is not read of this"
+        )
+    for _ in range(node.order):
+        value = sp.diff(value, along) / sp.diff(place, along)
+    return DerivativeWhere(value, needed)
 
 
 def _give_rate(

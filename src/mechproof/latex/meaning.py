@@ -107,6 +107,7 @@ class Meaning:
         self.values = values
         self.lower_limit = notation.lower_limit
         self.moving = notation.moving
+        self.parameters = notation.parameters
         self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}

@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, settle_all
+from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.relations import read_relations
 from mechproof.nomenclature.units import is_unit
@@ -127,6 +128,21 @@ def find_given_moving(
             r"as a fraction, \frac{d}{dx}(…)"
         )
     return moving
+
+
+def find_parameters(
+    variables: Sequence[Variable], differentials: Collection[str]
+) -> dict[sp.Basic, sp.Symbol]:
+    """Return what runs in the value of a letter by which something is differentiated, dy/dx."""
+    values = {v.symbol: v.given for v in variables if v.given is not None}
+    moved = {v.symbol for v in variables if v.latex and v.latex[0] in RUNNING}
+    found: dict[sp.Basic, sp.Symbol] = {}
+    for symbol in (v.symbol for v in variables if v.latex and v.latex[0] in differentials):
+        value = settle_all(symbol, values)
+        running = [*(value.free_symbols & moved)]
+        if symbol in values and len(running) == 1:
+            found[symbol] = running[0]
+    return found
 
 
 def find_all_rates(

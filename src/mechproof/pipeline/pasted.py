@@ -135,7 +135,7 @@ def _judge(pasted: Pasted) -> Checked:
     named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
     read = tuple(judge(row, paper) for row in named)
     depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}
-    moved = {by for by, _ in notation.moving.values()}
+    moved = {by for by, _ in notation.moving.values()} | {*notation.parameters.values()}
     moved = moved or {s for s in free if letters.rates and s.name in ("t", "x")}
     if moved:
         steady = {v.symbol for v in variables if v.given is None} - moved

@@ -30,6 +30,7 @@ from mechproof.pipeline.given_letters import (
     find_all_rates,
     find_decimals,
     find_given_moving,
+    find_parameters,
     give_values,
     read_values,
     refuse_units,
@@ -158,6 +159,8 @@ def read_letters(pasted: Pasted) -> Letters:
         for v in (*variables, *moving.rates)
         for one in show_entries(replace(v, given=rates.get(v.symbol, v.given)))
     )
+    parameters = find_parameters(variables, list_differentials(pasted.prints))
+    notation = replace(notation, parameters=parameters)
     left = [r for r in relations if r not in equations]
     decimals = find_decimals(pasted.values, variables)
     return Letters(variables, notation, left, tied, rates, _list_needed(variables), decimals)

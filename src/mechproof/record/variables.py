@@ -68,8 +68,9 @@ class Notation:
     stand side by side in an angle: a function without brackets takes both, `\cos\omega t`.
     `dimensions` are those of letters with a unit: they tell the brackets that multiply one from
     those that hold an argument. `called` are letters that are functions of one: what stands in a
-    bracket behind them is put for that. `imaginary` is the letter of the imaginary unit; e is
-    Euler's number beside it.
+    bracket behind them is put for that. `parameters` are the letters by which derivatives go that
+    are printed by one that these give, dy/dx of x(t) and y(t). `imaginary` is the letter of the
+    imaginary unit; e is Euler's number beside it.
     """
 
     factors: tuple[str, ...] = ()
@@ -88,6 +89,7 @@ class Notation:
     weigh_unit: Callable[[str], sp.Expr | None] | None = None
     phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()
     dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=lambda: MappingProxyType({}))
+    parameters: Mapping[sp.Basic, sp.Symbol] = field(default_factory=lambda: MappingProxyType({}))
     called: Mapping[sp.Basic, sp.Symbol] = field(default_factory=lambda: MappingProxyType({}))
     imaginary: str = ""
 
