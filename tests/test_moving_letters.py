@@ -60,7 +60,6 @@ REFUSED = [
     r"\frac{d}{dx}(u(x)v)=u'(x)v",
     "f(x)=f(x)",
     r"f'(x)+f_0=f_0+f'(x)",
-    r"\Gamma(x)=\Gamma(x)",
     "a(x)=ax",
     r"\frac{d}{dt}(\dot x)=0",
     r"(\ln u)'=\frac1u",

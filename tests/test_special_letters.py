@@ -54,6 +54,17 @@ ROWS = [
     (r"\int_0^\pi\cos(nx)\,dx=0", (), (r"n\in\mathbb N",), PROVED),
     (r"\int_0^\pi\cos(nx)\,dx=0", (), (r"n\in\mathbb N_0",), REFUTED),
     (r"\cos(m\pi)\cos(n\pi)=(-1)^{m+n}\text{ for }m,n\in\mathbb{N}", (), (), PROVED),
+    # The gamma function, where it has values.
+    (r"\Gamma\left(\frac12\right)=\sqrt\pi", (), (), PROVED),
+    (r"\Gamma(n+1)=n!", (), (), PROVED),
+    (r"\Gamma(n)=n!", (), (), REFUTED),
+    (r"\Gamma(x+1)=x\Gamma(x)", (), ("x>0",), PROVED),
+    (r"\Gamma(x+1)=x\Gamma(x)", (), (), Verdict.UNDECIDED),
+    (r"\Gamma(x+1)=\Gamma(x)", (), ("x>0",), REFUTED),
+    (r"\Gamma(x)\Gamma(1-x)=\frac\pi{\sin\pi x}", (), ("0<x<1",), PROVED),
+    (r"\Gamma(x)\Gamma(1-x)=\frac\pi{\cos\pi x}", (), ("0<x<1",), REFUTED),
+    (r"\int_0^\infty t^{x-1}e^{-t}\,dt=\Gamma(x)", (), ("x>0",), PROVED),
+    (r"\int_0^\infty t^{x-1}e^{-t}\,dt=\Gamma(x)", (), (), Verdict.UNDECIDED),
     # What gives a letter has a real value.
     (r"|x|\le R", (r"y=\sqrt{R^2-x^2}",), ("R>0",), PROVED),
     (r"|x|\le R-1", (r"y=\sqrt{R^2-x^2}",), ("R>0",), REFUTED),

@@ -35,7 +35,7 @@ ENTIRE = (
 # Flint calls them as SymPy does.
 _ALIKE = (
     *(*ENTIRE, sp.log, sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
-    *(sp.sinc, sp.floor, sp.zeta),
+    *(sp.sinc, sp.floor, sp.zeta, sp.gamma),
 )
 FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     **{kind: methodcaller(kind.__name__) for kind in _ALIKE},

@@ -1,4 +1,4 @@
-"""What a proof rewrites first: derivatives become their values, factorials those of one number."""
+"""What a proof rewrites first: derivatives get values, factorials are those of one number."""
 
 from __future__ import annotations
 
@@ -27,6 +27,8 @@ def take_values(expression: Any) -> Any:
 def prepare(expression: Any) -> Any:
     """Return an expression that is equal wherever both have values."""
     plain = write_sums_out(take_values(expression))
+    if has_parts(plain, sp.gamma):
+        plain = plain.replace(sp.gamma, _write_gamma)
     shifts = {node: node.args[0].as_coeff_Add() for node in find_parts(plain, sp.factorial)}
     return plain.xreplace(
         {
@@ -35,6 +37,24 @@ def prepare(expression: Any) -> Any:
             if shift.is_Integer and abs(shift) <= _FARTHEST and rest != 0
         }
     )
+
+
+def _write_gamma(argument: sp.Expr) -> sp.Expr:
+    """Write the gamma function by that of numbers from 0 to 1 beside letters without a minus."""
+    shift, rest = argument.as_coeff_Add()
+    if argument.is_integer:
+        return sp.factorial(argument - 1)
+    if rest == 0 or not shift.is_Rational or abs(shift) > _FARTHEST:
+        return sp.gamma(argument)
+    whole = int(sp.floor(shift))
+    base, turned = rest + shift - whole, 1 - rest - shift + whole
+    value = sp.gamma(base)
+    if rest.could_extract_minus_sign():
+        shown = sp.gamma(turned) if shift != whole else -rest * sp.gamma(-rest)
+        value = sp.pi / (sp.sin(sp.pi * base) * shown)
+    above = sp.prod(base + k for k in range(whole))
+    below = sp.prod(base - k for k in range(1, 1 - whole))
+    return value * above / below
 
 
 def _extend(number: sp.Expr, shift: int) -> sp.Expr:

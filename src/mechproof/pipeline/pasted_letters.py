@@ -45,6 +45,7 @@ from mechproof.pipeline.moving_letters import (
 from mechproof.pipeline.special_letters import (
     EULER,
     find_declared,
+    find_gamma,
     has_differential,
     has_letter_d,
     means_euler,
@@ -141,6 +142,7 @@ def read_letters(pasted: Pasted) -> Letters:
         primed=moving.primed,
         phases=frozenset((one, other) for one, other in phases if one and other),
         called=called,
+        functions=_find_functions(pasted),
     )
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
@@ -164,6 +166,10 @@ def read_letters(pasted: Pasted) -> Letters:
     left = [r for r in relations if r not in equations]
     decimals = find_decimals(pasted.values, variables)
     return Letters(variables, notation, left, tied, rates, _list_needed(variables), decimals)
+
+
+def _find_functions(pasted: Pasted) -> dict[str, type[sp.gamma]]:
+    return find_gamma(pasted.prints, (*pasted.names, *pasted.factors))
 
 
 def _take_special(pasted: Pasted) -> Pasted:
@@ -214,6 +220,7 @@ def _declare(
         moving=moving.letters,
         primed=sp.Symbol("x", real=True),
         called=called,
+        functions=_find_functions(pasted),
     )
     reader = Reader(named, notation, COMMAND)
     prints = pasted.prints

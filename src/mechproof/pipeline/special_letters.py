@@ -1,10 +1,12 @@
-r"""The letters e, d and j of a single equation, which may be no letters: e^x, \frac{d}{dx}, 1+j."""
+r"""What may be no letter in a single equation: e^x, \frac{d}{dx}, 1+j, \Gamma(x)."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
 from itertools import groupby
+
+import sympy as sp
 
 from mechproof.latex.left_scripts import ACCENTS, begins_letter
 from mechproof.latex.signs import find_close
@@ -56,6 +58,18 @@ def _list_letters(texts: Sequence[str], place: int) -> list[str]:
         return []
     exponent = texts[place + 2 :][: find_close(texts[place + 2 :])]
     return [text for text in exponent if text[-1].isalpha() and text != "e"]
+
+
+def find_gamma(prints: Iterable[str], names: Iterable[str]) -> dict[str, type[sp.gamma]]:
+    r"""Return the gamma function if \Gamma stands before brackets only, and is no name."""
+    behind = [
+        texts[place + 1 : place + 2]
+        for texts in map(list_signs, prints)
+        for place, text in enumerate(texts)
+        if text == r"\Gamma"
+    ]
+    is_function = bool(behind) and all(one == ["("] for one in behind)
+    return {"Gamma": sp.gamma} if is_function and r"\Gamma" not in names else {}
 
 
 def has_differential(latex: str) -> bool:

@@ -19,6 +19,9 @@ from mechproof.proof.signs import is_nonnegative, is_positive
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)
 _A, _B = (sp.Wild(name, exclude=(X, 0)) for name in "ab")
+# Of whole numbers the integrals are elementary.
+_FRACTIONS = [lambda number: not number.is_integer]
+_P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
 _N = sp.Wild("n", properties=[lambda number: number.is_Integer and number.is_positive])
 _PI, _OO, _HALF = sp.pi, sp.oo, sp.S.Half
 _Limits = tuple[sp.Expr, sp.Expr]
@@ -92,6 +95,18 @@ KNOWN = (
     ),
     KnownIntegral(sp.exp(-_B * X) * sp.sin(_A * X) / X, (0, _OO), sp.atan(_A / _B), (_B,)),
     # Powers and exponentials (3.241, 3.411).
+    KnownIntegral(
+        X**_P * sp.exp(-_A * X), (0, _OO), sp.gamma(_P + 1) / _A ** (_P + 1), (_P + 1, _A)
+    ),
+    KnownIntegral(
+        X**_P * (1 - X) ** _Q,
+        (0, 1),
+        sp.gamma(_P + 1) * sp.gamma(_Q + 1) / sp.gamma(_P + _Q + 2),
+        (_P + 1, _Q + 1),
+    ),
+    KnownIntegral(
+        sp.tan(X) ** _P, (0, _PI / 2), _PI / (2 * sp.cos(_PI * _P / 2)), (1 - _P, 1 + _P)
+    ),
     KnownIntegral(X**_A / (1 + X), (0, _OO), -_PI / sp.sin(_PI * _A), (1 + _A, -_A)),
     KnownIntegral(1 / (1 + X**_A), (0, _OO), _PI / _A / sp.sin(_PI / _A), (_A - 1,)),
     KnownIntegral(

@@ -18,6 +18,8 @@ _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
     sp.log: lambda x: (Slack(x, True),),
     sp.asin: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
     sp.acos: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
+    # Below zero it has values between whole numbers, too.
+    sp.gamma: lambda x: (Slack(x, True),),
     sp.acosh: lambda x: (Slack(x - 1, False),),
     sp.atanh: lambda x: (Slack(1 - x, True), Slack(1 + x, True)),
 }
