@@ -27,6 +27,7 @@ from mechproof.pipeline.pasted_letters import (
     describe,
     read_letters,
 )
+from mechproof.pipeline.remainders import give_limits, take_remainder
 from mechproof.pipeline.special_letters import take_set
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
@@ -111,6 +112,9 @@ def judge_pasted(pasted: Pasted) -> Checked:
 
 def _judge(pasted: Pasted) -> Checked:
     pasted = _take_sets(_take_condition(replace(pasted, latex=_unwrap(pasted.latex))))
+    whole = pasted.latex
+    latex, remainder = take_remainder(whole)
+    pasted = replace(pasted, latex=latex)
     letters = read_letters(pasted)
     variables, notation = letters.variables, letters.notation
     printed = _read_conditions(pasted.latex, Reader(variables, notation, COMMAND))
@@ -132,6 +136,8 @@ def _judge(pasted: Pasted) -> Checked:
     if pasted.unknown:
         _refuse_open(rows, reader, {*notation.called.values()})
     paper = Paper("pasted", "", variables, ())
+    if remainder:
+        rows = give_limits(rows, whole, Domain.of(paper, on), remainder)
     named = [replace(row, number=row.number.removeprefix(f"{NUMBER}, ")) for row in rows]
     read = tuple(judge(row, paper) for row in named)
     depends = {x: f", depends on {by}" for x, (by, _) in notation.moving.items()}

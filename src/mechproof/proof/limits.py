@@ -26,7 +26,7 @@ from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_part
 from mechproof.record.parts import find_parts
 
 FROM_SIDES = "limits from both sides"
-_MOST_DERIVATIVES = 6
+_MOST_DERIVATIVES = 9
 # Work limit: zeros beyond are not looked at.
 _FAR = sp.Integer(10) ** 9
 _ENTIRE = (
