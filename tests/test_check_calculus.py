@@ -54,6 +54,19 @@ PAIRS = [
     (r"\frac{d^n}{dx^n}x^m=%s", (r"\frac{m!}{(m-n)!}x^{m-n}", r"m!\,x^{m-n}"), (r"n\le m",)),
     (r"\frac{d^n}{dx^n}x^3=%s", ("0", "6"), (r"n\ge4",)),
     (r"\frac{d^{2n}}{dx^{2n}}\cos x=%s", (r"(-1)^n\cos x", r"-\cos x"), ()),
+    # Floors, by the steps within a period.
+    (
+        r"\lfloor x\rfloor+\left\lfloor x+\frac12\right\rfloor=%s",
+        (r"\lfloor2x\rfloor", r"2\lfloor x\rfloor"),
+        (),
+    ),
+    (
+        r"\left\lfloor\frac n2\right\rfloor+\left\lceil\frac n2\right\rceil=%s",
+        ("n", "n+1"),
+        (r"n\in\mathbb N",),
+    ),
+    (r"\lfloor x\rfloor+\lfloor y\rfloor\le %s", ("x+y", "x+y-1"), ()),
+    (r"\lceil x\rceil<%s", ("x+1", r"x+\frac12"), ()),
     # Sequences, for even and for odd n.
     (r"\lim_{n\to\infty}\frac{3n+(-1)^n}{2n-1}=%s", (r"\frac32", "2"), ()),
     (r"\lim_{n\to\infty}\frac{1+(-1)^{2n}}2=%s", ("1", "0"), ()),
@@ -157,6 +170,11 @@ FACTORIALS = [
     (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
 ]
 NOT_PROVED = [
+    # Floors that are alike but for single numbers, and of different numbers.
+    (r"\lfloor x\rfloor+\lfloor-x\rfloor=-1", ()),
+    (r"\lfloor x\rfloor<x", ()),
+    (r"\lfloor x\rfloor+1\le x+\lfloor y\rfloor-\lfloor z\rfloor", ()),
+    (r"\left\lfloor\frac x2\right\rfloor+\left\lceil\frac x2\right\rceil=x", ()),
     # Another limit for even n than for odd n, or one of them alone.
     (r"\lim_{n\to\infty}(-1)^n=1", ()),
     (r"\lim_{n\to\infty}(-1)^{n(n+1)/2}=1", ()),

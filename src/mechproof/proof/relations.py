@@ -10,11 +10,13 @@ from mechproof.domains.domain import Domain
 from mechproof.proof import bisection, inductive_inequalities, newton, taylor
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.cases import decide_by_pieces, write_pieces
+from mechproof.proof.floors import leave_fractions
 from mechproof.proof.inductive_inequalities import holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.taylor import holds_near_zero
 from mechproof.record.relations import find_slack
+from mechproof.record.substitution import write_steps
 
 SIGN = "sign in positive coordinates"
 # Of powers of negative numbers to counts: so many are looked at.
@@ -27,6 +29,11 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         left = [case for case in cases if case != sp.true]
         rungs = [None if case == sp.false else prove_relation(case, domain) for case in left]
         return None if None in rungs else next(iter(rungs), SIGN)
+    slack = find_slack(relation)
+    if slack and relation.has(sp.floor, sp.ceiling):
+        left, part = leave_fractions(write_steps(slack.value), domain)
+        if is_shown(slack._replace(value=left), part):
+            return SIGN
     if newton.converges(relation, domain):
         return newton.RUNG
     if holds_near_zero(relation, domain):
@@ -35,7 +42,6 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return bisection.RUNG
     if _holds_by_sign(relation, domain):
         return SIGN
-    slack = find_slack(relation)
     if slack is None:
         return None
     if holds_by_steps(slack, domain, show_sign):

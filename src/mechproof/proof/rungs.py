@@ -77,6 +77,8 @@ RUNGS = {
     "values of any functions": "of functions that are named nothing is known but that they are "
     "smooth: their values are numbers of which nothing is known, and those of antiderivatives are "
     "found where what is integrated is a derivative",
+    "steps of floors": "floors of one number add up to nothing at each step within a period, and "
+    "between the steps",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
     "limits from both sides": "the limits from above and from below differ, so there is none",
     "recomputation": "a printed number is the exact value rounded to its last place, or is not",

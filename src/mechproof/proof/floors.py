@@ -1,0 +1,64 @@
+"""Rung: floors of one number, which go on alike after a period, step by step; and what they leave.
+
+A sum of multiples of floors of q*x + r, q and r rational, is constant between the places where one
+of these is whole, and repeats itself if the multiples of q add up to nothing (Graham, Knuth,
+Patashnik, Concrete Mathematics, 1994, chapter 3).
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import sympy as sp
+
+from mechproof.domains.domain import Domain
+
+RUNG = "steps of floors"
+# Work limit: places where a floor steps, within a period.
+_MOST_STEPS = 200
+
+
+def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Return the rung if left = right for all numbers by the steps within a period."""
+    difference = sp.expand(domain.resolve(left - right))
+    floors = sorted(difference.atoms(sp.floor), key=sp.default_sort_key)
+    letters = difference.free_symbols
+    if not floors or len(letters) != 1:
+        return None
+    (x,) = letters
+    slopes = {one: sp.diff(one.args[0], x) for one in floors}
+    counts = {one: sp.Dummy() for one in floors}
+    named = difference.xreplace(counts)
+    weights = {one: sp.diff(named, count) for one, count in counts.items()}
+    own = sp.diff(named, x)
+    numbers = [own, *slopes.values(), *weights.values(), *(f.args[0].subs(x, 0) for f in floors)]
+    if not all(number.is_Rational for number in numbers):
+        return None
+    period = sp.ilcm(1, *(slope.q for slope in slopes.values()))
+    drift = own + sum(weights[one] * slopes[one] for one in floors)
+    steps = period + sum(abs(slope) * period for slope in slopes.values())
+    if drift != 0 or steps > _MOST_STEPS or (own != 0 and not x.is_integer):
+        return None
+    places = sorted({place for one in floors for place in _list_steps(one.args[0], x, period)})
+    places += [(one + other) / 2 for one, other in pairwise(places)]
+    tried = range(period) if x.is_integer else places
+    return RUNG if all(difference.subs(x, place) == 0 for place in tried) else None
+
+
+def _list_steps(argument: sp.Expr, x: sp.Symbol, period: int) -> list[sp.Rational]:
+    """List 0, the period, and where a linear expression is whole between."""
+    slope, start = sp.diff(argument, x), argument.subs(x, 0)
+    ends = sorted((start, start + slope * period))
+    wholes = range(int(sp.ceiling(ends[0])), int(sp.floor(ends[1])) + 1)
+    steps = [(whole - start) / slope for whole in wholes] if slope else []
+    return [sp.S.Zero, sp.Integer(period), *steps]
+
+
+def leave_fractions(number: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
+    """Write floors of u as u - t, t any number from 0 to below 1, in a domain with these."""
+    floors = sorted(number.atoms(sp.floor), key=sp.default_sort_key)
+    for one in reversed(floors):
+        t = sp.Dummy("t", real=True)
+        number = number.xreplace({one: one.args[0] - t})
+        domain = domain.with_set(t, sp.Interval.Ropen(0, 1))
+    return number, domain
