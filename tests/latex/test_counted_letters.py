@@ -62,6 +62,11 @@ def test_an_upright_d_is_no_letter() -> None:
     assert reader.parse(r"\int_0^1dx\,\mathrm dx").meaning().of(member).doit() == d / 2
     with pytest.raises(ReadingError, match="a differential, or d"):
         reader.parse(r"\int_0^1dx\,dx")
+    # An integral needs one, and what stands on the other side is none of it.
+    (member, _) = reader.parse(r"\int_0^1x\,dx=d").chains[0].members
+    assert reader.parse(r"\int_0^1x\,dx=d").meaning().of(member).doit() == sp.Rational(1, 2)
+    with pytest.raises(ReadingError, match="a differential, or d"):
+        reader.parse(r"\int_0^1x\,dx+d")
 
 
 @pytest.mark.parametrize("latex", REFUSED)

@@ -18,6 +18,8 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.sources.announcements import NOTHING, Announced
 
 Values = dict[sp.Basic, Any]
+# What gives the rates in time of letters that depend on one that moves.
+CHAIN_RULE = "the chain rule"
 
 
 @dataclass
@@ -161,7 +163,8 @@ class Known:
         """Return whether a derivative is known by that of which it is one, not by a print."""
         _, steps = self.symbols.find_steps(rate)
         before = steps[max(steps.index(rate) - 1, 0)]
-        return before != rate and self.printed.get(before) == self.printed.get(rate)
+        is_below = before != rate and self.printed.get(before) == self.printed.get(rate)
+        return is_below or self.printed.get(rate) == CHAIN_RULE
 
     def _show_moving(self, value: Any, by: sp.Basic) -> Any:
         """Put in the letters that are not said to depend on another, though their values do."""

@@ -14,7 +14,7 @@ import sympy as sp
 from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
 from mechproof.document.constraints.solutions import SIGN, read_signs
 from mechproof.document.example_values import collect_values, lend_values
-from mechproof.document.known import Known
+from mechproof.document.known import CHAIN_RULE, Known
 from mechproof.document.later_matrices import Later, define_later, find_later
 from mechproof.document.laws import Piece
 from mechproof.document.mentions import (
@@ -137,7 +137,7 @@ class Document:
         self.block.refuse_faults()
         for rate, value in give_chained_rates(self.chained, self.symbols):
             if rate not in self.known.values:
-                self.known.define(rate, value, "the chain rule")
+                self.known.define(rate, value, CHAIN_RULE)
         define_later(later, self.known)
         self.known.define_laws(laws)
 

@@ -141,7 +141,9 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     elif part.is_Integer:
         yield from _DIGITS
     elif isinstance(part, sp.Mul):
+        # Left out, or on the other side of the bar.
         yield from (part / factor for factor in part.args)
+        yield from (part / factor**2 for factor in part.args if not factor.is_number)
         yield from _move_bracket(part)
     elif isinstance(part, sp.Add):
         yield part**2

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from mechproof.latex import letters
 from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.relations import RELATIONS
 from mechproof.latex.tree import (
     Chain,
     Derivation,
@@ -202,11 +204,20 @@ def is_differential(parser: Parser) -> bool:
     if match and match.end == parser.place + 1:
         if any(upright):
             return False
+        if _is_needed(parser):
+            return True
         raise parser.refuse(
             f"d within an integral: a differential, or {match.name.symbol}?",
             parser.remedies.scope.format("d"),
         )
     return match is None
+
+
+def _is_needed(parser: Parser) -> bool:
+    """Return whether the open integrals need all letters d up to the next relation sign."""
+    behind = takewhile(lambda token: token.text not in RELATIONS, parser.rest)
+    left = sum(opened.differential is None for opened in parser.integrals)
+    return sum(token.text == "d" for token in behind) <= left
 
 
 def read_differential(parser: Parser, opened: Open) -> None:

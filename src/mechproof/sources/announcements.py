@@ -20,7 +20,8 @@ _OTHERS = (
 _OTHER = re.compile(rf"\b(?:{_OTHERS})\b", re.IGNORECASE)
 _ALTERNATIVE = re.compile(
     rf"\b(?:{_OTHERS}|or|oder|ou|или|respectively|elbow|"
-    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when|for)\b",
+    r"solutions?|roots?|branch(?:es)?|cases?|configurations?|if|when"
+    r"|(?<!\bsolve\s)(?<!\bsolved\s)(?<!\bsolving\s)(?<!\bexpression\s)(?<!\bformula\s)for)\b",
     re.IGNORECASE,
 )
 _NEAR = 200

@@ -19,12 +19,16 @@ _START = (
     r"(?:\A\s*|(?<=[.;:!?}])\s+|\n[ \t]*\n\s*)(?:\\noindent\s*)?"
     r"(?:(?:consider|take|let us take|so|thus|hence|here|now),?\s+)?"
 )
+_UNIT = r"[kMmcµ]?(?:m|g|N|Nm|Pa|W|J|s|Hz|rad|rpm)"
 _EVENT = re.compile(
     rf"\\(?P<level>{'|'.join(_LEVELS)})\*?\s*\{{(?P<title>(?:[^{{}}]|\{{[^{{}}]*\}})*)\}}"
     r"|^(?P<marks>#{1,6})\s+(?P<line>[^\n]*)"
     r"|\\(?P<edge>begin|end)\s*\{example\*?\}"
     rf"|{_START}(?P<begun>(?:for example|for instance|as an example|zum beispiel|par exemple"
     r"|например)\b"
+    # Sizes with their units: "For $r=66$ mm".
+    r"|(?:for|with|f\xfcr|pour|для)\s+\$[^$=]*=\s*[\d.,{}]+"
+    rf"(?:\s*(?:\\,|~|\\(?:mathrm|text|unit)\b|\^)|\$[~\s]*{_UNIT}\b)"
     rf"|(?:\\(?:textbf|textit|emph|textsc)\s*\{{|\*\*?)?(?:{_TITLE})(?:\s+[\w.]+)?[.:]?[}}*]*[.:])"
     r"|\b(?P<again>(?:in|of|for) (?:the|this|our|that)(?: \w+)? example|im (?:\w+)?beispiel"
     r"|dans (?:l'|cet )exemple|в (?:этом )?примере)\b"

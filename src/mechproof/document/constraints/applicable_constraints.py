@@ -64,6 +64,12 @@ def is_of_another_example(one: Task, other: Task) -> bool:
     return one.said.example.number not in (0, other.said.example.number)
 
 
+def holds_elsewhere(one: Task, other: Task) -> bool:
+    """Return whether what introduces a letter in a worked example gives it in that only."""
+    given = (v.given for v in other.paper.variables if v.symbol == one.sign.letter)
+    return is_of_another_example(one, other) and not any(value is not None for value in given)
+
+
 def is_left(given: Task, task: Task) -> bool:
     """Return whether letters made equal may differ behind the next words that say something new."""
     return is_bare(given) and given.said.scope != task.said.scope

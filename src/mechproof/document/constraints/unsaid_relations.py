@@ -6,6 +6,7 @@ Papers take both for granted, and do not say them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import permutations
 
 import sympy as sp
 
@@ -15,7 +16,7 @@ from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Conjunction, Equality, Part, RecordError
+from mechproof.record import Conjunction, Equality, Holds, Part, RecordError
 
 _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)
@@ -35,13 +36,28 @@ def find_relations(task: Task) -> str:
         if within and _holds_within(task, within):
             break
     else:
-        return ""
+        return _ask_sign(task)
     for letter in letters:
         others = {s: inside for s, inside in within.items() if s != letter}
         within = others if others and _holds_within(task, others) else within
     said = {_ACUTE: r"0<{}<\pi/2", _POSITIVE: "{}>0"}
     names = {v.symbol: v.latex[0] for v in task.paper.variables if v.latex}
     return ", ".join(said[inside].format(names.get(s, s)) for s, inside in within.items())
+
+
+def _ask_sign(task: Task) -> str:
+    """Return that what is printed to be a root is not negative, if it is that or the opposite."""
+    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    for root, other in permutations(sides, 2):
+        resolved = domain.resolve(root)
+        if not (isinstance(resolved, sp.Pow) and resolved.exp == sp.Rational(1, 2)):
+            continue
+        is_square = Equality(resolved.base, domain.resolve(other) ** 2, "member")
+        answers = (decide(one, domain).verdict for one in (is_square, Holds(sp.Le(other, 0))))
+        if [*answers] == [Verdict.PROVED, Verdict.REFUTED]:
+            return rf"{sp.latex(other)}\ge0"
+    return ""
 
 
 def _list_turning(task: Task) -> Iterator[sp.Basic]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.constraints.applicable_constraints import (
+    holds_elsewhere,
     is_plain,
     is_turned,
     may_hold_for,
@@ -180,6 +181,7 @@ def _list_later(
         behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
         open_ones = (m for m in behind if rows[m].outcome != Verdict.PROVED.value)
         used_later = [m for m in open_ones if defines(tasks[m], used)]
+        used_later = [m for m in used_later if not holds_elsewhere(tasks[m], tasks[n])]
         yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
 
 

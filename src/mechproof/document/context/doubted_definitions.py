@@ -11,6 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.constraints.applicable_constraints import holds_elsewhere
 from mechproof.document.context.doubts import defines, list_printed, list_used, reach
 from mechproof.document.judging import COMPARED, Key, judge_without
 from mechproof.document.roles import CONSTRAINING, Role
@@ -90,7 +91,8 @@ def _find_doubts(
         ([one for one in behind if one.said.is_new], "is printed later, perhaps of a case"),
         (behind, "is printed later, and may be wrong itself"),
     )
-    found = ([one for one in g if one is not task and defines(one, letters)] for g, _ in groups)
+    others = [one for one in tasks if one is not task and not holds_elsewhere(one, task)]
+    found = ([one for one in g if one in others and defines(one, letters)] for g, _ in groups)
     return [(used, why) for used, (_, why) in zip(found, groups, strict=True) if used]
 
 

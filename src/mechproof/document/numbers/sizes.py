@@ -176,7 +176,8 @@ def list_zeros(
     What prints such a letter, or a derivative of it, is meant for other values, too.
     """
     known = sizes.known
-    met = {x for one in signs for s in one.printed for x in known.symbols.find_steps(s)[1]}
+    steps = ((s, known.symbols.find_steps(s)[1]) for one in signs for s in one.printed)
+    met = {x for s, own in steps for x in own[: own.index(s) + 1]}
     scope = printed.announced.scope
     others = equations[: equations.index(printed)]
     before = next((x for x in reversed(others) if x.announced.scope != scope), None)
