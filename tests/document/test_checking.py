@@ -44,6 +44,16 @@ CASES = {
         [r"kmx=a\cos\varphi", r"kms\psi=a"],
         ["DEFINITION"] * 2,
     ),
+    "a root may be the opposite of what is printed": (
+        [
+            r"x=r\cos\varphi",
+            r"\sqrt{x^2}=r\cos\varphi",
+            r"\sqrt{x^2}=r\sin\varphi",
+            r"\sqrt{r^2}=-r",
+            r"\sqrt{r^2}=r",
+        ],
+        ["DEFINITION", "not judged", "REFUTED", "REFUTED", "PROVED"],
+    ),
     "a star is part of a name": (
         [
             r"F=\frac{E^*m^2}{R^\ast}",

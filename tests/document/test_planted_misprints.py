@@ -42,6 +42,11 @@ FOUR_BAR = (
 )
 # What is printed before, a true print, and wrong ones.
 PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
+    "a factor on the other side of the bar": (
+        (r"k\tan\beta=n", "T_1=uw_1"),
+        r"\frac uk=\frac{u\tan\beta}n",
+        [r"\frac uk=\frac u{n\tan\beta}"],
+    ),
     "a rod eliminated": (
         (ROD, SLIDER),
         r"x=r\cos\alpha+\sqrt{l^2-r^2\sin^2\alpha}",
@@ -227,6 +232,27 @@ def test_a_misprint_is_refuted_where_all_else_holds(name: str, wrong: str) -> No
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("words", "outcome"),
+    [
+        ("Solving for it we obtain", "REFUTED"),
+        ("The expression for it is", "REFUTED"),
+        ("For the other we obtain", "DEFINITION"),
+        ("For a wheel we obtain", "DEFINITION"),
+    ],
+)
+def test_what_equations_are_solved_for_is_no_case(words: str, outcome: str) -> None:
+    parts = ("T_1=uw_1", r"k\tan\beta=n", f"#{words}", r"\frac uk=\frac u{n\tan\beta}")
+    assert judge_parts(f"{BLOCK}%% end\n", *parts)[-1] == outcome
+
+
+def test_what_holds_in_an_example_contradicts_nothing_elsewhere() -> None:
+    parts = ("T_1=kw_1", r"k\tan\beta=n", r"T_1\tan\beta=\frac{n}{w_1}")
+    for words, outcome in (("For $r=66$ mm it has", "REFUTED"), ("It has", "not judged")):
+        behind = (f"#{words}", "k=3w_1")
+        assert judge_parts(f"{BLOCK}%% end\n", *parts, *behind)[2] == outcome
+
+
 @pytest.mark.parametrize("name", CONTRADICTIONS)
 def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) -> None:
     equations, pair = CONTRADICTIONS[name]

@@ -373,6 +373,15 @@ HELD = r"With the ring held ($n_2=0$), the ratio becomes"
 
 
 @pytest.mark.parametrize(
+    ("latex", "expected"), [(r"M=c\dot\varphi", "PROVED"), (r"M=m\dot\varphi", "not judged")]
+)
+def test_a_rate_may_be_zero_of_what_moves_at_constant_speed(latex: str, expected: str) -> None:
+    block = "%% mechproof\n%% \\varphi(t) : angle\n%% M ; c ; m : others\n%% end\n"
+    text = rf"$$M=m\ddot\varphi+c\dot\varphi$$ At constant speed $\ddot\varphi=0$ it is $${latex}$$"
+    assert check("paper.tex", block + text).rows[-1].outcome == expected
+
+
+@pytest.mark.parametrize(
     ("words", "latex", "expected"),
     [
         (HELD, r"i=\frac{n_1}{n_3}=1-i_0", "PROVED"),

@@ -51,6 +51,10 @@ OPEN = "not judged"
             (HEADING, r"\dot\varphi=\omega", r"#\section{Motion} Hence", STEADY),
             ["DEFINITION", OPEN],
         ),
+        # Sizes with units begin one, too.
+        ((r"#For $r=66$ mm it has", "l=3r", r"#\section{Rod}", LONG), ["DEFINITION", OPEN]),
+        ((r"#For $r=66$ it has", "l=3r", r"#\section{Rod}", LONG), ["DEFINITION", "PROVED"]),
+        ((r"#For $r=6\,\mathrm{mm}$ we have", "l=3r", "#Hence", SHORT), ["DEFINITION", "REFUTED"]),
         ((HEADING, r"\varphi=\omega t", "#Hence", STEADY), ["DEFINITION", "PROVED"]),
         (
             (HEADING, r"\varphi=\omega t", "#Hence", r"\dot\varphi=2\omega"),
