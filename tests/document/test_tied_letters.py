@@ -79,6 +79,61 @@ def test_nothing_that_is_tied_is_held(name: str) -> None:
         assert "may move with" in row.reason
 
 
+# What is tied has one value at a place, or may have more: prints, and the outcome of the last one.
+ACUTE, ANY = (TIE.replace(r"\psi", letter) for letter in (r"\gamma", r"\beta"))
+RODS = {letter: ROD.replace(r"\psi", letter) for letter in (r"\gamma", r"\beta")}
+PLACES = {
+    "at an end": ((TIE, ROD, r"x|_{\varphi=0}=r+l"), "PROVED"),
+    "wrong at an end": ((TIE, ROD, r"x|_{\varphi=0}=l-r"), "REFUTED"),
+    "at the other end": ((TIE, ROD, r"x|_{\varphi=\pi}=l-r"), "PROVED"),
+    "wrong at the other end": ((TIE, ROD, r"x|_{\varphi=\pi}=l+r"), "REFUTED"),
+    "between": ((TIE, ROD, r"x|_{\varphi=\pi/2}=\sqrt{l^2-r^2}"), "PROVED"),
+    "wrong between": ((TIE, ROD, r"x|_{\varphi=\pi/2}=\sqrt{l^2+r^2}"), "REFUTED"),
+    "in a condition": ((TIE, ROD, r"x=l-r\quad\text{for }\varphi=\pi"), "PROVED"),
+    "wrong in a condition": ((TIE, ROD, r"x=r-l\quad\text{for }\varphi=\pi"), "REFUTED"),
+    "an offset": (
+        (r"l\sin\psi+b=r\sin\varphi", ROD, r"x|_{\varphi=0}=r+\sqrt{l^2-b^2}"),
+        "PROVED",
+    ),
+    # Its letters are others: it may be said of these.
+    "an offset that is none": (
+        (r"l\sin\psi+b=r\sin\varphi", ROD, r"x|_{\varphi=0}=r+l"),
+        OPEN,
+    ),
+    "no range": ((ANY, RODS[r"\beta"], r"x|_{\varphi=0}=r+l"), OPEN),
+    "another branch": ((ANY, RODS[r"\beta"], r"x|_{\varphi=0}=r-l"), OPEN),
+    # The angle has no such value there.
+    "never there": ((ACUTE, RODS[r"\gamma"], r"x|_{\varphi=0}=r-l"), OPEN),
+    "what is tied stands beside it": ((TIE, ROD, r"x|_{\varphi=0}=r-l\cos\psi"), OPEN),
+    "another constraint contradicts": (
+        (TIE, r"r\cos\varphi+l\cos\psi=b", ROD, r"x|_{\varphi=0}=l-r"),
+        OPEN,
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PLACES)
+def test_what_is_tied_has_the_only_value_that_constraints_leave_it(name: str) -> None:
+    equations, outcome = PLACES[name]
+    block = BLOCK.replace("%% x", "%% \\gamma : angle [rad] {0<\\gamma<\\pi/2}\n%% x", 1)
+    row = judge_rows(block, *equations)[-1]
+    assert row.outcome == outcome, row.reason
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("sign", "outcome"), [("+", "PROVED"), ("-", "REFUTED")])
+def test_rates_of_what_is_tied_are_those_at_the_place(sign: str, outcome: str) -> None:
+    block = (
+        BLOCK.replace(r"\varphi ; \psi ;", r"\varphi(t) ; \psi(t) ;")
+        .replace("x ; y", "x(t) ; y")
+        .replace("%% end", "%% \\omega : speed\n%% let \\dot\\varphi=\\omega\n%% factor \\omega\n%% end")
+    )
+    place = rf"\ddot x|_{{\varphi=0}}=-r\omega^2\left(1{sign}\frac rl\right)"
+    row = judge_rows(block, TIE, ROD, place)[-1]
+    assert row.outcome == outcome, row.reason
+
+
 @pytest.mark.slow
 def test_no_rate_is_taken_at_a_place_without_what_is_tied() -> None:
     block = (

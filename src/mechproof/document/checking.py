@@ -33,6 +33,7 @@ from mechproof.document.context.doubts import (
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
 from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
+from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging import (
     COMPARED,
     LIMIT,
@@ -183,11 +184,15 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         contested = {**misprints, **unlike, **dict(find_contradictions(tasks, rows))}
         rows |= contested
         rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
+        placed = dict(compare_at_places(key, tasks, rows, document.symbols, limit))
+        placed = {n: row for n, row in placed.items() if n not in contested}
+        rows |= placed
         rows |= dict(doubt_by_letters(key, tasks, rows, contested, document.symbols, limit))
         rows |= dict(doubt_by_positions(tasks, rows))
         rows |= dict(doubt_by_unread(found, rows))
         rows |= dict(doubt_by_cases(key, tasks, rows, limit))
-        rows |= dict(doubt_by_ties(tasks, rows, document.symbols))
+        tied = dict(doubt_by_ties(tasks, rows, document.symbols))
+        rows |= {n: row for n, row in tied.items() if n not in placed}
         rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
         rows |= dict(doubt_by_examples(key, tasks, rows, limit))
     finally:

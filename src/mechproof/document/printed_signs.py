@@ -34,6 +34,7 @@ from mechproof.latex.tree import (
     Integration,
     Letter,
     Node,
+    strip,
     walk,
 )
 from mechproof.nomenclature.relations import read_relations
@@ -68,6 +69,7 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
                 printed=_list_letters(nodes),
                 factor=find_factor(nodes),
                 varied=(*put_in, *_list_varied(nodes)),
+                **_find_places(nodes, read),
             )
             for sign, is_not, nodes in zip(
                 found, pairwise(given), pairwise(chain.members), strict=True
@@ -99,6 +101,19 @@ def _list_varied(nodes: Any) -> Iterator[Varied]:
             yield part.by.symbol, _list_letters(part.of)
         elif isinstance(part, Integration) and isinstance(part.differential, Letter):
             yield part.differential.symbol, _list_letters(part.integrand)
+
+
+def _find_places(nodes: tuple[Node, ...], read: Print) -> dict[str, Any]:
+    """Return what letters are in a member that is one value, and the letters of the other one."""
+    for node, other in (nodes, nodes[::-1]):
+        places, inside = dict[sp.Basic, sp.Expr](), strip(node)
+        while isinstance(inside, At):
+            places[inside.by.symbol] = read.meaning().of(inside.point)
+            inside = strip(inside.term)
+        if places and not has_place((inside, other)):
+            are_numbers = all(point.is_number for point in places.values())
+            return {"places": places, "beside": _list_letters(other)} if are_numbers else {}
+    return {}
 
 
 def _list_put_in(chain: Chain) -> Iterator[Varied]:

@@ -7,7 +7,8 @@ bare number is a size.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -53,6 +54,8 @@ class Sign:
     Of two calculations `span` is that of their difference.
     `halves` are x_1 and x_2 of what is printed of both, x_{1,2}.
     Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
+    `places` are the numbers that letters are where one side is the value of something, `beside` the
+    letters of the other side then.
     """
 
     role: Role
@@ -73,6 +76,8 @@ class Sign:
     units: tuple[str, str] = ("", "")
     limited: tuple[Any, Any] = (None, None)
     halves: tuple[sp.Basic, ...] = ()
+    places: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
+    beside: frozenset[sp.Basic] = frozenset()
 
     @property
     def is_tied(self) -> bool:

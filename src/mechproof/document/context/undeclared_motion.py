@@ -59,7 +59,7 @@ def doubt_by_ties(
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Leave open what goes over one letter, and has another that a constraint ties to it."""
     running = {letter for task in tasks for letter, _ in task.sign.varied}
-    ties = {letter: _find_ties(letter, tasks, rows, symbols) for letter in running}
+    ties = {letter: find_ties(letter, tasks, rows, symbols) for letter in running}
     held: dict[sp.Basic, str] = {}
     for n, task in enumerate(tasks):
         letters = list_compared(task, tasks)
@@ -90,7 +90,7 @@ def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
     )
 
 
-def _find_ties(
+def find_ties(
     by: sp.Basic, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
 ) -> tuple[set[sp.Basic], list[Task]]:
     """Return the letters that constraints tie to one, and these."""
@@ -133,7 +133,8 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
 def _is_given(task: Task, row: CheckedRow) -> bool:
     """Return whether a row is a constraint, and not one of a case."""
     is_given = row.judgement is not None and row.judgement.rung == GIVEN
-    return is_given and task.residual is not None and not task.said.is_equating
+    is_given &= task.sign.role is not Role.VALUE and task.residual is not None
+    return is_given and not task.said.is_equating
 
 
 def _tell(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:

@@ -1,0 +1,133 @@
+r"""Values at a place, `x|_{\varphi=0}`, beside constraints that tie letters to what is put in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
+from mechproof.document.constraints.consequences import list_letters
+from mechproof.document.constraints.solved_places import solve_at_place
+from mechproof.document.context.constrained_rows import connect, is_constraint
+from mechproof.document.context.undeclared_motion import find_ties
+from mechproof.document.judging import Key, open_tasks
+from mechproof.document.roles import Role
+from mechproof.document.sides import have_same_letters
+from mechproof.document.tasks import Task
+from mechproof.domains.domain import Domain
+from mechproof.latex.values import list_reached
+from mechproof.nomenclature.symbols import Symbols
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Equality, RecordError
+from mechproof.tools.processes import run_tasks
+
+# What may be said of one place by a condition behind it.
+_CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
+
+
+def compare_at_places(
+    key: Key,
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    symbols: Symbols,
+    limit: float,
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Judge values at a place with what constraints say of tied letters there, or say why not.
+
+    What is printed of the value must have no letter that moves with what is put in.
+    """
+    given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    asked = []
+    for n, task in enumerate(tasks):
+        if rows[n].outcome != Verdict.PROVED.value and (
+            tied := _list_tied(task, tasks, rows, symbols)
+        ):
+            before = tuple(connect(n, list_applicable(given, n, tasks), tasks))
+            asked.append((key, n, before, tied))
+    for place, found in run_tasks(judge_at_place, asked, limit=limit):
+        _, n, others, tied = asked[place]
+        if isinstance(found, Judgement):
+            yield n, make_row(tasks[n], found)
+        elif rows[n].outcome == Verdict.DEFINITION.value:
+            yield n, make_row(tasks[n], _tell(tasks[n], [tasks[o] for o in others], tied))
+
+
+def _list_tied(
+    task: Task, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
+) -> frozenset[sp.Basic]:
+    """Return the letters, with their derivatives, that constraints tie to what has a value.
+
+    None for a row that has none of them in what the value is of, or has some beside it.
+    """
+    places = {*_find_places(task)}
+    if not (places and task.residual is not None and isinstance(task.row.says, Equality)):
+        return frozenset()
+    tied = {s for by in places for s in find_ties(by, tasks, rows, symbols)[0]}
+    tied = {rate for s in tied - places for rate in symbols.find_steps(s)[1]}
+    running = {symbols.find_steps(by)[0] for by in places} | places | tied
+    beside = list_reached(task.sign.beside, task.paper.given)
+    is_met = tied & task.residual.free_symbols and not running & beside
+    return frozenset(tied if is_met else ())
+
+
+def _find_places(task: Task) -> Mapping[sp.Basic, sp.Expr]:
+    """Return the numbers that letters are in a value, or in all that a letter is said to be."""
+    if task.sign.places or task.sign.role not in _CONDITIONED or task.is_solution:
+        return task.sign.places
+    return {s: value for s, value in task.at.items() if value.is_number}
+
+
+def judge_at_place(
+    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
+) -> Judgement | None:
+    """Judge a value with the only values that tied letters have there; None if some may have more.
+
+    What differs is refuted only if both sides have the same letters then, as identities have.
+    """
+    key, number, others, tied = which
+    tasks = open_tasks(key)
+    places = _find_places(tasks[number])
+    task = replace(tasks[number], at={**tasks[number].at, **places})
+    given = [*state_at([tasks[o] for o in others], task)]
+    residuals = [rest for one in given for rest in (one.residual, *one.rates) if rest is not None]
+    says = task.row.says
+    try:
+        domain = Domain.of(task.paper, task.row.on)
+        values = solve_at_place(residuals, tied, domain)
+        if not (values and isinstance(says, Equality)):
+            return None
+        printed = [domain.resolve(side) for side in (says.printed, says.rebuilt)]
+        sides = [side.xreplace(values) for side in printed]
+        if any(side.free_symbols & tied for side in sides):
+            return None
+        row = replace(task.row, says=Equality(sides[0], sides[1], "member"))
+        found = judge(row, task.paper)
+    except (RecordError, ContradictionError):
+        return None
+    is_refuted = found.verdict is Verdict.REFUTED and have_same_letters(sides) and not task.is_case
+    if not (is_refuted or found.verdict is Verdict.PROVED):
+        return None
+    met = {s for side in printed for s in side.free_symbols}
+    used = {s: value for s, value in values.items() if s in met}
+    names = ", ".join(one.row.number for one in given)
+    reason = f"{found.reason.rstrip('.')}; by {names}, {_write(used)} for {_write(places)}"
+    return replace(found, reason=reason)
+
+
+def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
+    """Say which letters may have several values at a place."""
+    names = ", ".join(one.row.number for one in given)
+    letters = ", ".join(sorted(map(str, tied & list_letters(task))))
+    return (
+        f"beside {names} it was not shown that {letters} has one value only for "
+        f"{_write(_find_places(task))}; say in the block of letters in which range it lies"
+    )
+
+
+def _write(values: Mapping[sp.Basic, sp.Expr]) -> str:
+    return ", ".join(f"{s} = {value}" for s, value in values.items())
