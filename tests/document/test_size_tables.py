@@ -289,3 +289,54 @@ def test_units_are_read_as_they_are_printed(text: str) -> None:
 @pytest.mark.parametrize("text", ["", "cm2x", "apples", "k"])
 def test_other_texts_are_no_units(text: str) -> None:
     assert find_unit(text) is None
+
+
+LOOP = r"""%% mechproof
+%% x(t) : position [mm]
+%% r ; l ; c : lengths [mm] {r>0}
+%% F : force [N]
+%% k : stiffness [N/mm]
+%% \varphi(t) ; \beta(t) : angles [rad] RANGE
+%% where l>r
+%% sizes r=40 mm, l=160 mm, k=2 N/mm
+%% end
+"""
+RANGE = r"{-\pi/2<\beta<\pi/2}"
+ROD = r"$$x=r\cos\varphi+l\cos\beta$$ $$l\sin\beta=r\sin\varphi$$ "
+POSITION = r"Hence $$x=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi}$$ "
+WRONG = POSITION.replace("l^2-", "l^2+")
+X = tabular(r"$\varphi$ [$^\circ$] & $x$ [mm]", "0 & 200.0", "30 & 193.4", "60 & 176.3")
+FORCE = tabular(r"$\varphi$ [$^\circ$] & $F$ [N]", "0 & 400.0", "30 & 386.8", "60 & 352.9")
+# The position by an angle that no table has, and by that of the crank alone: what a column becomes.
+RESTATED = {
+    "what is proved": (RANGE, ROD + POSITION + X, ["PROVED", "PROVED", "REFUTED"]),
+    "of another letter": (
+        RANGE,
+        ROD + POSITION + "$$F=kx$$" + FORCE,
+        ["PROVED", "PROVED", "REFUTED"],
+    ),
+    "the definition alone": (RANGE, ROD + X, ["not judged"]),
+    "a misprint": (RANGE, ROD + WRONG + X, ["not judged"]),
+    "a root whose sign nothing tells": ("", ROD + POSITION + X, ["not judged"] * 3),
+    "a case": (
+        RANGE,
+        ROD + POSITION.replace("Hence", "At the dead centre") + X,
+        ["not judged"] * 3,
+    ),
+    "a special position": (
+        RANGE,
+        ROD + r"At the dead centre $$\beta=0.$$ Hence $$x=r\cos\varphi+l.$$" + X,
+        ["not judged"],
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", RESTATED)
+def test_a_column_is_compared_with_what_is_proved_of_its_letter(name: str) -> None:
+    within, text, expected = RESTATED[name]
+    rows = check("paper.tex", LOOP.replace("RANGE", within) + text).rows
+    found = [row for row in rows if row.name.startswith("table")]
+    assert [row.outcome for row in found] == expected, found[0].reason
+    if "REFUTED" in expected:
+        assert "compared with display 3" in found[-1].reason

@@ -124,11 +124,9 @@ def test_what_is_tied_has_the_only_value_that_constraints_leave_it(name: str) ->
 @pytest.mark.slow
 @pytest.mark.parametrize(("sign", "outcome"), [("+", "PROVED"), ("-", "REFUTED")])
 def test_rates_of_what_is_tied_are_those_at_the_place(sign: str, outcome: str) -> None:
-    block = (
-        BLOCK.replace(r"\varphi ; \psi ;", r"\varphi(t) ; \psi(t) ;")
-        .replace("x ; y", "x(t) ; y")
-        .replace("%% end", "%% \\omega : speed\n%% let \\dot\\varphi=\\omega\n%% factor \\omega\n%% end")
-    )
+    said = "%% \\omega : speed\n%% let \\dot\\varphi=\\omega\n%% factor \\omega\n%% end"
+    block = BLOCK.replace(r"\varphi ; \psi ;", r"\varphi(t) ; \psi(t) ;")
+    block = block.replace("x ; y", "x(t) ; y").replace("%% end", said)
     place = rf"\ddot x|_{{\varphi=0}}=-r\omega^2\left(1{sign}\frac rl\right)"
     row = judge_rows(block, TIE, ROD, place)[-1]
     assert row.outcome == outcome, row.reason

@@ -32,6 +32,7 @@ from mechproof.document.context.doubts import (
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
 from mechproof.document.context.rates_beside import compare_rates
+from mechproof.document.context.restated_prints import doubt_by_restated
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging import (
@@ -195,6 +196,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= {n: row for n, row in tied.items() if n not in placed}
         rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
         rows |= dict(doubt_by_examples(key, tasks, rows, limit))
+        rows |= dict(doubt_by_restated(tasks, rows))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

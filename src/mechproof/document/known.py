@@ -28,7 +28,8 @@ class Known:
 
     `met` counts in how many equations and tables; `unread` is all that is not read.
     `others` are the further members of the chains that printed them first, and which these are;
-    `cases` are further prints that may be other solutions. `sizes` are those of letters that are
+    `cases` are further prints that may be other solutions, `again` those without a condition that
+    are compared. `sizes` are those of letters that are
     declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
     `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
     `arcs` are what angles are whose sine, cosine or tangent is printed, `angles` those of numbers
@@ -49,6 +50,7 @@ class Known:
     unread: str = ""
     others: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     cases: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
+    again: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
     entries: Values = field(default_factory=dict)
     pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
@@ -83,6 +85,18 @@ class Known:
         members = [value, *(other for _, other in self.others.get(value, ()))]
         settled = [(self.settle(one), self.settle(one, stop=stop)) for one in members]
         return [x for x in dict.fromkeys(chain(*settled)) if x.free_symbols <= {*have}]
+
+    def list_restated(
+        self, value: Any, have: Collection[sp.Basic], stop: Collection[sp.Basic]
+    ) -> Iterator[tuple[str, Any]]:
+        """Yield what a value is by letters that one has, by a later print of one that gives it.
+
+        That print is named: it may be wrong.
+        """
+        for letter in sorted(self.again.keys() & self.list_used(value), key=str):
+            for name, printed in self.again[letter]:
+                known = replace(self, values={**self.values, letter: printed}, others={})
+                yield from ((name, one) for one in known.list_formulas(value, have, stop))
 
     def has_either_sign(self, letter: sp.Basic | None) -> bool:
         """Return whether an angle is given by its cosine, which numbers give in this passage."""

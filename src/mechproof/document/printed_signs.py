@@ -76,6 +76,8 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
             )
         ]
         _note_others(name, found, known)
+        if chain.condition is None and not known.said.example.number:
+            _note_again(name, found, known)
         signs += add_calculations(read, chain, found, known.symbols.list_exact())
     for sign in signs:
         if sign.role is Role.CONSTRAINT:
@@ -253,6 +255,15 @@ def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
         value = sign.sides[1]
         if value is not None and letter not in known.settle(value, {letter}).free_symbols:
             known.others.setdefault(letter, []).append((name_member(number, name), value))
+
+
+def _note_again(name: str, signs: Sequence[Sign], known: Known) -> None:
+    """Note what is printed again of a letter, or of a rate that is derived."""
+    for sign in signs:
+        if sign.role in (Role.REPEATED, Role.DERIVATIVE) and sign.letter in sign.sides:
+            value = next(side for side in sign.sides[::-1] if side != sign.letter)
+            if isinstance(value, sp.Expr) and sign.letter not in known.list_used(value):
+                known.again.setdefault(sign.letter, []).append((name, value))
 
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:

@@ -36,7 +36,8 @@ class Task:
     it says, `special` is the row at those that words before it say, too. `anew` are the values of
     letters and derivatives if it is another case; None for one without a value then. `is_given`
     tells that the block says it to be a constraint. `local` is the row at the values that worked
-    examples print of letters, which may not be meant here.
+    examples print of letters, which may not be meant here. `rests_on` names an equation that has to
+    be proved for it, and what is said otherwise.
     """
 
     row: Row
@@ -61,6 +62,7 @@ class Task:
     anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
     is_given: bool = False
     local: Task | None = None
+    rests_on: tuple[str, str] = ("", "")
 
     @property
     def is_rounded(self) -> bool:

@@ -56,6 +56,19 @@ class Grid:
     unread: Sequence[TableCell] = ()
 
 
+@dataclass(frozen=True)
+class _Formulas:
+    """What gives a column, the print that says so, and what its definition lacks beyond that."""
+
+    values: tuple[sp.Expr, ...]
+    first: str
+    lacks: str = ""
+
+
+def _tell_lack(letters: str) -> str:
+    return f"the formula needs {letters}: neither in the table nor among the declared sizes"
+
+
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
     """Return a table with two letters in its head, or in its first column; None for another."""
     for first, row in enumerate(table.rows[:_HEAD_ROWS]):
@@ -162,7 +175,7 @@ class SizeTables:
 
     def _read_column(self, grid: Grid, column: int, numbers: Numbers) -> Iterator[Task | Left]:
         """Yield the rows of the results of one letter, grouped by the formula that gives them."""
-        head, groups = grid.heads[column], dict[tuple[sp.Expr, ...], list[Result]]()
+        head, groups = grid.heads[column], dict[_Formulas, list[Result]]()
         missing: dict[str, TableCell] = {}
         for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
             name, number = f"{grid.name}, line {count}, {head.printed}", found[column]
@@ -176,32 +189,31 @@ class SizeTables:
                 for n, h in grid.heads.items()
                 if n != column and h.is_letter and (one := found[n])
             }
-            formulas, lacks = self._find_formulas(head.symbol, sizes)
-            if lacks:
-                missing.setdefault(lacks, line[column])
+            formulas = self._find_formulas(head.symbol, sizes)
+            if not formulas.values:
+                missing.setdefault(formulas.lacks, line[column])
                 continue
             unit = number.unit or head.unit
             factor = number.factor * scales.convert(self._find_own(head, unit), unit)
             usual = {s: RoundedSize(v) for s, v in self.known.symbols.usual.items()}
-            letters = set().union(*(formula.free_symbols for formula in formulas))
+            letters = set().union(*(formula.free_symbols for formula in formulas.values))
             used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
             result = Result(name, line[column].offset, head, number, factor, used)
             groups.setdefault(formulas, []).append(result)
         for formulas, results in groups.items():
             yield from self._compare(formulas, results, grid)
         for lacks, cell in missing.items():
-            reason = f"the formula needs {lacks}: neither in the table nor among the declared sizes"
+            reason = _tell_lack(lacks)
             if not head.is_letter:
                 self._tell(cell.offset, f"the column {head.printed} is not compared: {reason}")
                 continue
             yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
 
-    def _find_formulas(
-        self, symbol: sp.Basic, sizes: Mapping[sp.Basic, RoundedSize]
-    ) -> tuple[tuple[sp.Expr, ...], str]:
+    def _find_formulas(self, symbol: sp.Basic, sizes: Mapping[sp.Basic, RoundedSize]) -> _Formulas:
         """Return what gives a letter by the sizes of a line, or which letters it lacks.
 
         A letter that has a formula of its own may be computed or be taken, rounded, from the table.
+        A print that follows may need fewer letters than the definition.
         """
         usual = self.known.symbols.usual
         have = {*sizes, *usual, *self.known.symbols.branches} - {symbol}
@@ -210,21 +222,26 @@ class SizeTables:
         found = tuple(one for one in formulas if not isinstance(one, sp.MatrixBase))
         needed = self.known.settle(symbol, stop=taken).free_symbols
         lacks = ", ".join(sorted(map(str, needed - have))) or "other letters"
-        return found, "" if found else lacks
+        first = self.known.printed.get(symbol, "")
+        if found:
+            return _Formulas(found, first)
+        for name, formula in self.known.list_restated(symbol, have, taken):
+            return _Formulas((formula,), name, lacks)
+        return _Formulas((), first, lacks)
 
     def _compare(
-        self, formulas: Sequence[sp.Expr], results: Sequence[Result], grid: Grid
+        self, formulas: _Formulas, results: Sequence[Result], grid: Grid
     ) -> Iterator[Task | Left]:
         """Yield the rows of results, by the reading of the formula that most of them agree with."""
         head = results[0].head
         scales = Scales(self.known.symbols, grid.heads.values())
         own = self._find_own(head, results[0].number.unit or head.unit)
-        first, *others = (scales.list_readings(formula, own) for formula in formulas)
+        first, *others = (scales.list_readings(formula, own) for formula in formulas.values)
         also = [branch for readings in others for reading in readings for branch in reading]
         readings = [(*reading, *also) for reading in first]
         chosen = [[result.choose(reading) for result in results] for reading in readings]
         best = max(range(len(readings)), key=lambda n: len([*filter(None, chosen[n])]))
-        letters = set().union(*(formula.free_symbols for formula in formulas))
+        letters = set().union(*(formula.free_symbols for formula in formulas.values))
         are_told = letters <= {one.symbol for one in grid.heads.values()}
         pairs = zip(results, chosen[best], strict=True)
         # Zeros agree in any unit.
@@ -239,7 +256,7 @@ class SizeTables:
             if found is None and any(map(result.is_near, every)):
                 yield self._leave(result.name, TableCell(result.text, result.offset), _NEAR)
             else:
-                yield self._make_task(result, found or readings[best][0])
+                yield self._make_task(result, found or readings[best][0], formulas)
 
     def _find_own(self, head: Head, unit: Unit | None) -> sp.Basic | None:
         """Return the letter in whose unit a column counts; of a formula one of those that share it.
@@ -251,13 +268,14 @@ class SizeTables:
         is_fit = unit is not None and unit.dimension == symbols.find_dimension(own)
         return own if head.is_letter or is_fit else None
 
-    def _make_task(self, result: Result, formula: sp.Expr) -> Task:
-        first = self.known.printed.get(result.head.symbol, "")
+    def _make_task(self, result: Result, formula: sp.Expr, formulas: _Formulas) -> Task:
         row = Equation(
             result.name, result.text, says=result.state(formula), read_as=result.describe()
         )
-        sign = Sign(Role.NUMBER, None, first)
-        return Task(row, self.files.locate(result.offset), sign, self.paper, asserts=True)
+        sign = Sign(Role.NUMBER, None, formulas.first)
+        place = self.files.locate(result.offset)
+        rests_on = (formulas.first, _tell_lack(formulas.lacks)) if formulas.lacks else ("", "")
+        return Task(row, place, sign, self.paper, asserts=True, rests_on=rests_on)
 
     def _tell(self, offset: int, reason: str) -> None:
         self.told.append((self.files.locate(offset), reason))
