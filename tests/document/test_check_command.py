@@ -14,6 +14,7 @@ from mechproof.cli import app
 BLOCK = "%% mechproof\n%% r ; l : lengths [mm]\n%% k : ratio\n%% end\n"
 RIGHT = BLOCK + "\\begin{equation}k=\\frac rl\\end{equation}\n"
 WRONG = RIGHT + "\\begin{equation}k=\\frac lr\\end{equation}\n"
+OPENED = BLOCK + "\\begin{equation}k=\\frac rl\n"
 UNREAD = RIGHT + "\\begin{equation}q=3r\\end{equation}\n$$q=4l$$"
 
 
@@ -31,6 +32,9 @@ def run(*arguments: str, text: str | None = None) -> Result:
         (UNREAD, ["--fail-on", "refuted,undecided"], 0),
         (UNREAD, ["--fail-on", "refuted", "--fail-on", "not-read"], 1),
         (UNREAD, ["--fail-on", "none"], 0),
+        (OPENED, [], 1),
+        (BLOCK, [], 2),
+        (BLOCK + "where $k=r/l$\n", ["--fail-on", "none"], 2),
     ],
 )
 def test_the_status_is_said_by_outcomes(
@@ -50,6 +54,13 @@ def test_rows_of_one_cause_are_one_line(tmp_path: Path) -> None:
     assert f"(2)  {file}:6:17" in output
     assert f"display 1  {file}:7:3" in output
     assert "DEFINITION 1, not read 2" in output
+
+
+def test_where_no_equation_is_found_it_is_said_what_is_looked_for() -> None:
+    result = run("-", text="Let $k=r/l$ be their ratio.")
+    assert result.exit_code == 2
+    assert "there is no equation" in result.output
+    assert r"\begin{equation}" in result.output
 
 
 def test_what_comes_from_a_pipe_is_read_like_a_file() -> None:

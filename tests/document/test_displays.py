@@ -193,6 +193,21 @@ def test_what_a_display_cites_is_no_part_of_it() -> None:
     assert (third.cites, third.latex.string) == (("S6",), "c=3")
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("\\begin{equation}a=1\n" + E % "b=2", [("a=1", True), ("b=2", False)]),
+        (E % "a=1" + "\\begin{align*}\nb=2", [("a=1", False), (r"\begin{align*}", True)]),
+        ("$$a=1$$\n  $$b=2$$\n$$c=3", [("a=1", False), ("b=2", False), ("c=3", True)]),
+        ("\\[a=1\\]\n\\[b=2\n", [("a=1", False), ("b=2", True)]),
+        (r"\[\begin{aligned}a&=1\\[2mm]b&=2\end{aligned}\]", [("a=1", False), ("b=2", False)]),
+    ],
+)
+def test_what_is_opened_and_has_no_end_is_told(text: str, expected: list[tuple[str, bool]]) -> None:
+    found = [(one.latex.string, "no end" in one.fault) for one in find(text)]
+    assert found == expected
+
+
 @pytest.mark.slow
 def test_macros_in_a_circle_are_told() -> None:
     (one,) = find(r"\newcommand{\x}{\x+1}" + E % r"a=\x")

@@ -84,8 +84,8 @@ def check(
 
     Exit status 0: every sign is PROVED, a DEFINITION or a CONVENTION, or its row is skipped by the
     block; 1: one is not, not-read and ENCLOSED among them, or what --fail-on names, or an equation
-    takes too long or crashes; 2: bad usage, an empty domain, or a pasted equation cannot be read
-    without a guess.
+    takes too long or crashes; 2: bad usage, an empty domain, a paper without a displayed equation,
+    or a pasted equation cannot be read without a guess.
     """
     outcomes = options.read_outcomes(fail_on, DEFAULT)
     said = (names, factors, where, values, natural, start)

@@ -54,7 +54,8 @@ from mechproof.ledger.judged import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equation, Paper, Row
 from mechproof.record.statements import list_parts
-from mechproof.sources.files import read_source
+from mechproof.sources.displays import EXPECTED
+from mechproof.sources.files import DocumentError, read_source
 from mechproof.sources.text import Place
 from mechproof.tools.processes import run_tasks
 
@@ -127,8 +128,9 @@ def check(
     `path` names a LaTeX or a Markdown file; `content` is what stands in it, where it is no file.
     A row that takes longer than `limit` seconds is not judged and says so; `report` is told what
     is done.
-    Raises `DocumentError` for a file that cannot be read, `ValueError` (also `BlockError`) for a
-    block of letters that cannot, `TypeError` for arguments of another kind.
+    Raises `DocumentError` for a file that cannot be read or has no equation, `ValueError` (also
+    `BlockError`) for a block of letters that cannot be read, `TypeError` for arguments of another
+    kind.
     """
     allowed = "must be the name of a file"
     require(isinstance(path, str | Path), "path", path, allowed, TypeError)
@@ -136,7 +138,11 @@ def check(
         check_text("content", content)
     require(check_number("limit", limit) > 0, "limit", limit, "must be positive")
     check_function("report", report)
-    return _check((str(path), content, frozenset()), limit, report)
+    paper = _check((str(path), content, frozenset()), limit, report)
+    if not paper.rows:
+        told = "".join(f"; {place}: {reason}" for place, reason in (*paper.missing, *paper.told))
+        raise DocumentError(f"{path}: there is no equation to judge: {EXPECTED}{told}")
+    return paper
 
 
 def check_rest(

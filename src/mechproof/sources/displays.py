@@ -21,8 +21,14 @@ from mechproof.sources.text import Files, LocatedText, Place, join
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
+# What is looked for in a text.
+EXPECTED = (
+    r"equations are displays, \begin{equation}…\end{equation} and the like (align, gather, "
+    r"multline, IEEEeqnarray), \[…\] or $$…$$, and not between single $"
+)
 _EVENT = re.compile(
-    rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>.*?)\\end\{{(?P=environment)\}}"
+    rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>(?:(?!\\begin\{{(?:{_NAMES})\}}).)*?)"
+    r"\\end\{(?P=environment)\}"
     r"|(?<!\\)\\\[(?P<bracket>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$"
     r"|(?<![\\$])\$(?P<inline>[^$\n]+\$\$[^$\n]+)\$(?!\$)"
     r"|\\(?P<edge>begin|end)\{subequations\}"
@@ -32,8 +38,9 @@ _EVENT = re.compile(
     r"|\\renewcommand\*?\s*\{?\s*\\theequation\s*\}?\s*(?P<shown>\{(?:[^{}]|\{[^{}]*\})*\})"
     r"|\\setcounter\s*\{equation\}\s*\{(?P<count>\d+)\}"
     r"|\\addtocounter\s*\{equation\}\s*\{(?P<more>-?\d+)\}"
-    r"|\\(?P<appendix>appendix)(?![A-Za-z])",
-    re.DOTALL,
+    r"|\\(?P<appendix>appendix)(?![A-Za-z])"
+    rf"|(?P<opened>\\begin\{{(?:{_NAMES})\}}|(?<!\\)\\\[|^\$\$)(?P<rest>[^\n]*)",
+    re.DOTALL | re.MULTILINE,
 )
 # Displays that are one equation with one number, however many lines they have.
 _SINGLE = ("", "equation", "displaymath", "multline")
@@ -191,6 +198,10 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
             words = text[last : match.start()]
             announced = announced.go_on(words.string, words.offsets)
             group, end = group + 1, match.end()
+            if match["opened"]:
+                yield _show_opened(text, match, f"display {next(unnumbered)}", group)
+                last = end
+                continue
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
                 printed = replace(found, group=group, announced=announced)
                 if cut and before and not before.fault:
@@ -198,6 +209,14 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
                 before = printed
                 yield printed
             last = end
+
+
+def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int) -> Printed:
+    """Return the line of a display that is opened and has no end."""
+    rest = text[match.start("rest") : match.end()].strip()
+    latex = rest if len(rest) else text[match.start("opened") : match.end("opened")]
+    fault = f"{match['opened']} begins a display that has no end"
+    return Printed(name, latex, fault=fault, group=group)
 
 
 def _go_on(before: Printed, printed: Printed) -> Printed:
