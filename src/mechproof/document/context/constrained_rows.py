@@ -122,7 +122,8 @@ def list_following(
 def _list_alike(task: Task, given: Sequence[Task]) -> str:
     """Return the names of constraints that have all letters of another, none for other rows."""
     letters = {letter for one in given for letter in list_letters(one)}
-    is_bound = task.sign.role is Role.CONSTRAINT and list_letters(task) <= letters
+    is_printed = task.sign.role is Role.CONSTRAINT and not task.sign.is_tied
+    is_bound = is_printed and list_letters(task) <= letters
     return ", ".join(one.row.number for one in given) if is_bound else ""
 
 
