@@ -295,7 +295,10 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
         Equality(Integral(sign(t), (t, 0, x)), x * sp.sign(x)),
         "was not shown to be continuous in x over the domain",
     ),
-    "inequality": (ge(floor(p) + 1, p), "the sign of -p + floor(p) + 1 is not shown"),
+    "inequality": (
+        ge(floor(2 * p), 2 * floor(p)),
+        "the sign of -2*floor(p) + floor(2*p) is not shown",
+    ),
 }
 
 

@@ -107,7 +107,7 @@ CASES = {
         Verdict.UNDERDETERMINED,
     ),
     "open": (row(OPEN), Verdict.ENCLOSED),
-    "function that no rung knows": (row(Equality(sp.zeta(x), x)), Verdict.UNDECIDED),
+    "function that no rung knows": (row(Equality(sp.LambertW(x), x)), Verdict.UNDECIDED),
 }
 
 

@@ -10,9 +10,11 @@ from twins import judge
 from mechproof.document.constraints.consequences import MULTIPLE
 from mechproof.proof import (
     antiderivative,
+    any_functions,
     binomial_squares,
     bisection,
     endless_sums,
+    floors,
     fourier_series,
     induction,
     inductive_inequalities,
@@ -20,6 +22,7 @@ from mechproof.proof import (
     integral_recurrences,
     integrals,
     inverses,
+    known_integrals,
     known_series,
     limits,
     monotonicity,
@@ -71,6 +74,10 @@ NAMED += [
     separation.RUNG,
     endless_sums.RUNG,
     known_series.RUNG,
+    known_integrals.RUNG,
+    integral_recurrences.DERIVATIVES,
+    any_functions.RUNG,
+    floors.RUNG,
 ]
 
 

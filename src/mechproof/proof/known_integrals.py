@@ -22,6 +22,7 @@ _A, _B = (sp.Wild(name, exclude=(X, 0)) for name in "ab")
 # Of whole numbers the integrals are elementary.
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
+_M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: not number.is_Integer])
 _N = sp.Wild("n", properties=[lambda number: number.is_Integer and number.is_positive])
 _PI, _OO, _HALF = sp.pi, sp.oo, sp.S.Half
 _Limits = tuple[sp.Expr, sp.Expr]
@@ -108,7 +109,7 @@ KNOWN = (
         sp.tan(X) ** _P, (0, _PI / 2), _PI / (2 * sp.cos(_PI * _P / 2)), (1 - _P, 1 + _P)
     ),
     KnownIntegral(X**_A / (1 + X), (0, _OO), -_PI / sp.sin(_PI * _A), (1 + _A, -_A)),
-    KnownIntegral(1 / (1 + X**_A), (0, _OO), _PI / _A / sp.sin(_PI / _A), (_A - 1,)),
+    KnownIntegral(1 / (1 + X**_M), (0, _OO), _PI / _M / sp.sin(_PI / _M), (_M - 1,)),
     KnownIntegral(
         X**_N / (sp.exp(_A * X) - 1),
         (0, _OO),
