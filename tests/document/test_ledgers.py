@@ -69,6 +69,14 @@ def test_a_misprint_is_a_finding_and_what_was_not_read_is_listed(paper: Path) ->
     assert [row["state"] for row in written["left"]] == ["not read"]
 
 
+def test_a_wrong_number_costs_what_is_printed_instead_of_the_right_one(paper: Path) -> None:
+    table = "\\begin{tabular}{ccc}$r$ & $l$ & $k$\\\\ 2 & 4 & 0.5\\\\ 2 & 8 & 0.52\\end{tabular}\n"
+    write(paper, RIGHT + table)
+    (ledger,) = find_ledgers([paper])
+    costs = [str(cost) for finding in ledger.findings for cost in finding.costs]
+    assert costs == ["at r = 2, l = 8: printed 0.52, recomputed 0.25"]
+
+
 def test_a_ledger_is_kept_until_its_paper_or_the_file_beside_it_changes(paper: Path) -> None:
     write(paper, UNREAD)
     (first,) = find_ledgers([paper])

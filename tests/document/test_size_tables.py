@@ -332,6 +332,19 @@ RESTATED = {
 
 
 @pytest.mark.slow
+def test_a_column_from_which_another_is_computed_needs_no_formula() -> None:
+    block = LOOP.replace("%% sizes", "%% t : time [s]\n%% let \\varphi=kt\n%% sizes").replace(
+        "RANGE", ""
+    )
+    block = block.replace("stiffness [N/mm]", "speed [rad/s]").replace(", k=2 N/mm", "")
+    table = tabular(r"$\varphi$ [$^\circ$] & $c$ [mm]", "0 & 40.0", "60 & 20.0", "90 & 1.0")
+    rows = check("paper.tex", block + r"$$c=r\cos\varphi$$" + table).rows[1:]
+    assert [row.outcome for row in rows] == ["PROVED", "PROVED", "REFUTED"]
+    alone = check("paper.tex", block + r"$$c=rk$$" + table).rows[1:]
+    assert [row.name for row in alone] == ["table 1, c", r"table 1, \varphi"]
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RESTATED)
 def test_a_column_is_compared_with_what_is_proved_of_its_letter(name: str) -> None:
     within, text, expected = RESTATED[name]

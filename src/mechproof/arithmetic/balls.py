@@ -97,6 +97,11 @@ def show(ball: Ball, digits: int = 12) -> str:
     return str(ball.str(3, more=True)) if "[+/-" in shown and not ball.contains(0) else shown
 
 
+def read(text: str) -> Ball:
+    """Return a ball that contains what was shown as a text."""
+    return arb(text)
+
+
 def show_apart(left: Ball, right: Ball) -> tuple[str, str]:
     """Return two balls as texts, with as many digits as tell them apart.
 

@@ -20,6 +20,8 @@ from mechproof.sources.announcements import NOTHING, Announced
 Values = dict[sp.Basic, Any]
 # What gives the rates in time of letters that depend on one that moves.
 CHAIN_RULE = "the chain rule"
+# Where a value was said that no equation prints.
+BLOCK = "the block of letters"
 
 
 @dataclass

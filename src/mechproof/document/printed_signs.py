@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.known import Known
+from mechproof.document.known import BLOCK, Known
 from mechproof.document.letters_alone import (
     LetterAlone,
     compare_with_known,
@@ -49,7 +49,7 @@ def give_values(text: str, known: Known) -> None:
         symbol, value = relation.args
         if symbol in known.values or symbol in known.settle(value).free_symbols:
             raise ValueError(f"let: {text}: it has a value already, or is given by itself")
-        known.define(symbol, value, "the block of letters")
+        known.define(symbol, value, BLOCK)
 
 
 def find_roles(name: str, read: Print, known: Known) -> list[Sign]:

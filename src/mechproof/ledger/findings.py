@@ -7,8 +7,7 @@ in the place of its print the statement is proved.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -17,7 +16,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain
-from mechproof.proof.numbers import describe_number
+from mechproof.ledger.costs import LedgerCost, show_witness
 from mechproof.proof.verdict import Judgement, Verdict, name_row, tell_print
 from mechproof.record import (
     Check,
@@ -48,30 +47,6 @@ PRINTED_AND_RIGHT = ("printed", "right")
 # A convention is true in some sense: only the literal reading of the print has that value.
 READ_AND_RIGHT = ("read literally", "right")
 _BITS = 60
-
-
-@dataclass(frozen=True)
-class LedgerCost:
-    """What a fault makes at one place: values by their names, in the unit; all as text."""
-
-    where: str
-    values: Mapping[str, str]
-    unit: str = ""
-
-    def __str__(self) -> str:
-        unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
-        told = (f"{_lead(name)} {value}{unit}" for name, value in self.values.items())
-        return f"{self.where}: {', '.join(told)}"
-
-    def as_dict(self) -> dict[str, object]:
-        """Return the JSON record: the text, and its numbers as such."""
-        values = {name: describe_number(value) for name, value in self.values.items()}
-        return {"text": str(self), "where": self.where, "unit": self.unit, "values": values}
-
-
-def _lead(name: str) -> str:
-    """Return a name before its value; what ends in a letter, a number or a sign has a colon."""
-    return f"{name}:" if re.search(r"[^a-z]$|(?<![a-z])[a-z]$", name) else name
 
 
 @dataclass(frozen=True)
@@ -171,7 +146,7 @@ def _describe(
         printed_latex=about.printed_latex,
         wrong=finding.wrong,
         costs=tuple(_compare(cost, about.verdict, row, paper) for cost in finding.costs)
-        or tuple(_show_witness(about)),
+        or tuple(show_witness(about)),
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
         corrected_on=about.on if about.corrected_by else "",
@@ -217,15 +192,6 @@ class _Shown:
             return str(_round(bare, int(decimals)))
         behind = unit if unit in ("", "°") else f" {unit}"
         return f"{_round(self.value, self.check.decimals)}{behind}"
-
-
-def _show_witness(row: Judgement) -> Iterator[LedgerCost]:
-    """Show the values of both sides where they were first found to differ."""
-    for item in row.evidence[:1]:
-        at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
-        sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
-        if at:
-            yield LedgerCost(f"at {at}", {name: value for name, value in sides if value})
 
 
 def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> LedgerCost:

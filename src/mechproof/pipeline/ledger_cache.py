@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from mechproof.chosen import find_file
-from mechproof.ledger.findings import LedgerCost, LedgerFinding
+from mechproof.ledger.costs import LedgerCost
+from mechproof.ledger.findings import LedgerFinding
 from mechproof.ledger.judged import Ledger, Origin
 from mechproof.ledger.verdict_cache import UNREAD, read_judgement
 from mechproof.proof.verdict import Left, State, Verdict

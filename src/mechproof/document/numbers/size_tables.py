@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.known import Known
+from mechproof.document.known import BLOCK, Known
 from mechproof.document.numbers.scales import Result, RoundedSize, Scales
 from mechproof.document.roles import Role, Sign
 from mechproof.document.tasks import Task
@@ -39,6 +39,7 @@ from mechproof.sources.text import Files, Place
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
 _NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
+_NEEDED = "the formula needs "
 _NEAR = "it differs from the recomputed number, but by no more than rounded sizes explain"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
@@ -66,7 +67,7 @@ class _Formulas:
 
 
 def _tell_lack(letters: str) -> str:
-    return f"the formula needs {letters}: neither in the table nor among the declared sizes"
+    return f"{_NEEDED}{letters}: neither in the table nor among the declared sizes"
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
@@ -144,6 +145,7 @@ class SizeTables:
             {n: read_numeral(line[n].string, decimal_comma=bool(comma)) for n in grid.heads}
             for line in grid.lines
         ]
+        used, inputs = set[sp.Basic](), list[tuple[sp.Basic, Task | Left]]()
         for column, head in grid.heads.items():
             is_result = head.symbol in self.known.values or not head.is_letter
             if not is_result or not any(line[column] for line in numbers):
@@ -151,8 +153,15 @@ class SizeTables:
             if reason := self._refuse(head, grid) or (_COMMA if comma is None else ""):
                 name = f"{grid.name}, {head.printed}"
                 yield self._leave(name, grid.lines[0][column], reason)
-            else:
-                yield from self._read_column(grid, column, numbers)
+                continue
+            for row in self._read_column(grid, column, numbers, used):
+                is_lacking = isinstance(row, Left) and row.reason.startswith(_NEEDED)
+                if is_lacking and self.known.printed.get(head.symbol) == BLOCK:
+                    inputs.append((head.symbol, row))
+                else:
+                    yield row
+        # What others are computed from, and no equation prints, is taken as it stands.
+        yield from (row for symbol, row in inputs if symbol not in used)
 
     def _refuse(self, head: Head, grid: Grid) -> str:
         """Say why a column is not compared, nothing if it is."""
@@ -173,8 +182,13 @@ class SizeTables:
                 return f"the unit of {other.printed}: turns, or radians?"
         return ""
 
-    def _read_column(self, grid: Grid, column: int, numbers: Numbers) -> Iterator[Task | Left]:
-        """Yield the rows of the results of one letter, grouped by the formula that gives them."""
+    def _read_column(
+        self, grid: Grid, column: int, numbers: Numbers, used_here: set[sp.Basic]
+    ) -> Iterator[Task | Left]:
+        """Yield the rows of the results of one letter, grouped by the formula that gives them.
+
+        The letters of these are noted.
+        """
         head, groups = grid.heads[column], dict[_Formulas, list[Result]]()
         missing: dict[str, TableCell] = {}
         for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
@@ -197,6 +211,7 @@ class SizeTables:
             factor = number.factor * scales.convert(self._find_own(head, unit), unit)
             usual = {s: RoundedSize(v) for s, v in self.known.symbols.usual.items()}
             letters = set().union(*(formula.free_symbols for formula in formulas.values))
+            used_here |= letters
             used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
             result = Result(name, line[column].offset, head, number, factor, used)
             groups.setdefault(formulas, []).append(result)

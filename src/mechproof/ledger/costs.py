@@ -1,0 +1,58 @@
+"""What a fault makes at one place: both values, as a finding shows them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.proof.numbers import describe_number
+from mechproof.proof.printed_number import RUNG
+from mechproof.proof.verdict import Evidence, Judgement
+from mechproof.proof.witness_text import show_plainly
+
+
+@dataclass(frozen=True)
+class LedgerCost:
+    """What a fault makes at one place: values by their names, in the unit; all as text."""
+
+    where: str
+    values: Mapping[str, str]
+    unit: str = ""
+
+    def __str__(self) -> str:
+        unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
+        told = (f"{_lead(name)} {value}{unit}" for name, value in self.values.items())
+        return f"{self.where}: {', '.join(told)}"
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON record: the text, and its numbers as such."""
+        values = {name: describe_number(value) for name, value in self.values.items()}
+        return {"text": str(self), "where": self.where, "unit": self.unit, "values": values}
+
+
+def _lead(name: str) -> str:
+    """Return a name before its value; what ends in a letter, a number or a sign has a colon."""
+    return f"{name}:" if re.search(r"[^a-z]$|(?<![a-z])[a-z]$", name) else name
+
+
+def show_witness(row: Judgement) -> Iterator[LedgerCost]:
+    """Show the values of both sides where they were first found to differ."""
+    for item in row.evidence[:1]:
+        at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
+        sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
+        if at:
+            yield LedgerCost(f"at {at}", {name: value for name, value in sides if value})
+        elif row.rung == RUNG and item.rebuilt:
+            yield _show_number(row, item)
+
+
+def _show_number(row: Judgement, item: Evidence) -> LedgerCost:
+    """Show a printed number and what it should be, at the sizes as which it was read."""
+    _, said, sizes = row.read_as.partition(" at ")
+    recomputed, _ = show_plainly(balls.read(item.rebuilt), balls.to_ball(sp.Rational(item.printed)))
+    values = {"printed": item.printed, "recomputed": recomputed}
+    return LedgerCost(f"at {sizes}" if said else "the number", values)
