@@ -121,15 +121,26 @@ def test_what_is_tied_has_the_only_value_that_constraints_leave_it(name: str) ->
     assert row.outcome == outcome, row.reason
 
 
+# Of what turns evenly, by its speed alone or by its angle at any time.
+EVENLY = {
+    r"x|_{\varphi=\pi}=l-r": "PROVED",
+    r"x|_{\varphi=\pi}=l+r": "REFUTED",
+    r"\dot x|_{\varphi=\pi/2}=-r\omega": "PROVED",
+    r"\dot x|_{\varphi=\pi/2}=r\omega": "REFUTED",
+    r"\ddot x|_{\varphi=0}=-r\omega^2\left(1+\frac rl\right)": "PROVED",
+    r"\ddot x|_{\varphi=0}=-r\omega^2\left(1-\frac rl\right)": "REFUTED",
+}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("sign", "outcome"), [("+", "PROVED"), ("-", "REFUTED")])
-def test_rates_of_what_is_tied_are_those_at_the_place(sign: str, outcome: str) -> None:
-    said = "%% \\omega : speed\n%% let \\dot\\varphi=\\omega\n%% factor \\omega\n%% end"
+@pytest.mark.parametrize("given", [r"\dot\varphi=\omega", r"\varphi=\omega t"])
+@pytest.mark.parametrize("place", EVENLY)
+def test_rates_of_what_is_tied_are_those_at_the_place(place: str, given: str) -> None:
+    said = f"%% \\omega : speed\n%% t : time\n%% let {given}\n%% factor \\omega\n%% end"
     block = BLOCK.replace(r"\varphi ; \psi ;", r"\varphi(t) ; \psi(t) ;")
     block = block.replace("x ; y", "x(t) ; y").replace("%% end", said)
-    place = rf"\ddot x|_{{\varphi=0}}=-r\omega^2\left(1{sign}\frac rl\right)"
     row = judge_rows(block, TIE, ROD, place)[-1]
-    assert row.outcome == outcome, row.reason
+    assert row.outcome == EVENLY[place], row.reason
 
 
 @pytest.mark.slow

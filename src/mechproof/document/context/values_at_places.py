@@ -2,7 +2,7 @@ r"""Values at a place, `x|_{\varphi=0}`, beside constraints that tie letters to 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
 import sympy as sp
@@ -24,6 +24,7 @@ from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, RecordError
+from mechproof.record.substitution import resolve
 from mechproof.tools.processes import run_tasks
 
 # What may be said of one place by a condition behind it.
@@ -42,32 +43,56 @@ def compare_at_places(
     What is printed of the value must have no letter that moves with what is put in.
     """
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    met = {s for n in given for s in list_letters(tasks[n])}
     asked = []
     for n, task in enumerate(tasks):
-        if rows[n].outcome != Verdict.PROVED.value and (
-            tied := _list_tied(task, tasks, rows, symbols)
-        ):
+        at = dict(_list_put_in(task, symbols))
+        moving = _list_moving(at.keys() - _find_places(task).keys(), symbols) & met
+        tied = _list_tied(task, moving, tasks, rows, symbols)
+        if tied and rows[n].outcome != Verdict.PROVED.value:
             before = tuple(connect(n, list_applicable(given, n, tasks), tasks))
-            asked.append((key, n, before, tied))
+            asked.append((key, n, before, tied, at))
     for place, found in run_tasks(judge_at_place, asked, limit=limit):
-        _, n, others, tied = asked[place]
+        _, n, others, tied, _ = asked[place]
         if isinstance(found, Judgement):
             yield n, make_row(tasks[n], found)
         elif rows[n].outcome == Verdict.DEFINITION.value:
             yield n, make_row(tasks[n], _tell(tasks[n], [tasks[o] for o in others], tied))
 
 
+def _list_put_in(task: Task, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    """Yield what letters of constraints are at a place: of an angle that is omega t, the time."""
+    for letter, value in _find_places(task).items():
+        given, by = resolve(letter, task.paper.given), symbols.find_steps(letter)[0]
+        slope = sp.diff(given, by)
+        if given == letter:
+            yield letter, value
+        elif slope != 0 and not slope.has(by):
+            yield by, sp.cancel((value - given.xreplace({by: sp.S.Zero})) / slope)
+
+
+def _list_moving(running: Set[sp.Basic], symbols: Symbols) -> set[sp.Basic]:
+    """Return the letters that depend on one of some."""
+    return {letter for letter, (by, _) in symbols.moving.items() if by in running}
+
+
 def _list_tied(
-    task: Task, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
+    task: Task,
+    moving: Set[sp.Basic],
+    tasks: Sequence[Task],
+    rows: Mapping[int, CheckedRow],
+    symbols: Symbols,
 ) -> frozenset[sp.Basic]:
     """Return the letters, with their derivatives, that constraints tie to what has a value.
 
-    None for a row that has none of them in what the value is of, or has some beside it.
+    Those that are said to depend on it are told. None for a row that has none of them in what the
+    value is of, or has some beside it.
     """
     places = {*_find_places(task)}
     if not (places and task.residual is not None and isinstance(task.row.says, Equality)):
         return frozenset()
     tied = {s for by in places for s in find_ties(by, tasks, rows, symbols)[0]}
+    tied |= moving - task.paper.given.keys()
     tied = {rate for s in tied - places for rate in symbols.find_steps(s)[1]}
     running = {symbols.find_steps(by)[0] for by in places} | places | tied
     beside = list_reached(task.sign.beside, task.paper.given)
@@ -83,16 +108,16 @@ def _find_places(task: Task) -> Mapping[sp.Basic, sp.Expr]:
 
 
 def judge_at_place(
-    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
+    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic], Mapping[sp.Basic, sp.Expr]],
 ) -> Judgement | None:
     """Judge a value with the only values that tied letters have there; None if some may have more.
 
     What differs is refuted only if both sides have the same letters then, as identities have.
     """
-    key, number, others, tied = which
+    key, number, others, tied, at = which
     tasks = open_tasks(key)
     places = _find_places(tasks[number])
-    task = replace(tasks[number], at={**tasks[number].at, **places})
+    task = replace(tasks[number], at={**tasks[number].at, **at})
     given = [*state_at([tasks[o] for o in others], task)]
     residuals = [rest for one in given for rest in (one.residual, *one.rates) if rest is not None]
     says = task.row.says
