@@ -123,6 +123,8 @@ def test_what_is_tied_has_the_only_value_that_constraints_leave_it(name: str) ->
 
 # Of what turns evenly, by its speed alone or by its angle at any time.
 EVENLY = {
+    # It is true with the angle at this place, but not with any.
+    r"x|_{\varphi=0}=\left(l+r\right)\cos\psi": OPEN,
     r"x|_{\varphi=\pi}=l-r": "PROVED",
     r"x|_{\varphi=\pi}=l+r": "REFUTED",
     r"\dot x|_{\varphi=\pi/2}=-r\omega": "PROVED",

@@ -29,6 +29,7 @@ from mechproof.tools.processes import run_tasks
 
 # What may be said of one place by a condition behind it.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
+_BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
 
 
 def compare_at_places(
@@ -49,9 +50,12 @@ def compare_at_places(
         at = dict(_list_put_in(task, symbols))
         moving = _list_moving(at.keys() - _find_places(task).keys(), symbols) & met
         tied = _list_tied(task, moving, tasks, rows, symbols)
-        if tied and rows[n].outcome != Verdict.PROVED.value:
+        is_apart = _is_apart(task, tied, symbols)
+        if tied and is_apart and rows[n].outcome != Verdict.PROVED.value:
             before = tuple(connect(n, list_applicable(given, n, tasks), tasks))
             asked.append((key, n, before, tied, at))
+        elif tied & moving and not is_apart:
+            yield n, make_row(task, f"{_BESIDE} {_write(_find_places(task))}?")
     for place, found in run_tasks(judge_at_place, asked, limit=limit):
         _, n, others, tied, _ = asked[place]
         if isinstance(found, Judgement):
@@ -85,8 +89,7 @@ def _list_tied(
 ) -> frozenset[sp.Basic]:
     """Return the letters, with their derivatives, that constraints tie to what has a value.
 
-    Those that are said to depend on it are told. None for a row that has none of them in what the
-    value is of, or has some beside it.
+    Those that are said to depend on it are told. None for a row that has none of them.
     """
     places = {*_find_places(task)}
     if not (places and task.residual is not None and isinstance(task.row.says, Equality)):
@@ -94,10 +97,14 @@ def _list_tied(
     tied = {s for by in places for s in find_ties(by, tasks, rows, symbols)[0]}
     tied |= moving - task.paper.given.keys()
     tied = {rate for s in tied - places for rate in symbols.find_steps(s)[1]}
+    return frozenset(tied if tied & list_letters(task) else ())
+
+
+def _is_apart(task: Task, tied: frozenset[sp.Basic], symbols: Symbols) -> bool:
+    """Return whether no letter stands beside a value that moves with what is put in."""
+    places = {*_find_places(task)}
     running = {symbols.find_steps(by)[0] for by in places} | places | tied
-    beside = list_reached(task.sign.beside, task.paper.given)
-    is_met = tied & task.residual.free_symbols and not running & beside
-    return frozenset(tied if is_met else ())
+    return not running & list_reached(task.sign.beside, task.paper.given)
 
 
 def _find_places(task: Task) -> Mapping[sp.Basic, sp.Expr]:
@@ -146,11 +153,11 @@ def judge_at_place(
 
 def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
     """Say which letters may have several values at a place."""
-    names = ", ".join(one.row.number for one in given)
-    letters = ", ".join(sorted(map(str, tied & list_letters(task))))
+    names = ", ".join(one.row.number for one in given) or "what stands before it"
+    letters = ", ".join(sorted(map(str, tied & list_letters(task)))) or "what is tied"
     return (
-        f"beside {names} it was not shown that {letters} has one value only for "
-        f"{_write(_find_places(task))}; say in the block of letters in which range it lies"
+        f"it was not shown that {letters} has one value only for {_write(_find_places(task))} "
+        f"by {names}; if a range of it tells, say it in the block of letters"
     )
 
 
