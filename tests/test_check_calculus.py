@@ -269,6 +269,7 @@ def judge(latex: str, where: tuple[str, ...] = ()) -> set[Verdict]:
     return {found.verdict for found in judge_pasted(Pasted(latex, where=where)).judgements}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "values", "where"), PAIRS, ids=[p[0] for p in PAIRS])
 def test_a_value_is_proved_and_no_other(
     latex: str, values: tuple[str, str], where: tuple[str, ...]
@@ -295,6 +296,7 @@ def test_what_has_a_value_where_it_is_meant_is_proved(latex: str, where: tuple[s
     assert judge(latex, where) == {Verdict.PROVED}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "where"), NOT_PROVED)
 def test_what_is_not_true_everywhere_is_not_proved(latex: str, where: tuple[str, ...]) -> None:
     assert Verdict.PROVED not in judge(latex, where)

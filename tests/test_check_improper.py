@@ -212,6 +212,7 @@ def judge(latex: str, where: tuple[str, ...] = ()) -> Verdict:
     return found.verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "true", "wrong", "where"), PAIRS, ids=[p[0] for p in PAIRS])
 def test_a_value_is_proved_and_another_refuted(
     latex: str, true: str, wrong: str, where: tuple[str, ...]
@@ -225,6 +226,7 @@ def test_a_limit_that_differs_from_side_to_side_is_none(latex: str) -> None:
     assert judge(latex) is Verdict.REFUTED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "where"), OPEN)
 def test_what_has_no_value_stays_open(latex: str, where: tuple[str, ...]) -> None:
     assert judge(latex, where) is Verdict.UNDECIDED

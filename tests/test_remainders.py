@@ -44,6 +44,7 @@ def judge(latex: str, where: tuple[str, ...] = ()) -> Verdict:
     return found.verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "true", "wrong"), PAIRS)
 def test_a_remainder_has_its_order(latex: str, true: str, wrong: str) -> None:
     assert judge(f"{latex}+{true}") is Verdict.PROVED

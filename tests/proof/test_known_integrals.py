@@ -30,6 +30,7 @@ def put(row: KnownIntegral) -> KnownIntegral:
     raise AssertionError(f"no letters for {row}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", KNOWN, ids=[str(row.integrand) for row in KNOWN])
 def test_a_row_has_its_value(row: KnownIntegral) -> None:
     known = put(row)
