@@ -25,7 +25,7 @@ LONGEST = (
 # Of a slow test with as many cases always the same one in so many is run with what is not slow, and
 # one in fewer with what is slow; the rest is thorough. Where what takes long is done for all cases
 # `together`, all of them stay slow.
-SHOWN = 8
+SHOWN = 12
 SLOW = 4
 
 # What a derivation is made of.

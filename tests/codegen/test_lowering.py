@@ -116,6 +116,7 @@ def test_a_rival_may_leave_an_argument_out(tmp_path: Path) -> None:
     assert np.isnan(module.f_short(2.0, np.nan))
 
 
+@pytest.mark.slow
 def test_illegal_rewrites_are_refuted() -> None:
     """atan2(y, x) = atan(y/x) needs x > 0; the precondition is a row of its own."""
     value = sp.atan2(sp.sin(x), 2 - b * sp.cos(x))

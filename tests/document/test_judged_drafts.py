@@ -86,6 +86,7 @@ $$x_{i+1}=x_i+h$$
 """
 
 
+@pytest.mark.slow
 def test_sums_over_families_are_judged_with_a_draft() -> None:
     rows = mechproof.check("paper.tex", draft(MASSES) + MASSES).rows
     expected = ["DEFINITION", "DEFINITION", "DEFINITION", "PROVED", "REFUTED"]

@@ -83,6 +83,7 @@ def test_every_way_is_drawn_where_the_record_says(record: Record, figure: Figure
         assert len(expected) > 10
 
 
+@pytest.mark.slow
 def test_a_changed_record_moves_its_mark(record: Record, figure: Figure) -> None:
     slower = tuple(replace(t, median=2 * t.median) for t in record.times)
     other = draw_chart(replace(record, times=slower), *list_workloads(record)[0])

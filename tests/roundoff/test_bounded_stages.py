@@ -43,6 +43,7 @@ def test_the_terms_add_up_to_the_scale(name: str) -> None:
             np.testing.assert_allclose(total[kept], size[kept], rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_waves_are_joined_without_a_change() -> None:
     """The scale of an arm is written by products, and is what the paper's derivation says."""
     subject = next(s for s in subjects().values() if s.kernel.name == "rod_displacement")

@@ -30,6 +30,7 @@ def quantity_of(system: str, name: str) -> Quantity:
     return next(one for one in paper_of(system).quantities if one.name == name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("system", "name"), PERIODIC)
 def test_what_comes_again_is_proved_and_nothing_else(system: str, name: str) -> None:
     paper, quantity = paper_of(system), quantity_of(system, name)
