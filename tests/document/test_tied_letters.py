@@ -106,8 +106,13 @@ PLACES = {
     "never there": ((ACUTE, RODS[r"\gamma"], r"x|_{\varphi=0}=r-l"), OPEN),
     "what is tied stands beside it": ((TIE, ROD, r"x|_{\varphi=0}=r-l\cos\psi"), OPEN),
     "another constraint contradicts": (
+        (TIE, r"r\cos\varphi+l\cos\psi=2r", ROD, r"x|_{\varphi=0}=l-r"),
+        "DEFINITION",
+    ),
+    # Nothing else says what b is.
+    "what introduces a letter contradicts nothing": (
         (TIE, r"r\cos\varphi+l\cos\psi=b", ROD, r"x|_{\varphi=0}=l-r"),
-        OPEN,
+        "REFUTED",
     ),
 }
 
