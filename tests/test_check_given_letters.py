@@ -165,6 +165,8 @@ def test_a_decimal_within_an_expression_is_exact() -> None:
     assert judge("v=2r", values=("r=0.333", "v=0.666")).verdict == "PROVED"
     assert judge("3r=1", values=("r=0.333",)).verdict == "REFUTED"
     assert judge(r"v=\omega r", values=("r=0.05", "v=7.85")).verdict == "REFUTED"
+    assert judge(r"\omega=\omega\cos0.1", values=(r"\omega=0.5",)).verdict == "REFUTED"
+    assert judge(r"a=\frac12b\cos0.1", values=("a=0.5", "b=2a")).verdict == "REFUTED"
 
 
 @pytest.mark.parametrize("value", ["F=117.7 N", r"F=2\,\mathrm{kN}", "F=100~Nmm"])

@@ -15,7 +15,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import list_signs, tokenize
 from mechproof.latex.tree import Integration, Letter, walk
-from mechproof.latex.values import settle_all
+from mechproof.latex.values import list_reached, settle_all
 from mechproof.nomenclature.relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.called_letters import find_unknown, take_said
@@ -185,13 +185,18 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
 
 
 def _round_given(row: Row, letters: Letters) -> Row:
-    """Let the decimal that a letter is given by be what the other side rounds to."""
+    """Let the decimal that a letter is given by be what the other side rounds to.
+
+    Where that has the letter itself it is exact, as everywhere within an expression.
+    """
     says, values = row.says, {v.symbol: v.given for v in letters.variables if v.given is not None}
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     for letter, other in zip(sides, sides[::-1], strict=True):
         digits = letters.decimals.get(letter)
-        value = settle_all(other, values) if digits and not other.is_Symbol else letter
-        if digits and not value.free_symbols:
+        if not digits or other.is_Symbol or letter in list_reached(other.free_symbols, values):
+            continue
+        value = settle_all(other, values)
+        if not value.free_symbols:
             return replace(row, says=PrintedNumber(digits, value))
     return row
 
