@@ -32,7 +32,11 @@ from mechproof.document.context.doubts import (
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
 from mechproof.document.context.rates_beside import compare_rates
-from mechproof.document.context.restated_prints import doubt_by_restated
+from mechproof.document.context.restated_prints import (
+    compare_restated,
+    doubt_by_restated,
+    tell_unlike,
+)
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging import (
@@ -44,7 +48,6 @@ from mechproof.document.judging import (
     judge_row,
     judge_special,
     leave_out,
-    name_equation,
     opened,
 )
 from mechproof.document.rows import Document
@@ -172,6 +175,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(_compare_members(key, tasks, rows, limit))
         rows |= dict(follow_from_constraints(key, tasks, rows, limit))
         rows |= dict(compare_rates(key, tasks, rows, limit))
+        rows |= dict(compare_restated(key, tasks, rows, document.symbols, limit))
         rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
         rows |= dict(support_steps(tasks, rows))
         rows |= dict(_compare_specially(key, tasks, rows, limit))
@@ -225,15 +229,8 @@ def _leave_open(
         if not found or found.rung != GIVEN or task.is_given:
             continue
         if task.sign.role in COMPARED:
-            other, name = task.sign.first or "the member before", name_equation(task.row.number)
-            reason = (
-                f"it differs from {other} and has other letters: a constraint, or a misprint? If a "
-                f"constraint, say constraint {name}; if it is meant for all their values, say so "
-                f"in the block of letters: identity {name}"
-            )
             is_said = UNLIKE in found.reason or ROOT in found.reason
-            reason = found.reason if is_said else reason
-            yield number, make_row(task, reason)
+            yield number, make_row(task, found.reason if is_said else tell_unlike(task))
         elif task.is_either:
             yield number, make_row(task, _EITHER)
 

@@ -68,10 +68,13 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     domain = Domain.of(task.paper, task.row.on)
     for entry in _list_entries(task):
         if evidence := find_failure(entry.sides, given, domain):
-            beside = f", also where {names} hold" if names else ""
-            reason = f"the two sides differ{beside}"
+            hold = "holds" if len(others) == 1 else "hold"
+            beside = f", also where {names} {hold}" if names else ""
+            compared = f"; compared with {task.sign.first}" if task.sign.first else ""
+            reason = f"the two sides differ{beside}{compared}"
             return _replace(task, Verdict.REFUTED, RUNG, reason, (evidence,))
-    return f"the two sides differ unless {names} makes them equal, which could not be decided"
+    make = "makes" if len(others) == 1 else "make"
+    return f"the two sides differ unless {names} {make} them equal, which could not be decided"
 
 
 def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
