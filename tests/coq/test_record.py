@@ -6,7 +6,7 @@ import json
 from html import escape
 from pathlib import Path
 
-from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks
+from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks, write_page
 from mechproof.coq.folder import CERTIFIABLE, RowScript
 from mechproof.coq.libraries import digest_libraries
 from mechproof.ledger.judged import MARKDOWN
@@ -33,7 +33,8 @@ def test_a_row_has_a_file_that_is_accepted_or_a_reason() -> None:
 def test_the_page_says_what_is_recorded() -> None:
     page = (GENERATED / PAGE).read_text(encoding="utf-8")
     accepted = [row for row in RECORDED["rows"] if not row["withheld"]]
-    assert f"{len(accepted)} of {len(RECORDED['rows'])} rows are accepted by Coq" in page
+    rows = len(RECORDED["rows"])
+    assert f"{len(accepted)} of {rows} rows ({len(accepted) / rows:.1%}) are accepted" in page
     for row in RECORDED["rows"]:
         told = f"withheld: {row['withheld']}" if row["withheld"] else f"`{row['file']}`"
         assert f"[{row['id']}](LEDGER.md#{row['id']})" in page
@@ -57,7 +58,10 @@ def test_where_coq_stopped_is_not_told_beside_a_row() -> None:
 
 def test_a_script_that_is_refused_or_differs_is_lost() -> None:
     certificates = [
-        RowScript(f"mine/{name}", "PROVED", "identical", "ours", f"{name}.v", text)
+        RowScript(
+            *(f"mine/{name}", "PROVED", "identical, radicals", "ours", f"{name}.v", text),
+            is_alike=name != "new",
+        )
         for name, text in (("same", "a"), ("changed", "b"), ("refused", "c"), ("new", "d"))
     ]
     known = {c.id: c.digest for c in certificates[:3]} | {"mine/changed": "other"}
@@ -67,6 +71,13 @@ def test_a_script_that_is_refused_or_differs_is_lost() -> None:
         "mine/changed: another script than the one recorded",
         "mine/refused: Coq: line 1: no",
     ]
-    assert coverage.count() == "3 of 4 rows are accepted by Coq 8.16"
+    assert coverage.count() == "3 of 4 rows (75.0%) are accepted by Coq 8.16, 2 of them A = A"
+    page = write_page(coverage)
+    assert page.count("| 3 | 2 | 1 |") == len(["ours", "identical", "radicals"])
+    assert "| `same.v`, A = A |" in page
+    assert "| `new.v` |" in page
     partly = Coverage("8.16", tuple(certificates), {"same.v": ""})
-    assert partly.count() == ("1 of 4 rows are accepted by Coq 8.16, 3 are not checked in this run")
+    assert partly.count() == (
+        "1 of 4 rows (25.0%) are accepted by Coq 8.16, 1 of them A = A, "
+        "3 are not checked in this run"
+    )

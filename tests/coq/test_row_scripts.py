@@ -60,6 +60,32 @@ def test_prints_without_mechanics_have_scripts_but_for_what_follows(
     assert [bool(script.text) for script in written] == [True, True, False]
 
 
+@pytest.mark.parametrize(
+    ("printed", "is_alike"),
+    [(r"x-y=x-y", True), (r"x-y+1=1-(y-x)", True), (r"(x-y)^2=x^2-2xy+y^2", False)],
+)
+def test_it_is_told_where_both_sides_are_one(tmp_path: Path, printed: str, is_alike: bool) -> None:
+    file = tmp_path / "own.tex"
+    file.write_text(f"$${printed}$$", encoding="utf-8")
+    (ledger,) = judge_derivations([file], use_cache=False)
+    (script,) = write_row_scripts({file: ledger})
+    assert script.is_alike is is_alike
+    assert ("reflexivity." in script.text) is is_alike
+
+
+def test_what_coq_refuses_by_the_record_is_left_out(
+    place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (ledger,) = judge_derivations([place], use_cache=False)
+    refused = {script.id: script.digest for script in write_row_scripts({place: ledger})[:2]}
+    refused["mine/eq-2"] = "of another script"
+    monkeypatch.setattr("mechproof.coq.coverage.read_refused", lambda folder: refused)
+    result = run("certify", str(place), "--out", str(tmp_path / "coq"))
+    assert "2 scripts of 3 rows" in " ".join(result.output.split())
+    assert "left out: 1 scripts that Coq refuses" in " ".join(result.output.split())
+    assert not (tmp_path / "coq" / "mine_eq_1.v").exists()
+
+
 def test_a_row_at_which_it_fails_is_named(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (ledger,) = judge_derivations([place], use_cache=False)
 

@@ -44,16 +44,16 @@ def certify(
     """Write a Coq script for every row that is PROVED or REFUTED; `make` in FOLDER checks them.
 
     Each states its row in the letters of the paper, with the domain as hypotheses, and is read
-    back from its text and compared with the row before it is written. With --check the scripts
-    that Coq does not accept are removed, and COQ.md says of every row which file it has, or why
-    it has none.
+    back from its text and compared with the row before it is written. What Coq refuses by the
+    record is left out. With --check all scripts are checked, those that Coq does not accept are
+    removed, and COQ.md says of every row which file it has, or why it has none.
 
     Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
     does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
     fails; 2: bad usage.
     """
     from mechproof.coq.checker import RECORD_LIMIT, CheckerError
-    from mechproof.coq.coverage import check_folder, keep_record, read_known
+    from mechproof.coq.coverage import check_folder, keep_record, read_known, read_refused
     from mechproof.coq.folder import write_folder
     from mechproof.pipeline.row_scripts import write_row_scripts
 
@@ -66,13 +66,16 @@ def certify(
     try:
         with show_progress("writing scripts") as tell:
             certificates = write_row_scripts(dict(zip(locations, ledgers, strict=True)), tell)
-        write_folder(out, certificates)
-        written = sum(bool(c.text) for c in certificates)
+        known, refused = read_known(places.generated), read_refused(places.generated)
+        left = [c for c in certificates if not check and c.text and refused.get(c.id) == c.digest]
+        write_folder(out, [c for c in certificates if c not in left])
+        written = sum(bool(c.text) for c in certificates) - len(left)
         say(f"{out}: {written} scripts of {len(certificates)} rows; `make -C {out}` checks them")
+        if left:
+            say(f"left out: {len(left)} scripts that Coq refuses by the record")
         if not check:
             return
         with show_progress("running Coq") as tell:
-            known = read_known(places.generated)
             if record:
                 coverage = check_folder(out, certificates, tell, known=known, limit=RECORD_LIMIT)
             else:

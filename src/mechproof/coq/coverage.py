@@ -30,6 +30,10 @@ for each piece, under its condition; sums go to any whole number, over families 
 file is read back from its text by a reader of its own and compared with the row before it is
 written.
 
+Of some rows a theorem says no more than A = A: both sides are one formula once they are read and
+worked out, as where a form is what the paper prints, or where SymPy has taken a derivative. Coq
+adds nothing to what was read then, so that they are counted apart.
+
 No file has an axiom of its own. What the theorems rest on is what Coq's real numbers rest on
 ({assumed}) and, where numbers are computed, the machine integers and floats of coq-interval
 ({modules}).
@@ -73,7 +77,13 @@ class Coverage:
         told = [self.explain(c) for c in self.certificates]
         left = told.count(NOT_CHECKED)
         rest = f", {left} are {NOT_CHECKED}" if left else ""
-        return f"{told.count('')} of {len(told)} rows are accepted by Coq {self.version}{rest}"
+        alike = sum(not t and c.is_alike for t, c in zip(told, self.certificates, strict=True))
+        accepted = told.count("")
+        share = f"{accepted / len(told):.1%}" if told else "none"
+        return (
+            f"{accepted} of {len(told)} rows ({share}) are accepted by Coq {self.version}, "
+            f"{alike} of them A = A{rest}"
+        )
 
 
 def check_folder(
@@ -110,6 +120,12 @@ def keep_record(folder: Path, coverage: Coverage) -> None:
 def read_known(folder: Traversable) -> dict[str, str]:
     """Return the digests of the files that a record has as accepted, by the ids of their rows."""
     return {row["id"]: row["sha256"] for row in _read_rows(folder) if not row["withheld"]}
+
+
+def read_refused(folder: Traversable) -> dict[str, str]:
+    """Return the digests of the files that Coq refuses by a record, by the ids of their rows."""
+    rows = _read_rows(folder)
+    return {row["id"]: row["sha256"] for row in rows if row["withheld"].startswith(BY_COQ)}
 
 
 def read_checks(folder: Traversable) -> dict[str, str]:
@@ -150,21 +166,24 @@ def write_page(coverage: Coverage) -> str:
         modules=", ".join(f"`{name}`" for name in sorted(ASSUMED_MODULES)),
     )
     parts = [introduction + f"{coverage.count()}.\n"]
-    parts.append(_tabulate("rows", [c.counted_as for c in coverage.certificates], coverage))
-    parts.append(_tabulate("rung", [c.rung for c in coverage.certificates], coverage))
+    parts.append(_tabulate("rows", [[c.counted_as] for c in coverage.certificates], coverage))
+    parts.append("A row that several rungs decide counts with each of them.\n")
+    parts.append(_tabulate("rung", [c.rung.split(", ") for c in coverage.certificates], coverage))
     parts.append(_list_rows(coverage))
     return "\n".join(parts)
 
 
-def _tabulate(name: str, kinds: Sequence[str], coverage: Coverage) -> str:
-    """Count what is accepted and withheld of each kind."""
-    counted = Counter(
-        (kind, not coverage.explain(c))
-        for kind, c in zip(kinds, coverage.certificates, strict=True)
-    )
-    lines = [f"| {name} | certified | withheld |", "|---|---|---|"]
-    for kind in dict.fromkeys(kinds):
-        lines.append(f"| {kind} | {counted[kind, True]} | {counted[kind, False]} |")
+def _tabulate(name: str, kinds: Sequence[Sequence[str]], coverage: Coverage) -> str:
+    """Count what is accepted and withheld of each kind; a row may be of several."""
+    counted: dict[str, Counter[str]] = {}
+    for kinds_of, c in zip(kinds, coverage.certificates, strict=True):
+        said = ["withheld"] if coverage.explain(c) else ["certified", *["alike"] * c.is_alike]
+        for kind in dict.fromkeys(kinds_of):
+            counted.setdefault(kind, Counter()).update(said)
+    lines = [f"| {name} | certified | of them A = A | withheld |", "|---|---|---|---|"]
+    for kind, count in counted.items():
+        numbers = f"{count['certified']} | {count['alike']} | {count['withheld']}"
+        lines.append(f"| {kind} | {numbers} |")
     return "\n".join([*lines, ""])
 
 
@@ -172,6 +191,6 @@ def _list_rows(coverage: Coverage) -> str:
     lines = ["| row | verdict | file, or why there is none |", "|---|---|---|"]
     for c in coverage.certificates:
         reason = coverage.explain(c)
-        told = f"withheld: {reason}" if reason else f"`{c.file}`"
+        told = f"withheld: {reason}" if reason else f"`{c.file}`{', A = A' if c.is_alike else ''}"
         lines.append(f"| [{c.id}](LEDGER.md#{c.id}) | {c.verdict} | {told} |")
     return "\n".join([*lines, ""])

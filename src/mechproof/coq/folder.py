@@ -11,11 +11,13 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
+import sympy as sp
+
 from mechproof.coq.comparison import compare_script
 from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
 from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
-from mechproof.coq.theorems import build_theorems
+from mechproof.coq.theorems import Theorem, build_theorems
 from mechproof.domains.domain import Domain
 from mechproof.ledger.judged import JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Verdict
@@ -47,7 +49,11 @@ clean:
 
 @dataclass(frozen=True)
 class RowScript:
-    """What there is of a row: its file with the text, or the reason why there is none."""
+    """What there is of a row: its file with the text, or the reason why there is none.
+
+    `is_alike` tells that all its theorems have equalities with the same term on both sides:
+    what is left of both sides once they are read and worked out.
+    """
 
     id: str
     verdict: str
@@ -56,6 +62,7 @@ class RowScript:
     file: str = ""
     text: str = ""
     reason: str = ""
+    is_alike: bool = False
 
     @property
     def digest(self) -> str:
@@ -72,7 +79,14 @@ def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> Row
     except UnwritableError as error:
         return withhold(judgement, str(error))
     compare_script(text, theorems)
-    return replace(withhold(judgement, ""), file=name, text=text)
+    return replace(
+        withhold(judgement, ""), file=name, text=text, is_alike=all(map(_is_alike, theorems))
+    )
+
+
+def _is_alike(theorem: Theorem) -> bool:
+    conclusion = theorem.conclusion
+    return isinstance(conclusion, sp.Eq) and conclusion.lhs == conclusion.rhs
 
 
 def withhold(judgement: Judgement, reason: str) -> RowScript:
