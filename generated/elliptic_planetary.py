@@ -544,16 +544,11 @@ def largest_ratio(
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
     R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
-    return _in_blocks(_form_of_largest_ratio, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
+    return _in_blocks(_form_of_largest_ratio, (R1,), parameters=(R2, e), out=out)
 
 
 def _check_of_largest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
-
-
-def _prepare_of_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
-
-    return (R2, e)
 
 
 def _form_of_largest_ratio(R1: Any, R2: Any, e: Any) -> Any:
@@ -601,7 +596,7 @@ def smallest_ratio(
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
     R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
-    return _in_blocks(_form_of_smallest_ratio, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
+    return _in_blocks(_form_of_smallest_ratio, (R1,), parameters=(R2, e), out=out)
 
 
 def _form_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
@@ -990,7 +985,7 @@ def smallest_jerk(
     """
     R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
     R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
-    return _in_blocks(_form_of_smallest_jerk, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
+    return _in_blocks(_form_of_smallest_jerk, (R1,), parameters=(R2, e), out=out)
 
 
 def _form_of_smallest_jerk(R1: Any, R2: Any, e: Any) -> Any:
@@ -1147,7 +1142,6 @@ def _prepare_of_eccentricity_of_largest_ratio(R1: Any, R2: Any) -> tuple[Any, ..
 
 
 def _form_of_eccentricity_of_largest_ratio(largest: Any, k: Any) -> Any:
-
     return (largest - 1.0 - k) / (k + largest - 1.0)
 
 
@@ -1212,7 +1206,6 @@ def _check_of_eccentricity_of_smallest_ratio(smallest: Any, R1: Any, R2: Any) ->
 
 
 def _form_of_eccentricity_of_smallest_ratio(smallest: Any, k: Any) -> Any:
-
     return (1.0 + k - smallest) / (k + smallest - 1.0)
 
 
@@ -1353,7 +1346,6 @@ def _prepare_of_eccentricity_of_non_uniformity(R1: Any, R2: Any) -> tuple[Any, .
 
 
 def _form_of_eccentricity_of_non_uniformity(non_uniformity: Any, k: Any, one_plus_k: Any) -> Any:
-
     return (
         one_plus_k
         / (k * (2.0 + _np.sqrt(4.0 + _square(one_plus_k) / _square(k) * _square(non_uniformity))))
@@ -1400,11 +1392,7 @@ def eccentricity_of_extremes(
     largest, smallest = _as_floats("largest smallest", largest, smallest)
     largest, smallest = _nan_outside(_check_of_eccentricity_of_extremes, largest, smallest)
     return _in_blocks(
-        _form_of_eccentricity_of_extremes,
-        (largest,),
-        _prepare_of_eccentricity_of_extremes,
-        (smallest,),
-        out=out,
+        _form_of_eccentricity_of_extremes, (largest,), parameters=(smallest,), out=out
     )
 
 
@@ -1419,13 +1407,7 @@ def _check_of_eccentricity_of_extremes(largest: Any, smallest: Any) -> tuple[Any
     )
 
 
-def _prepare_of_eccentricity_of_extremes(smallest: Any) -> tuple[Any, ...]:
-
-    return (smallest,)
-
-
 def _form_of_eccentricity_of_extremes(largest: Any, smallest: Any) -> Any:
-
     return (largest - smallest) / _square(_np.sqrt(largest - 1.0) + _np.sqrt(smallest - 1.0))
 
 
@@ -1466,15 +1448,8 @@ def radii_of_extremes(
     """
     largest, smallest = _as_floats("largest smallest", largest, smallest)
     largest, smallest = _nan_outside(_check_of_eccentricity_of_extremes, largest, smallest)
-    return _in_blocks(
-        _form_of_radii_of_extremes,
-        (largest,),
-        _prepare_of_eccentricity_of_extremes,
-        (smallest,),
-        out=out,
-    )
+    return _in_blocks(_form_of_radii_of_extremes, (largest,), parameters=(smallest,), out=out)
 
 
 def _form_of_radii_of_extremes(largest: Any, smallest: Any) -> Any:
-
     return _np.sqrt((smallest - 1.0) * (largest - 1.0))

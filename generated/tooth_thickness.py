@@ -149,20 +149,14 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     """
     m, alpha = _as_floats("m alpha", m, alpha)
     m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
-    return _in_blocks(_form_of_constant_chord, (m,), _prepare_of_constant_chord, (alpha,), out=out)
+    return _in_blocks(_form_of_constant_chord, (m,), parameters=(alpha,), out=out)
 
 
 def _check_of_constant_chord(m: Any, alpha: Any) -> tuple[Any, ...]:
     return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_of_constant_chord(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
-
-
 def _form_of_constant_chord(m: Any, alpha: Any) -> Any:
-
     return _np.pi * _square(_np.cos(alpha)) / 2.0 * m
 
 
@@ -201,11 +195,10 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     """
     m, alpha = _as_floats("m alpha", m, alpha)
     m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
-    return _in_blocks(_form_of_chord_height, (m,), _prepare_of_constant_chord, (alpha,), out=out)
+    return _in_blocks(_form_of_chord_height, (m,), parameters=(alpha,), out=out)
 
 
 def _form_of_chord_height(m: Any, alpha: Any) -> Any:
-
     return (1.0 - _np.pi * _np.sin(2.0 * alpha) / 8.0) * m
 
 
@@ -404,9 +397,7 @@ def thickness_change_linear(
     """
     dh, alpha = _as_floats("dh alpha", dh, alpha)
     (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
-    return _in_blocks(
-        _form_of_thickness_change_linear, (dh,), _prepare_of_constant_chord, (alpha,), out=out
-    )
+    return _in_blocks(_form_of_thickness_change_linear, (dh,), parameters=(alpha,), out=out)
 
 
 def _check_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
@@ -414,7 +405,6 @@ def _check_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
 
 
 def _form_of_thickness_change_linear(dh: Any, alpha: Any) -> Any:
-
     return 2.0 * _np.tan(alpha) * dh
 
 
@@ -537,20 +527,8 @@ def thickness_error(
     """
     e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
     (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
-    return _in_blocks(
-        _form_of_thickness_error,
-        (e_tip,),
-        _prepare_of_thickness_error,
-        (height_error, alpha),
-        out=out,
-    )
-
-
-def _prepare_of_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
-
-    return (height_error, alpha)
+    return _in_blocks(_form_of_thickness_error, (e_tip,), parameters=(height_error, alpha), out=out)
 
 
 def _form_of_thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
-
     return 2.0 * _np.tan(alpha) * (height_error - e_tip / 2.0)

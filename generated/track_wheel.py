@@ -456,7 +456,6 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
 
 
 def _form_of_planar_error(Delta_x0: Any, Delta_y0: Any) -> Any:
-
     return _hypot(Delta_x0, Delta_y0)
 
 
@@ -497,7 +496,6 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
 
 
 def _form_of_spatial_error(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
-
     return _hypot(_hypot(Delta_x0, Delta_y0), Delta_z0)
 
 
@@ -684,20 +682,14 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     """
     R, A = _as_floats("R A", R, A)
     R, A = _nan_outside(_check_of_largest_radius, R, A)
-    return _in_blocks(_form_of_largest_radius, (R,), _prepare_of_largest_radius, (A,), out=out)
+    return _in_blocks(_form_of_largest_radius, (R,), parameters=(A,), out=out)
 
 
 def _check_of_largest_radius(R: Any, A: Any) -> tuple[Any, ...]:
     return (_is_positive(R), _abs(A) <= R)
 
 
-def _prepare_of_largest_radius(A: Any) -> tuple[Any, ...]:
-
-    return (A,)
-
-
 def _form_of_largest_radius(R: Any, A: Any) -> Any:
-
     return R + _abs(A)
 
 
@@ -737,11 +729,10 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     """
     R, A = _as_floats("R A", R, A)
     R, A = _nan_outside(_check_of_largest_radius, R, A)
-    return _in_blocks(_form_of_smallest_radius, (R,), _prepare_of_largest_radius, (A,), out=out)
+    return _in_blocks(_form_of_smallest_radius, (R,), parameters=(A,), out=out)
 
 
 def _form_of_smallest_radius(R: Any, A: Any) -> Any:
-
     return R - _abs(A)
 
 
@@ -1071,13 +1062,7 @@ def tilt_of_planar_error(
     """
     error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
     error, offset, rho, H = _nan_outside(_check_of_tilt_of_planar_error, error, offset, rho, H)
-    return _in_blocks(
-        _form_of_tilt_of_planar_error,
-        (error,),
-        _prepare_of_tilt_of_planar_error,
-        (offset, rho, H),
-        out=out,
-    )
+    return _in_blocks(_form_of_tilt_of_planar_error, (error,), parameters=(offset, rho, H), out=out)
 
 
 def _check_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
@@ -1089,11 +1074,6 @@ def _check_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) ->
         error - offset >= 0.0,
         error - offset <= H + rho,
     )
-
-
-def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
-
-    return (offset, rho, H)
 
 
 def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:

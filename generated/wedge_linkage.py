@@ -231,22 +231,14 @@ def guide_radicand(
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     l_AB, l_BC, l_CD = _nan_outside(_check_of_guide_radicand, l_AB, l_BC, l_CD)
-    return _in_blocks(
-        _form_of_guide_radicand, (x1,), _prepare_of_guide_radicand, (l_AB, l_BC, l_CD), out=out
-    )
+    return _in_blocks(_form_of_guide_radicand, (x1,), parameters=(l_AB, l_BC, l_CD), out=out)
 
 
 def _check_of_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
     return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
-def _prepare_of_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-
-    return (l_AB, l_BC, l_CD)
-
-
 def _form_of_guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
-
     return _square(l_BC) + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
 
 
@@ -369,22 +361,14 @@ def rod_displacement(
     """
     phi3, l_DE, alpha_DE = _as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
     (l_DE,) = _nan_outside(_check_of_rod_displacement, l_DE)
-    return _in_blocks(
-        _form_of_rod_displacement, (phi3,), _prepare_of_rod_displacement, (l_DE, alpha_DE), out=out
-    )
+    return _in_blocks(_form_of_rod_displacement, (phi3,), parameters=(l_DE, alpha_DE), out=out)
 
 
 def _check_of_rod_displacement(l_DE: Any) -> tuple[Any, ...]:
     return (_is_positive(l_DE),)
 
 
-def _prepare_of_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
-
-    return (l_DE, alpha_DE)
-
-
 def _form_of_rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
-
     return -2.0 * l_DE * _np.sin(phi3 / 2.0) * _np.sin(alpha_DE + phi3 / 2.0)
 
 
@@ -422,20 +406,14 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     """
     x5, l_GH = _as_floats("x5 l_GH", x5, l_GH)
     (l_GH,) = _nan_outside(_check_of_clearance, l_GH)
-    return _in_blocks(_form_of_clearance, (x5,), _prepare_of_clearance, (l_GH,), out=out)
+    return _in_blocks(_form_of_clearance, (x5,), parameters=(l_GH,), out=out)
 
 
 def _check_of_clearance(l_GH: Any) -> tuple[Any, ...]:
     return (_is_positive(l_GH),)
 
 
-def _prepare_of_clearance(l_GH: Any) -> tuple[Any, ...]:
-
-    return (l_GH,)
-
-
 def _form_of_clearance(x5: Any, l_GH: Any) -> Any:
-
     return _maximum(0.0, x5 - l_GH)
 
 
@@ -479,22 +457,14 @@ def roller_offset(
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     l_KL, alpha_KL = _nan_outside(_check_of_roller_offset, l_KL, alpha_KL)
-    return _in_blocks(
-        _form_of_roller_offset, (x5,), _prepare_of_roller_offset, (l_KL, alpha_KL), out=out
-    )
+    return _in_blocks(_form_of_roller_offset, (x5,), parameters=(l_KL, alpha_KL), out=out)
 
 
 def _check_of_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
     return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_of_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
-
-
 def _form_of_roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-
     return l_KL * _np.cos(alpha_KL) - x5
 
 
@@ -550,17 +520,11 @@ def roller_lever_angle(
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     l_KL, alpha_KL = _nan_outside(_check_of_roller_offset, l_KL, alpha_KL)
     return _in_blocks(
-        _form_of_roller_lever_angle,
-        (x5,),
-        _prepare_of_roller_offset,
-        (l_KL, alpha_KL),
-        out=out,
-        quiet=True,
+        _form_of_roller_lever_angle, (x5,), parameters=(l_KL, alpha_KL), out=out, quiet=True
     )
 
 
 def _form_of_roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-
     return 2.0 * _np.arctan(
         x5
         / (
@@ -613,26 +577,14 @@ def wedge_displacement(
     """
     phi7, l_LM, alpha_LM = _as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
     (l_LM,) = _nan_outside(_check_of_wedge_displacement, l_LM)
-    return _in_blocks(
-        _form_of_wedge_displacement,
-        (phi7,),
-        _prepare_of_wedge_displacement,
-        (l_LM, alpha_LM),
-        out=out,
-    )
+    return _in_blocks(_form_of_wedge_displacement, (phi7,), parameters=(l_LM, alpha_LM), out=out)
 
 
 def _check_of_wedge_displacement(l_LM: Any) -> tuple[Any, ...]:
     return (_is_positive(l_LM),)
 
 
-def _prepare_of_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
-
-    return (l_LM, alpha_LM)
-
-
 def _form_of_wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
-
     return 2.0 * l_LM * _np.cos(alpha_LM + phi7 / 2.0) * _np.sin(phi7 / 2.0)
 
 

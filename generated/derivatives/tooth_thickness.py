@@ -83,7 +83,6 @@ def _prepare_of_constant_chord(alpha: Any) -> tuple[Any, ...]:
 
 
 def _form_of_constant_chord(m: Any, alpha: Any, cos_alpha: Any) -> Any:
-
     return (
         _np.pi * _square(cos_alpha) / 2.0,
         -_np.pi * cos_alpha * _np.sin(alpha) * m,
@@ -104,18 +103,10 @@ def chord_height(
     """
     m, alpha = _as_floats("m alpha", m, alpha)
     m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
-    return _in_blocks(
-        _form_of_chord_height, (m,), _prepare_of_chord_height, (alpha,), out=out, shape=(2,)
-    )
-
-
-def _prepare_of_chord_height(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
+    return _in_blocks(_form_of_chord_height, (m,), parameters=(alpha,), out=out, shape=(2,))
 
 
 def _form_of_chord_height(m: Any, alpha: Any) -> Any:
-
     return (
         1.0 - _np.pi * _np.sin(2.0 * alpha) / 8.0,
         -_np.pi * _np.cos(2.0 * alpha) / 4.0 * m,
@@ -300,7 +291,6 @@ def _prepare_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
 
 
 def _form_of_thickness_change_linear(dh: Any, tan_alpha: Any) -> Any:
-
     return (
         2.0 * tan_alpha,
         2.0 * (1.0 + _square(tan_alpha)) * dh,
@@ -429,7 +419,6 @@ def _prepare_of_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...
 
 
 def _form_of_thickness_error(e_tip: Any, height_error: Any, tan_alpha: Any) -> Any:
-
     return (
         -tan_alpha,
         2.0 * tan_alpha,

@@ -109,13 +109,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     R, A = _as_floats("R A", R, A)
     R, A = _nan_outside(_check_of_largest_radius, R, A)
     return _in_blocks(
-        _form_of_largest_radius,
-        (R,),
-        _prepare_of_largest_radius,
-        (A,),
-        out=out,
-        shape=(2,),
-        quiet=True,
+        _form_of_largest_radius, (R,), parameters=(A,), out=out, shape=(2,), quiet=True
     )
 
 
@@ -123,13 +117,7 @@ def _check_of_largest_radius(R: Any, A: Any) -> tuple[Any, ...]:
     return (_is_positive(R), _abs(A) <= R)
 
 
-def _prepare_of_largest_radius(A: Any) -> tuple[Any, ...]:
-
-    return (A,)
-
-
 def _form_of_largest_radius(R: Any, A: Any) -> Any:
-
     return (
         1.0 + 0.0 * R,
         _choose_where(A < 0.0, -1.0, 1.0) + 0.0 * R,
@@ -149,18 +137,11 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     R, A = _as_floats("R A", R, A)
     R, A = _nan_outside(_check_of_largest_radius, R, A)
     return _in_blocks(
-        _form_of_smallest_radius,
-        (R,),
-        _prepare_of_largest_radius,
-        (A,),
-        out=out,
-        shape=(2,),
-        quiet=True,
+        _form_of_smallest_radius, (R,), parameters=(A,), out=out, shape=(2,), quiet=True
     )
 
 
 def _form_of_smallest_radius(R: Any, A: Any) -> Any:
-
     return (
         1.0 + 0.0 * R,
         -_choose_where(A < 0.0, -1.0, 1.0) + 0.0 * R,
@@ -188,12 +169,7 @@ def tilt_of_planar_error(
     error, offset, rho, H = _as_floats("error offset rho H", error, offset, rho, H)
     error, offset, rho, H = _nan_outside(_check_of_tilt_of_planar_error, error, offset, rho, H)
     return _in_blocks(
-        _form_of_tilt_of_planar_error,
-        (error,),
-        _prepare_of_tilt_of_planar_error,
-        (offset, rho, H),
-        out=out,
-        shape=(4,),
+        _form_of_tilt_of_planar_error, (error,), parameters=(offset, rho, H), out=out, shape=(4,)
     )
 
 
@@ -206,11 +182,6 @@ def _check_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) ->
         error - offset >= 0.0,
         error - offset <= H + rho,
     )
-
-
-def _prepare_of_tilt_of_planar_error(offset: Any, rho: Any, H: Any) -> tuple[Any, ...]:
-
-    return (offset, rho, H)
 
 
 def _form_of_tilt_of_planar_error(error: Any, offset: Any, rho: Any, H: Any) -> Any:

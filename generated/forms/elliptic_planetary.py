@@ -179,7 +179,6 @@ def _prepare_of_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _form_of_position_printed(
     phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any
 ) -> Any:
-
     return phi1 + 2.0 * _np.sqrt(one_minus_e / one_plus_e) * _np.arctan(
         _np.sqrt(one_plus_e / one_minus_e) * _np.tan(R1 / (2.0 * R2) * phi1)
     )

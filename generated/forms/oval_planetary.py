@@ -190,14 +190,7 @@ def position_atan2(
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
-    return _in_blocks(
-        _form_of_position_atan2, (phi1,), _prepare_of_position_atan2, (e1, e2, mount), out=out
-    )
-
-
-def _prepare_of_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-
-    return (e1, e2, mount)
+    return _in_blocks(_form_of_position_atan2, (phi1,), parameters=(e1, e2, mount), out=out)
 
 
 def _form_of_position_atan2(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:

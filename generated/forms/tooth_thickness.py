@@ -70,26 +70,14 @@ def constant_chord_handbook(
     """
     m, alpha = _as_floats("m alpha", m, alpha)
     m, alpha = _nan_outside(_check_of_constant_chord_handbook, m, alpha)
-    return _in_blocks(
-        _form_of_constant_chord_handbook,
-        (m,),
-        _prepare_of_constant_chord_handbook,
-        (alpha,),
-        out=out,
-    )
+    return _in_blocks(_form_of_constant_chord_handbook, (m,), parameters=(alpha,), out=out)
 
 
 def _check_of_constant_chord_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
     return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_of_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
-
-    return (alpha,)
-
-
 def _form_of_constant_chord_handbook(m: Any, alpha: Any) -> Any:
-
     return 1387.0 / 1000.0 * m + 0.0 * alpha
 
 
@@ -111,13 +99,10 @@ def chord_height_handbook(
     """
     m, alpha = _as_floats("m alpha", m, alpha)
     m, alpha = _nan_outside(_check_of_constant_chord_handbook, m, alpha)
-    return _in_blocks(
-        _form_of_chord_height_handbook, (m,), _prepare_of_constant_chord_handbook, (alpha,), out=out
-    )
+    return _in_blocks(_form_of_chord_height_handbook, (m,), parameters=(alpha,), out=out)
 
 
 def _form_of_chord_height_handbook(m: Any, alpha: Any) -> Any:
-
     return 1869.0 / 2500.0 * m + 0.0 * alpha
 
 
@@ -232,7 +217,6 @@ def _prepare_of_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[A
 
 
 def _form_of_height_change_first_order(tilt: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
-
     return -cos_alpha * r_b * t_c * tilt
 
 
@@ -388,7 +372,6 @@ def _prepare_of_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tupl
 
 
 def _form_of_thickness_change_first_order(tilt: Any, alpha: Any, r_b: Any, t_c: Any) -> Any:
-
     return -2.0 * r_b * t_c * _np.sin(alpha) * tilt
 
 
@@ -483,13 +466,7 @@ def thickness_change_linear_printed(
     """
     dh, alpha = _as_floats("dh alpha", dh, alpha)
     (alpha,) = _nan_outside(_check_of_thickness_change_linear_printed, alpha)
-    return _in_blocks(
-        _form_of_thickness_change_linear_printed,
-        (dh,),
-        _prepare_of_constant_chord_handbook,
-        (alpha,),
-        out=out,
-    )
+    return _in_blocks(_form_of_thickness_change_linear_printed, (dh,), parameters=(alpha,), out=out)
 
 
 def _check_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
@@ -497,7 +474,6 @@ def _check_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
 
 
 def _form_of_thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
-
     return 1821.0 / 2500.0 * dh + 0.0 * alpha
 
 
@@ -523,19 +499,9 @@ def thickness_error_printed(
     e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
     (alpha,) = _nan_outside(_check_of_thickness_change_linear_printed, alpha)
     return _in_blocks(
-        _form_of_thickness_error_printed,
-        (e_tip,),
-        _prepare_of_thickness_error_printed,
-        (height_error, alpha),
-        out=out,
+        _form_of_thickness_error_printed, (e_tip,), parameters=(height_error, alpha), out=out
     )
 
 
-def _prepare_of_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:
-
-    return (height_error, alpha)
-
-
 def _form_of_thickness_error_printed(e_tip: Any, height_error: Any, alpha: Any) -> Any:
-
     return 1821.0 * height_error / 2500.0 + 1821.0 / 2500.0 * e_tip + 0.0 * alpha

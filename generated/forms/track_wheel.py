@@ -155,7 +155,6 @@ def displacement_linear(
 def _prepare_of_displacement_linear(
     alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
 ) -> tuple[Any, ...]:
-
     return (0.0, -gamma, beta, gamma, 0.0, -alpha, -beta, alpha, 0.0, a, b, c)
 
 
@@ -179,7 +178,6 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
 
 
 def _form_of_planar_error_printed(Delta_x0: Any, Delta_y0: Any) -> Any:
-
     return _np.sqrt(_square(Delta_x0) + _square(Delta_y0))
 
 
@@ -203,7 +201,6 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
 
 
 def _form_of_spatial_error_printed(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
-
     return _np.sqrt(_square(Delta_x0) + _square(Delta_y0) + _square(Delta_z0))
 
 
@@ -225,18 +222,11 @@ def radius_printed(
     """
     phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
     R, A, z = _nan_outside(_check_of_radius_printed, R, A, z)
-    return _in_blocks(
-        _form_of_radius_printed, (phi,), _prepare_of_radius_printed, (R, A, z), out=out
-    )
+    return _in_blocks(_form_of_radius_printed, (phi,), parameters=(R, A, z), out=out)
 
 
 def _check_of_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
     return (_is_positive(R), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
-
-
-def _prepare_of_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
-
-    return (R, A, z)
 
 
 def _form_of_radius_printed(phi: Any, R: Any, A: Any, z: Any) -> Any:
@@ -271,18 +261,11 @@ def track_printed(
     """
     phi, R, A, z, H = _as_floats("phi R A z H", phi, R, A, z, H)
     R, A, z, H = _nan_outside(_check_of_track_printed, R, A, z, H)
-    return _in_blocks(
-        _form_of_track_printed, (phi,), _prepare_of_track_printed, (R, A, z, H), out=out, shape=(3,)
-    )
+    return _in_blocks(_form_of_track_printed, (phi,), parameters=(R, A, z, H), out=out, shape=(3,))
 
 
 def _check_of_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
     return (_is_positive(R), _is_positive(H), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
-
-
-def _prepare_of_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
-
-    return (R, A, z, H)
 
 
 def _form_of_track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:

@@ -189,11 +189,7 @@ def rod_displacement_printed(
     phi3, l_DE, alpha_DE = _as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
     (l_DE,) = _nan_outside(_check_of_rod_displacement_printed, l_DE)
     return _in_blocks(
-        _form_of_rod_displacement_printed,
-        (phi3,),
-        _prepare_of_rod_displacement_printed,
-        (l_DE, alpha_DE),
-        out=out,
+        _form_of_rod_displacement_printed, (phi3,), parameters=(l_DE, alpha_DE), out=out
     )
 
 
@@ -201,13 +197,7 @@ def _check_of_rod_displacement_printed(l_DE: Any) -> tuple[Any, ...]:
     return (_is_positive(l_DE),)
 
 
-def _prepare_of_rod_displacement_printed(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
-
-    return (l_DE, alpha_DE)
-
-
 def _form_of_rod_displacement_printed(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
-
     return l_DE * (_np.cos(alpha_DE + phi3) - _np.cos(alpha_DE))
 
 
@@ -227,27 +217,14 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
     """
     x5, l_GH = _as_floats("x5 l_GH", x5, l_GH)
     (l_GH,) = _nan_outside(_check_of_clearance_printed, l_GH)
-    return _in_blocks(
-        _form_of_clearance_printed,
-        (x5,),
-        _prepare_of_clearance_printed,
-        (l_GH,),
-        out=out,
-        quiet=True,
-    )
+    return _in_blocks(_form_of_clearance_printed, (x5,), parameters=(l_GH,), out=out, quiet=True)
 
 
 def _check_of_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
     return (_is_positive(l_GH),)
 
 
-def _prepare_of_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
-
-    return (l_GH,)
-
-
 def _form_of_clearance_printed(x5: Any, l_GH: Any) -> Any:
-
     return _choose_where(x5 < l_GH, 0.0, x5 - l_GH)
 
 
@@ -275,22 +252,12 @@ def roller_lever_angle_printed(
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
-        _form_of_roller_lever_angle_printed,
-        (x5,),
-        _prepare_of_roller_lever_angle_printed,
-        (l_KL, alpha_KL),
-        out=out,
-        quiet=True,
+        _form_of_roller_lever_angle_printed, (x5,), parameters=(l_KL, alpha_KL), out=out, quiet=True
     )
 
 
 def _check_of_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
     return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
-
-
-def _prepare_of_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-
-    return (l_KL, alpha_KL)
 
 
 def _form_of_roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
@@ -326,12 +293,7 @@ def roller_lever_angle_or_else(
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
-        _form_of_roller_lever_angle_or_else,
-        (x5,),
-        _prepare_of_roller_lever_angle_printed,
-        (l_KL, alpha_KL),
-        out=out,
-        quiet=True,
+        _form_of_roller_lever_angle_or_else, (x5,), parameters=(l_KL, alpha_KL), out=out, quiet=True
     )
 
 
@@ -360,12 +322,7 @@ def roller_lever_angle_atan2(
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
     return _in_blocks(
-        _form_of_roller_lever_angle_atan2,
-        (x5,),
-        _prepare_of_roller_lever_angle_printed,
-        (l_KL, alpha_KL),
-        out=out,
-        quiet=True,
+        _form_of_roller_lever_angle_atan2, (x5,), parameters=(l_KL, alpha_KL), out=out, quiet=True
     )
 
 
@@ -394,15 +351,13 @@ def roller_lever_angle_arccosine(
     return _in_blocks(
         _form_of_roller_lever_angle_arccosine,
         (x5,),
-        _prepare_of_roller_lever_angle_printed,
-        (l_KL, alpha_KL),
+        parameters=(l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
 def _form_of_roller_lever_angle_arccosine(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-
     return _np.arccos(_np.cos(alpha_KL) - x5 / l_KL) - alpha_KL
 
 
@@ -425,11 +380,7 @@ def wedge_displacement_printed(
     phi7, l_LM, alpha_LM = _as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
     (l_LM,) = _nan_outside(_check_of_wedge_displacement_printed, l_LM)
     return _in_blocks(
-        _form_of_wedge_displacement_printed,
-        (phi7,),
-        _prepare_of_wedge_displacement_printed,
-        (l_LM, alpha_LM),
-        out=out,
+        _form_of_wedge_displacement_printed, (phi7,), parameters=(l_LM, alpha_LM), out=out
     )
 
 
@@ -437,13 +388,7 @@ def _check_of_wedge_displacement_printed(l_LM: Any) -> tuple[Any, ...]:
     return (_is_positive(l_LM),)
 
 
-def _prepare_of_wedge_displacement_printed(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
-
-    return (l_LM, alpha_LM)
-
-
 def _form_of_wedge_displacement_printed(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
-
     return l_LM * (_np.sin(alpha_LM + phi7) - _np.sin(alpha_LM))
 
 

@@ -75,8 +75,8 @@ def ask(times: int) -> str:
         (RETURN, "    return _form_of_f(x, a, b) / (", "maximum recursion depth"),
         ("import numpy as _np", "import os as _os\nimport numpy as _np", "imports os"),
         ("import numpy as _np", "import numpy as _np, math as _np", "math is called _np"),
-        ("_prepare_of_f(a: Any, b: Any)", "_prepare_of_f(a: Any, b: Any = [])", "not as meant"),
-        ("_prepare_of_f(a: Any, b: Any)", "_prepare_of_f(a: Any, b: print(1))", "type print"),
+        ("_form_of_f(x: Any, a: Any, b: Any)", "_form_of_f(x: Any, a: Any, b=[])", "not as meant"),
+        ("_form_of_f(x: Any, a: Any,", "_form_of_f(x: Any, a: print(1),", "type print"),
         ("-> Any:\n    one", "-> eval:\n    one", "of the type eval"),
     ],
 )

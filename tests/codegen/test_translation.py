@@ -28,6 +28,7 @@ TRIALS = {
     "quotient": quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM),
     "name in the midst": quantity_of(x**2 * (a + x) ** 3 / b, *MECHANISM),
     "difference": quantity_of((a - b) * x - sp.sin(a * x), *MECHANISM),
+    "prepared": quantity_of(a * b + x * sp.sin(a * b), *MECHANISM),
     "matrix": quantity_of(sp.ImmutableDenseMatrix([[a * x, a], [x - a, a * b]]), *MECHANISM),
 }
 
@@ -41,10 +42,9 @@ def test_the_source_reads_back_as_the_program(name: str) -> None:
     for code in (kernel.code for kernel in kernels):
         (stage,) = code.stages
         assert stage.evaluate is not None
-        programs = {
-            f"_prepare_of_{code.name}": stage.prepare,
-            f"_form_of_{code.name}": stage.evaluate,
-        }
+        programs = {f"_form_of_{code.name}": stage.evaluate}
+        assert stage.prepares is (name == "prepared")
+        programs |= {f"_prepare_of_{code.name}": stage.prepare} if stage.prepares else {}
         for function, program in programs.items():
             assert [spread(way) for way in read[function].ways] == [program]
         if code.inside is not None:
@@ -79,13 +79,8 @@ def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]
         ("1.0 + b * _np.cos(x)", "b * _np.cos(x)", "_form_of_f"),
         ("1.0 + b * _np.cos(x)", "1.0 - b * _np.cos(x)", "_form_of_f"),
         ("_np.cos(x)", "_np.sin(x)", "_form_of_f"),
-        (
-            "_in_blocks(_form_of_f, (x,), _prepare_of_f, (a, b)",
-            "_in_blocks(_form_of_f, (x,), _prepare_of_f, (b, a)",
-            "f",
-        ),
-        ("def _prepare_of_f(a: Any, b: Any)", "def _prepare_of_f(b: Any, a: Any)", "_prepare_of_f"),
-        ("return (a, b)", "return (b, a)", "_prepare_of_f"),
+        ("parameters=(a, b)", "parameters=(b, a)", "f"),
+        ("parameters=(a, b)", "parameters=(a, b, a)", "f"),
         ("return (_is_positive(a),)", "return (a > 0.0,)", "_check_of_f"),
         ("return (_is_positive(a),)", "return (a >= 0.0,)", "_check_of_f"),
     ],
@@ -102,11 +97,30 @@ def test_a_text_that_is_not_the_program_is_caught(
         form_rows(paper)
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "seen"),
+    [
+        ("_prepare_of_f, (a, b)", "_prepare_of_f, (b, a)", "f"),
+        ("_prepare_of_f, (a, b)", "parameters=(a, b)", "f"),
+        ("def _prepare_of_f(a: Any, b: Any)", "def _prepare_of_f(b: Any, a: Any)", "_prepare_of_f"),
+        ("a_b = a * b", "a_b = a + b", "_prepare_of_f"),
+        ("return (a_b,)", "return (a,)", "_prepare_of_f"),
+    ],
+)
+def test_what_is_not_prepared_as_meant_is_caught(
+    old: str, new: str, seen: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
+    with pytest.raises(TranslationError, match=rf"system\.{seen} is not as meant: .*, read"):
+        form_rows(paper_of(TRIALS["prepared"], POSITIVE))
+
+
 def test_what_several_kernels_have_in_common_is_written_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Only what does the same: a call of a function that does something else is caught."""
-    made = {"f": x * sp.sin(a * b), "g": x + sp.sin(a * b), "h": x * sp.sin(a * b) + a * b}
+    made = {"f": x * sp.sin(a * b) + a * b, "g": x**2 * sp.cos(a * b) + a * b}
+    made["h"] = x * sp.sin(a / b) + a / b
     quantities = tuple(replace(quantity_of(e, *MECHANISM), name=n) for n, e in made.items())
     paper = replace(paper_of(quantities[0], POSITIVE), quantities=quantities)
     text = render_modules(paper)["system.py"]

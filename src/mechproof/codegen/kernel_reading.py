@@ -97,7 +97,7 @@ def _mean_beside(tape: Tape, code: KernelCode) -> Meant:
         asked = replace(code.inside, inputs=(*code.masked, *code.terms))
         yield f"{CHECK}{code.name}", RecordedFunction(asked.inputs, "", (), (asked,))
     for stage, suffix in zip(code.stages, list_suffixes(code), strict=True):
-        if stage.parameters:
+        if stage.prepares:
             prepare = partial(_compute, tape, stage.prepare)
             yield f"_prepare{suffix}", tape.run(prepare, stage.parameters)
         if stage.evaluate and not code.indexed:
@@ -143,8 +143,9 @@ def _run_kernel(tape: Tape, code: KernelCode, names: Mapping[str, str], *given: 
 def _run_stage(
     tape: Tape, code: KernelCode, names: Mapping[str, str], stage: Stage, suffix: str, out: Value
 ) -> Value:
-    prepared = (names[f"_prepare{suffix}"], stage.parameters) if stage.parameters else ()
-    named: dict[str, Any] = {"out": out}
+    prepared = (names[f"_prepare{suffix}"], stage.parameters) if stage.prepares else ()
+    given = {"parameters": stage.parameters} if stage.parameters and not prepared else {}
+    named: dict[str, Any] = {**given, "out": out}
     named |= {"shape": code.shape} if code.shape and not stage.affine else {}
     named |= {"quiet": True} if code.quiet else {}
     if code.indexed:

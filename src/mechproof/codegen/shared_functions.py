@@ -28,7 +28,7 @@ def _list(code: KernelCode) -> Iterator[tuple[str, object]]:
         made = code.masked, code.terms, code.inside.operations, code.inside.outputs
         yield f"{CHECK}{code.name}", made
     for stage, suffix in zip(code.stages, list_suffixes(code), strict=True):
-        if stage.parameters:
+        if stage.prepares:
             yield f"_prepare{suffix}", (stage.parameters, stage.prepare)
         if stage.evaluate and not code.indexed:
             yield f"_form{suffix}", (bool(code.shape), stage.evaluate)

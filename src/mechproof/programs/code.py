@@ -29,6 +29,11 @@ class Stage:
         return self.evaluate is None
 
     @property
+    def prepares(self) -> bool:
+        """Say whether the parameters alone decide anything, but themselves."""
+        return bool(self.prepare.operations) or self.prepare.outputs != self.parameters
+
+    @property
     def programs(self) -> tuple[Program, ...]:
         """List what there is to compute."""
         return (self.prepare,) if self.evaluate is None else (self.prepare, self.evaluate)
