@@ -11,18 +11,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import reduce
-from operator import add, methodcaller, mul
 from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
 from flint import arb, arb_series, ctx
 
-from mechproof.arithmetic.ball_functions import COMPARISONS
+from mechproof.arithmetic.ball_functions import COMPARISONS, CONNECTIVES, FUNCTIONS
 from mechproof.arithmetic.balls import Ball, to_ball
-from mechproof.arithmetic.layout import Given, Layout, Operation, Plan, Values
+from mechproof.arithmetic.layout import Given, Layout, Plan
+from mechproof.arithmetic.series_rules import Rules, Series, apply, list_sinc, plan_function
 
-Series = Any
 BITS = 128
 CONSTANT_BITS = 640
 # No series is longer than those of numbers.
@@ -101,26 +100,15 @@ def plan(node: sp.Basic) -> Plan:
     if isinstance(node, sp.Symbol):
         return (lambda values: values[node]), ()
     if isinstance(node, sp.Number | sp.NumberSymbol):
-        return (lambda values: arb_series([to_ball(node)])), ()
+        return apply(lambda: arb_series([to_ball(node)])), ()
     if node in (sp.true, sp.false):
-        return (lambda values: bool(node)), ()
+        return apply(lambda: bool(node)), ()
     if isinstance(node, sp.Piecewise):
-        return _choose, tuple(part for pair in node.args for part in pair.args)
-    if isinstance(node, sp.Pow):
-        return (lambda values, base: _raise(base, node.exp)), (node.base,)
-    if type(node) in COMPARISONS:
-        return (lambda values, a, b: _compare(type(node), a, b)), node.args
-    for kind, method in _RULES.items():
-        if isinstance(node, kind):
-            return _apply(method), node.args
-    raise NotImplementedError(f"no series of {type(node).__name__}")
+        return apply(_choose), tuple(part for pair in node.args for part in pair.args)
+    return plan_function(node, _RULES)
 
 
-def _apply(method: Callable[..., Series]) -> Operation:
-    return lambda values, *operands: method(*operands)
-
-
-def _choose(values: Values, *parts: Any) -> Series:
+def _choose(*parts: Any) -> Series:
     for value, holds in zip(parts[::2], parts[1::2], strict=True):
         if holds is None:
             break
@@ -129,19 +117,76 @@ def _choose(values: Values, *parts: Any) -> Series:
     return _leave_open()
 
 
-def _compare(kind: type[sp.Basic], left: Series, right: Series) -> bool | None:
-    return COMPARISONS[kind](list_terms(left)[0], list_terms(right)[0])
+def _compare(kind: type[sp.Basic]) -> Callable[[Series, Series], bool | None]:
+    return lambda left, right: COMPARISONS[kind](list_terms(left)[0], list_terms(right)[0])
 
 
-def _raise(base: Series, exponent: sp.Basic) -> Series:
-    if isinstance(exponent, sp.Integer):
-        power = reduce(mul, [base] * abs(int(exponent)), arb_series([1]))
-        if exponent > 0:
-            return power
+def _multiply(a: Series, b: Series) -> Series:
+    # Flint takes zero times what is not finite for zero.
+    both_finite = all(list_terms(factor)[0].is_finite() for factor in (a, b))
+    return a * b if both_finite else _leave_open()
+
+
+def _raise(base: Series, exponent: Series) -> Series:
+    """Raise to whole and half powers by products, of what is positive to others, too."""
+    if not list_terms(base)[0].is_finite():
+        return _leave_open()
+    halves = (2 * list_terms(exponent)[0]).unique_fmpz() if _is_exact(exponent) else None
+    if halves is None:
+        return _multiply(exponent, base.log()).exp()
+    if halves % 2:
+        return _raise_whole(base.sqrt(), int(halves))
+    return _raise_whole(base, int(halves) // 2)
+
+
+def _is_exact(series: Series) -> bool:
+    """Say whether a series is a number without a radius."""
+    return series.length() <= 1 and all(term.is_exact() for term in series.coeffs())
+
+
+def _raise_whole(base: Series, exponent: int) -> Series:
+    if exponent < 0:
+        power = _raise_whole(base, -exponent)
         return _leave_open() if list_terms(power)[0].contains(0) else 1 / power
-    if isinstance(exponent, sp.Rational) and exponent.q == 2:
-        return _raise(base.sqrt(), sp.Integer(exponent.p))
-    raise NotImplementedError(f"no series of a power {exponent}")
+    if exponent <= 1:
+        return base if exponent else arb_series([1])
+    half = _raise_whole(base, exponent // 2)
+    return half * half * base if exponent % 2 else half * half
+
+
+def _hold(kind: type[sp.Basic]) -> Callable[..., Series]:
+    """Return a function of steps: where it is one number, it has no slope."""
+
+    def hold(*operands: Series) -> Series:
+        value = FUNCTIONS[kind](*(list_terms(operand)[0] for operand in operands))
+        return arb_series([value] if value.is_exact() else [value, *[NAN] * (ctx.cap - 1)])
+
+    return hold
+
+
+def _sinc(a: Series) -> Series:
+    """Return the series of sin(a)/a, 1 at zero."""
+    start, *rest = list_terms(a)
+    if not is_finite(rest):
+        return arb_series([start.sinc(), *[NAN] * len(rest)])
+    change = arb_series([0, *rest])
+    terms = reversed(_expand_sinc(start))
+    return reduce(lambda total, term: total * change + term, terms, arb_series([0]))
+
+
+def _expand_sinc(place: Ball) -> list[Ball]:
+    """List the terms about a place: as a quotient, or those about zero if these change less.
+
+    The derivative of order n is the integral of s**n times that of the cosine, for s from 0 to 1.
+    """
+    reach = arb(0, abs(place).upper())
+    zero = enumerate(map(to_ball, list_sinc(ctx.cap)))
+    near = [term + reach / ((k + 2) * arb.fac_ui(k)) for k, term in zero]
+    if place.contains(0):
+        return near
+    moving = arb_series([place, 1])
+    far = list_terms(moving.sin() / moving)
+    return [min(pair, key=arb.rad) for pair in zip(near, far, strict=True)]
 
 
 def _larger(a: Series, b: Series) -> Series:
@@ -165,18 +210,18 @@ def _direction(y: Series, x: Series) -> Series:
     return turn + start
 
 
-_RULES: Mapping[type[sp.Basic], Callable[..., Series]] = MappingProxyType(
+_RULES: Rules = MappingProxyType(
     {
-        sp.Add: lambda *terms: reduce(add, terms),
-        sp.Mul: lambda *terms: reduce(mul, terms),
-        # Flint calls them as SymPy does.
-        **{
-            kind: methodcaller(kind.__name__)
-            for kind in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.exp, sp.log)
-        },
+        **{kind: _compare(kind) for kind in COMPARISONS},
+        **CONNECTIVES,
+        sp.Mul: lambda *factors: reduce(_multiply, factors),
+        sp.Pow: _raise,
         sp.atan2: _direction,
+        sp.sinc: _sinc,
         sp.Max: lambda *terms: reduce(_larger, terms),
+        sp.Min: lambda *terms: -reduce(_larger, (-term for term in terms)),
         sp.Abs: lambda a: _larger(a, -a),
+        **{kind: _hold(kind) for kind in (sp.sign, sp.floor, sp.Heaviside)},
     }
 )
 
