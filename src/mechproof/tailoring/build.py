@@ -13,7 +13,8 @@ from flint import arb, arb_series
 
 from mechproof.arguments.scalars import refuse
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import Series, list_terms, working
+from mechproof.arithmetic.series import list_terms, working
+from mechproof.arithmetic.series_rules import Series
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
 from mechproof.tailoring.enclosure import (
@@ -23,6 +24,7 @@ from mechproof.tailoring.enclosure import (
     Repetition,
     bound_outside,
     enclose,
+    seek_break,
 )
 from mechproof.tailoring.fit import fit
 from mechproof.tailoring.model import Model, PeriodReduction
@@ -65,7 +67,7 @@ class Approximand:
         self._definition = request.define(request.quantity.definition)
         self._rate: Ball = repetition.rate if repetition else arb(0)
         self._slow = float(self._rate.mid())
-        low, high = self._find_ends()
+        low, high = self.ends = self._find_ends()
         corners = request.corners(low, high)
         odd = repetition is not None and self._is_odd(high)
         self.stretch = Stretch(
@@ -113,6 +115,7 @@ def build(request: Request) -> Built:
         try:
             return _build(task, request.error)
         except NotReachedError:
+            seek_break(task.expand, *task.ends)
             least = _find_reachable(task)
     except NotReachedError:
         refuse("error", request.error, "nothing that can be tailored to these sizes comes near it")

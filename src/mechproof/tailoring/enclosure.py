@@ -15,7 +15,8 @@ from itertools import pairwise
 from flint import arb, arb_series
 
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import Series, is_finite, list_terms, working
+from mechproof.arithmetic.series import is_finite, list_terms, working
+from mechproof.arithmetic.series_rules import Series
 from mechproof.programs.program import Program
 from mechproof.tailoring.model import Model, PeriodReduction
 from mechproof.tailoring.taylor_models import LEAST, UNIT, TaylorModel, UndecidedError, start, track
@@ -191,6 +192,23 @@ def _enclose_part(
         else:
             raise BreakError(middle)
     return worst
+
+
+def seek_break(exact: Exact, low: float, high: float) -> None:
+    """Raise `BreakError` where a definition jumps or is undefined between the ends."""
+    with working(ORDER):
+        narrowest, jump = (high - low) * NARROWEST, JUMP * _sample(exact, (low, high))
+        cells = [(low, high)]
+        while cells:
+            low, high = cells.pop()
+            value, *slopes = list_terms(exact(start(low, high).whole))
+            middle = low + (high - low) / 2
+            if is_finite([value, *slopes]):
+                continue
+            if high - low > narrowest and middle not in (low, high):
+                cells += [(middle, high), (low, middle)]
+            elif not value.rad() <= jump:
+                raise BreakError(middle)
 
 
 def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:

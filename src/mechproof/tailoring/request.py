@@ -28,7 +28,7 @@ from mechproof.mechanisms.facts import check_domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Equality, Paper, Periodicity, Quantity, Root
-from mechproof.record.substitution import resolve
+from mechproof.record.substitution import resolve, write_sums_out
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
 
@@ -70,10 +70,17 @@ class Request:
         return self.quantity.arguments[0].name
 
     def define(self, expression: sp.Basic) -> TaylorExpression:
-        """Return an expression as a function of the running variable."""
+        """Return an expression as a function of the running variable.
+
+        Raises ValueError where it has a function that has no series.
+        """
         first, *others = self.quantity.arguments
         numbers = {a.symbols[0]: self.values[a.name] for a in others}
-        return TaylorExpression(expression, first.symbols[0], self.paper.given, numbers)
+        plain = write_sums_out(expression)
+        try:
+            return TaylorExpression(plain, first.symbols[0], self.paper.given, numbers)
+        except NotImplementedError as missing:
+            refuse("name", self.name, f"{missing}: call its kernel, which is not tailored")
 
     def kernel(self, points: Array) -> Array:
         """Return values of the shipped kernel, NaN where it has none."""
