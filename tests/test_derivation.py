@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import sys
+from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
+import sympy as sp
 
 from mechproof.derivation import (
     DerivationError,
@@ -15,10 +18,11 @@ from mechproof.derivation import (
     packaged_directory,
 )
 from mechproof.pipeline.verification import judge_derivations
-from mechproof.record import RESERVED, Paper
+from mechproof.record import RESERVED, Argument, Paper
 
 SHARED = 'CITATION = "my notes"\n'
 PAPER = "from mechproof.record import Paper\n"
+X = sp.Symbol("x", real=True)
 
 
 def write(folder: Path, **files: str) -> Path:
@@ -173,3 +177,26 @@ def test_two_papers_of_one_name_are_refused(tmp_path: Path) -> None:
 def test_a_system_is_the_name_of_a_module(system: str) -> None:
     with pytest.raises(ValueError, match="paper: system = "):
         Paper(system, "", (), ())
+
+
+def test_numbers_of_sympy_are_taken_as_numbers() -> None:
+    argument = Argument("x", (X,), "", default=sp.pi, usual=(-sp.Rational(1, 2), 0, Fraction(1, 4)))
+    assert (argument.default, argument.usual) == (float(sp.pi), (-0.5, 0, 0.25))
+    assert all(isinstance(edge, int | float) for edge in argument.usual)
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"usual": (0, X)}, "argument 'x': usual = x: must be a number"),
+        ({"usual": (0, "1")}, "argument 'x': usual = '1': must be a number"),
+        ({"usual": (0, sp.oo)}, "argument 'x': usual = oo: must be a number"),
+        ({"usual": (0, sp.I)}, "argument 'x': usual = I: must be a number"),
+        ({"default": float("nan")}, "argument 'x': default = nan: must be a number"),
+        ({"usual": (1,)}, r"argument 'x': usual = \(1,\): must be edges that rise"),
+        ({"usual": (0, 2, 2)}, r"argument 'x': usual = \(0, 2, 2\): must be edges that rise"),
+    ],
+)
+def test_an_argument_with_other_sizes_is_refused(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        Argument("x", (X,), "", **given)

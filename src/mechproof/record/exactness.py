@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isfinite
+from numbers import Real
+from typing import Any
 
 import sympy as sp
 
@@ -28,3 +31,15 @@ def make_exact(record: object, *names: str) -> None:
             where = f"{type(record).__name__}: {name} = {value}"
             raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
         object.__setattr__(record, name, value)
+
+
+def to_number(where: str, value: Any) -> float:
+    """Return what is a number of SymPy, too, as a plain one; refuse what is not finite."""
+    if isinstance(value, Real | sp.Expr):
+        try:
+            number = value if isinstance(value, int | float) else float(value)
+        except TypeError:
+            number = float("nan")
+        if isfinite(number):
+            return number
+    raise RecordError(f"{where} = {value!r}: must be a number")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.record.exactness import make_exact
+from mechproof.record.exactness import RecordError, make_exact, to_number
 from mechproof.record.forms import Form
 from mechproof.record.texts import check_name, is_name
 from mechproof.record.variables import Part
@@ -28,6 +29,17 @@ class Argument:
     unit: str = "1"
     default: float | None = None
     usual: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        where = f"argument {self.name!r}"
+        if self.default is not None:
+            object.__setattr__(self, "default", to_number(f"{where}: default", self.default))
+        usual = tuple(to_number(f"{where}: usual", edge) for edge in self.usual)
+        if usual and (len(usual) < 2 or any(low >= high for low, high in pairwise(usual))):
+            raise RecordError(
+                f"{where}: usual = {self.usual}: must be edges that rise, two or more"
+            )
+        object.__setattr__(self, "usual", usual)
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ y = Symbol("y", positive=True)
 s = Symbol("s", real=True)
 i = Symbol("i", integer=True)
 
-X = Argument("x", (x,), "a number", "1", usual=(-0.5, 0.25, 0.5))
+X = Argument("x", (x,), "a number", "1", usual=(-Rational(1, 2), Rational(1, 4), Rational(1, 2)))
 Y = Argument("y", (y,), "a number", "1", usual=(0.5, 1, 3))
 S = Argument("s", (s,), "the branch", "1", usual=(-1, 1))
 
