@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import sys
 from contextlib import chdir
 from pathlib import Path
 from typing import Any
@@ -37,6 +39,18 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(OWN, folder / "derivations")
     run_in(folder, "regenerate")
     return folder / "derivations"
+
+
+def test_it_is_said_how_the_kernels_are_imported(place: Path) -> None:
+    done = run("regenerate", "--derivations", str(place))
+    assert done.exit_code == 0
+    told, line = done.output.splitlines()[-1].split(": ")
+    assert told == f"in Python started in {place.parent}"
+    asked = [sys.executable, "-c", f"{line}; print(functions.secant(0.0))"]
+    shown = subprocess.run(asked, cwd=place.parent, capture_output=True, text=True, check=False)
+    assert shown.stdout == "1.0\n", shown.stderr
+    checked = run("regenerate", "--check", "--derivations", str(place))
+    assert "from generated import" not in checked.output
 
 
 @pytest.mark.parametrize("name", SIZES)

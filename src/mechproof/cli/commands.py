@@ -162,6 +162,9 @@ def regenerate(
         for other in list_other_versions("regenerate"):
             say(f"generated files may differ by {other}: {tell_install('regenerate')}")
         raise typer.Exit(1)
+    if done.systems and not (check or places.is_packaged):
+        folder, package = places.generated.absolute().parent, places.generated.name
+        say(f"in Python started in {folder}: from {package} import {', '.join(done.systems)}")
 
 
 @app.command(epilog=RULE)

@@ -58,6 +58,12 @@ class Regenerated:
     files: Mapping[str, str]
     changes: tuple[Change, ...]
 
+    @property
+    def systems(self) -> tuple[str, ...]:
+        """Return the systems that have kernels."""
+        modules = (Path(name) for name in self.files if name != "__init__.py")
+        return tuple(m.stem for m in modules if len(m.parts) == 1 and m.suffix == ".py")
+
 
 @contextmanager
 def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
