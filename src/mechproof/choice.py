@@ -235,7 +235,8 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
         refuse("quantity", quantity, f"several systems have it, name one: {', '.join(named)}")
     if not named:
         known = ", ".join(files) or "none; run `mechproof measure`"
-        refuse("quantity", quantity, f"must be one of those measured: {known}")
+        others = "" if measured else "; measured=FOLDER has records of your own"
+        refuse("quantity", quantity, f"must be one of those measured: {known}{others}")
     record = read_record(files[named[0]])
     require(record.cells, "quantity", quantity, "was not measured over ranges of its arguments")
     return record

@@ -39,7 +39,7 @@ ERROR_DIGITS, TIME_DIGITS = 4, 3
 SUFFIX = ".json"
 # The package of generated kernels, and of it the folder of what was measured.
 KERNELS = "mechproof.kernels"
-FOLDER = "measured"
+FOLDER, QUICK = "measured", "quick"
 
 
 @dataclass(frozen=True)
@@ -263,6 +263,12 @@ def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
     found = folder.iterdir() if folder.is_dir() else iter(())
     named = {file.name.removesuffix(SUFFIX): file for file in found if file.name.endswith(SUFFIX)}
     return dict(sorted(named.items()))
+
+
+def find_all_files(generated: Traversable) -> dict[str, Traversable]:
+    """Return the files of what was measured of kernels, quickly if not otherwise, by quantity."""
+    folder = generated.joinpath(FOLDER)
+    return {**find_files(folder.joinpath(QUICK)), **find_files(folder)}
 
 
 def read_records(folder: Traversable) -> list[Record]:

@@ -299,6 +299,23 @@ def test_charts_from_the_command_line(tmp_path: Path, record: Record) -> None:
         assert (tmp_path / "charts" / f"{name}.png").is_file()
 
 
+@pytest.mark.slow
+def test_records_of_the_folder_are_found_before_those_of_the_package(
+    tmp_path: Path, record: Record, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    quick = Path("generated", "measured", "quick")
+    write_record(replace(record, quantity="gear.angle"), tmp_path / quick)
+    monkeypatch.chdir(tmp_path)
+    for names, drawn in ((["gear"], "gear.angle"), ([], "gear.angle"), (["ratio"], "oval_plan")):
+        done = CliRunner().invoke(app, ["chart", *names, "--out", f"charts of {names}"])
+        assert done.exit_code == 0, done.output
+        assert (f"records: {quick}" in done.output) == (drawn == "gear.angle")
+        assert any(file.name.startswith(drawn) for file in Path(f"charts of {names}").iterdir())
+    told = CliRunner().invoke(app, ["chart", "torque"]).output
+    assert "quantity 'torque' is not one of gear.angle, " in told
+    assert "--measured FOLDER has others" in told
+
+
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [

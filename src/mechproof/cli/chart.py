@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Annotated
 
@@ -10,7 +11,18 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.console import refuse, say
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.measured import MADE_BY, Record, find_files, goes_by, read_record
+from mechproof.measured import (
+    MADE_BY,
+    Record,
+    find_all_files,
+    find_files,
+    goes_by,
+    read_record,
+)
+
+# What was generated from derivations of one's own, where commands find these, too.
+OWN = Path("generated")
+Files = dict[str, Traversable]
 
 
 def chart(
@@ -18,7 +30,7 @@ def chart(
     out: options.Pictures = Path("charts"),
     measured: Annotated[
         Path | None,
-        typer.Option(help="A folder of records; left out: those that come with the package."),
+        typer.Option(help="A folder of records; left out: ./generated, then the package."),
     ] = None,
     overview: Annotated[
         bool, typer.Option("--overview", help="One picture of all instead of one for each.")
@@ -50,14 +62,36 @@ def chart(
 
 def _read(folder: Path | None, names: tuple[str, ...]) -> list[Record]:
     """Read the records with these names: quantity, system or system.quantity; all without."""
-    files = find_files(folder)
-    if not files:
-        refuse(f"--measured {folder}: no folder with records of {MADE_BY}")
-    for name in names:
-        if not any(goes_by(quantity, name) for quantity in files):
-            refuse(f"quantity {name!r} is not one of {', '.join(files)}")
-    chosen = (q for q in files if not names or any(goes_by(q, name) for name in names))
+    chosen = _choose(_list_sources(folder), names)
+    if any(Path(str(file)).is_relative_to(OWN) for file in chosen.values()):
+        say(f"records: {', '.join(sorted({str(Path(str(f)).parent) for f in chosen.values()}))}")
     try:
-        return [read_record(files[quantity]) for quantity in chosen]
+        return [read_record(file) for file in chosen.values()]
     except ValueError as error:
         refuse(str(error))
+
+
+def _list_sources(folder: Path | None) -> list[Files]:
+    """List the files of the folder by quantity; without one those of ./generated, the package's."""
+    sources = [find_all_files(OWN), find_files()] if folder is None else [find_files(folder)]
+    found = [files for files in sources if files]
+    if not found:
+        refuse(f"--measured {folder}: no folder with records of {MADE_BY}")
+    return found
+
+
+def _choose(sources: list[Files], names: tuple[str, ...]) -> Files:
+    """Return the files of the first source that has a name; without names the first source."""
+    if not names:
+        return sources[0]
+    chosen: Files = {}
+    for name in names:
+        named = ({q: f for q, f in files.items() if goes_by(q, name)} for files in sources)
+        found = next(filter(None, named), None)
+        if found is None:
+            known = dict.fromkeys(quantity for files in sources for quantity in files)
+            refuse(
+                f"quantity {name!r} is not one of {', '.join(known)}; --measured FOLDER has others"
+            )
+        chosen |= found
+    return dict(sorted(chosen.items()))

@@ -11,7 +11,7 @@ from pathlib import Path
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import packaged_directory
 from mechproof.ledger.judged import JudgedPaper
-from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, read_record
+from mechproof.measured import KERNELS, Record, find_all_files, read_record
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import tell_proofs
 from mechproof.roundoff.certificate_files import find_certificate
@@ -70,7 +70,5 @@ def find_generated(location: Path) -> Traversable:
 
 def read_records(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:
     """Read what was measured of quantities by their full names, quickly if not otherwise."""
-    measured = folder.joinpath(MEASURED)
-    quick = find_files(measured.joinpath("quick"))
-    found = {**quick, **find_files(measured)}
+    found = find_all_files(folder)
     return [read_record(found[name]) for name in names if name in found]
