@@ -49,6 +49,21 @@ def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
         read_source(str(tmp_path / "latin.tex"))
 
 
+@pytest.mark.parametrize(
+    "latex", ["a+b=b+a", r"x=\frac{1}{2}", "x=0.5", "a=b\0", "a+" * 4000 + "a=b"]
+)
+def test_a_pasted_equation_is_told_its_function(latex: str) -> None:
+    with pytest.raises(
+        DocumentError, match=r"judged by judge_pasted\(Pasted\(EQUATION\)\) of mechp"
+    ):
+        check(latex)
+
+
+def test_a_name_of_a_paper_is_not_taken_for_an_equation() -> None:
+    with pytest.raises(DocumentError, match=r"none\.tex: No such file"):
+        check("none.tex")
+
+
 def test_the_block_may_lie_beside_the_paper(tmp_path: Path) -> None:
     (tmp_path / "paper.tex").write_text("$$a=1$$")
     (tmp_path / "paper.letters").write_text(

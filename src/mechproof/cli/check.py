@@ -20,7 +20,7 @@ from mechproof.ledger.judged import Ledger, to_json
 from mechproof.pipeline.pasted import Checked, PastedError, check_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import State, Verdict
-from mechproof.sources.files import STDIN, SUFFIXES, read_source
+from mechproof.sources.files import STDIN, SUFFIXES, is_file, read_source
 from mechproof.tools.processes import WorkerError
 
 DEFAULTS = (
@@ -113,7 +113,7 @@ def check(
 
 def _find_files(equations: list[str]) -> list[str]:
     """Return the arguments if they are files; an equation stands alone."""
-    files = [text for text in equations if text == STDIN or _is_file(text)]
+    files = [text for text in equations if text == STDIN or is_file(text)]
     if len(files) == len(equations):
         return files
     if files or len(equations) > 1:
@@ -122,13 +122,6 @@ def _find_files(equations: list[str]) -> list[str]:
     if equations[0].endswith(SUFFIXES):
         refuse(f"{equations[0]}: there is no such file")
     return []
-
-
-def _is_file(text: str) -> bool:
-    try:
-        return Path(text).is_file()
-    except (OSError, ValueError):
-        return False
 
 
 def _check_files(

@@ -58,7 +58,7 @@ from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equation, Paper, Row
 from mechproof.record.statements import list_parts
 from mechproof.sources.displays import EXPECTED
-from mechproof.sources.files import DocumentError, read_source
+from mechproof.sources.files import SUFFIXES, DocumentError, is_file, read_source
 from mechproof.sources.text import Place
 from mechproof.tools.processes import run_tasks
 
@@ -66,6 +66,8 @@ _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
     "which in the block of letters: identity, or constraint"
 )
+# What is no name of a file may be an equation.
+_PASTED = "an equation is judged by judge_pasted(Pasted(EQUATION)) of mechproof.pipeline.pasted"
 
 
 @dataclass(frozen=True)
@@ -139,6 +141,8 @@ def check(
     require(isinstance(path, str | Path), "path", path, allowed, TypeError)
     if content is not None:
         check_text("content", content)
+    elif not str(path).endswith(SUFFIXES) and not is_file(str(path)):
+        raise DocumentError(f"{path}: there is no such file; {_PASTED}")
     require(check_number("limit", limit) > 0, "limit", limit, "must be positive")
     check_function("report", report)
     paper = _check((str(path), content, frozenset()), limit, report)

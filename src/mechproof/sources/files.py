@@ -72,6 +72,14 @@ def read_source(path: str, content: str | None = None) -> Source:
     return source
 
 
+def is_file(name: str) -> bool:
+    """Return whether there is a file; an equation may be no name at all."""
+    try:
+        return Path(name).is_file()
+    except (OSError, ValueError):
+        return False
+
+
 def is_markdown_name(name: str) -> bool:
     """Return whether a file is Markdown, by its name."""
     return Path(name).suffix in MARKDOWN
