@@ -141,6 +141,7 @@ def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(worksho
     page = workshop / "report" / "quantities" / "universal_joint.ratio.html"
     text = page.read_text(encoding="utf-8")
     assert "A quick measurement" in text
+    assert re.search(r"; quickly measured 20\d\d-", text)
     assert "<svg" in text
     (call,) = re.findall(r"<code>(import numpy.*?ratio\(.*?\))</code>", text, re.DOTALL)[:1]
     code = f"theta = 1.0\n{call.replace('ratio(', 'print(ratio(', 1)})"

@@ -94,7 +94,12 @@ def tell_sources(records: Sequence[Record]) -> str:
 
 def date_records(records: Sequence[Record]) -> str:
     """Say when the records that are drawn were taken."""
-    return "measured " + ", ".join(sorted({record.taken for record in records}))
+    return f"{tell_how(records)} {', '.join(sorted({record.taken for record in records}))}"
+
+
+def tell_how(records: Sequence[Record]) -> str:
+    """Say how records were taken: a quick one has few points and short times."""
+    return "quickly measured" if any(record.quick for record in records) else "measured"
 
 
 def write_title(record: Record, workload: str, count: int) -> str:

@@ -13,7 +13,7 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
-from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
+from mechproof.lab.chart import STYLE, draw_chart, tell_how, write_title
 from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import KERNELS, Record
@@ -189,8 +189,8 @@ def draw_figure(place: Path, blank: Picture) -> Picture:
 
 
 def _date(records: Sequence[Record]) -> str:
-    days = date_records(records).removeprefix("measured ").split(", ")
-    return f"measured {' and '.join(sorted({day[:10] for day in days}))}"
+    days = sorted({record.taken[:10] for record in records})
+    return f"{tell_how(records)} {' and '.join(days)}"
 
 
 def _render(canvas: Canvas, says: str) -> str:
