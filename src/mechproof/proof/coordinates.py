@@ -27,6 +27,14 @@ ANGULAR = tuple(BY_SINES)
 HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
 
 
+def write_by_sines(expression: sp.Expr) -> sp.Expr:
+    """Write functions of an angle that have poles as quotients of its sine and cosine."""
+    return expression.replace(
+        lambda node: isinstance(node, sp.tan | sp.cot | sp.sec | sp.csc),
+        lambda node: BY_SINES[type(node)](sp.sin(node.args[0]), sp.cos(node.args[0])),
+    )
+
+
 @dataclass
 class Coordinates:
     """The change of variables and what is known of the new ones."""

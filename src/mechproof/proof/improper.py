@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from mechproof.proof.coordinates import write_by_sines
+
 _MOST_ZEROS = 12
 
 
@@ -40,7 +42,7 @@ def list_poles(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
     """List numbers between the limits at which the integrand is divided by zero."""
-    below = sp.Mul.make_args(sp.fraction(sp.together(integrand))[1])
+    below = sp.Mul.make_args(sp.fraction(sp.together(write_by_sines(integrand)))[1])
     bases = [factor.as_base_exp()[0] for factor in below]
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
     poles = {zero for base in bases for zero in list_zeros_between(base, variable, lower, upper)}

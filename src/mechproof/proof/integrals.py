@@ -8,7 +8,7 @@ pieces between numbers at which the integrand is divided by zero; it may be infi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -18,7 +18,7 @@ from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
-from mechproof.proof.coordinates import parametrise
+from mechproof.proof.coordinates import parametrise, write_by_sines
 from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
@@ -140,17 +140,18 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
             return found
     elif written != integrand:
         return _find_value(sp.Integral(written, *integral.limits), domain)
-    found = _find_between_poles(integrand, variable, lower, upper, domain)
+    pieces = cut_at_poles(integral)
+    found = _add_up([_find_by_antiderivative(piece, domain) for piece in pieces])
     return _find_from_both_ends(integral, domain) if found is None else found
 
 
-def _find_between_poles(
-    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
-) -> sp.Expr | None:
-    """Return the sum of the integrals between numbers at which the integrand has no value."""
-    ends = [lower, *list_poles(integrand, variable, lower, upper), upper]
-    parts = [_find_by_antiderivative(integrand, variable, *one, domain) for one in pairwise(ends)]
-    return _add_up(parts)
+def cut_at_poles(integral: sp.Integral) -> list[sp.Integral]:
+    """Cut an integral at the numbers at which its integrand has no value."""
+    integrand, (variable, lower, upper) = integral.args
+    poles = list_poles(integrand, variable, lower, upper)
+    if poles or integrand.has(sp.cot, sp.sec, sp.csc):
+        integrand = write_by_sines(integrand)
+    return [sp.Integral(integrand, (variable, *ends)) for ends in pairwise([lower, *poles, upper])]
 
 
 def _add_up(parts: Sequence[sp.Expr | None]) -> sp.Expr | None:
@@ -175,7 +176,7 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
         return None
     if find_break(running, variable, domain.with_set(variable, run)) is not None:
         return None
-    return _find_by_antiderivative(mean, variable, lower, upper, domain)
+    return _find_by_antiderivative(sp.Integral(mean, integral.limits[0]), domain)
 
 
 def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -213,31 +214,40 @@ def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domai
     return is_odd and all(find_break(side, variable, half) is None for side in sides)
 
 
-def _find_by_antiderivative(
-    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
-) -> sp.Expr | None:
+def _find_by_antiderivative(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     """Return the difference of an antiderivative, of its limits where it has no values itself."""
+    for candidate, run in list_antiderivatives(integral, domain):
+        low, high = find_ends(candidate, integral.variables[0], run, domain)
+        value = None if low is None or high is None else _add_up([high, -low])
+        if value is not None and not value.has(sp.Si):
+            return value
+    return None
+
+
+def list_antiderivatives(
+    integral: sp.Integral, domain: Domain
+) -> Iterator[tuple[sp.Expr, sp.Interval]]:
+    """List antiderivatives that are shown to be continuous between the limits, and where these are.
+
+    The variable is written by one that runs between numbers.
+    """
+    integrand, (variable, lower, upper) = integral.args
     place, run = parametrise(variable, lower, upper)
     inside = domain.with_set(variable, run.interior)
     slope = sp.diff(place, variable)
     running = integrand.subs(variable, place)
     if find_break(running, variable, inside) is not None:
-        return None
+        return
     for candidate in propose(integrand, variable, domain):
         moved = candidate.subs(variable, place)
         if _may_divide_by_zero(moved, inside):
             # So will all others.
-            return None
+            return
         if find_break(moved, variable, inside) is not None:
             continue
         sides = (sp.diff(moved, variable), running * slope, inside)
-        if decide_equal(*sides) is None and decide_by_logarithms(*sides) is None:
-            continue
-        low, high = (_find_end(moved, variable, end, run, domain) for end in (run.start, run.end))
-        value = None if low is None or high is None else _add_up([high, -low])
-        if value is not None and not value.has(sp.Si):
-            return value
-    return None
+        if decide_equal(*sides) is not None or decide_by_logarithms(*sides) is not None:
+            yield moved, run
 
 
 def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
@@ -249,6 +259,13 @@ def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
         power.base for power in candidate.atoms(sp.Pow) if power.exp.could_extract_minus_sign()
     )
     return any(has_steps(base, domain) and not is_nonzero(base, domain) for base in below)
+
+
+def find_ends(
+    candidate: sp.Expr, variable: sp.Symbol, run: sp.Interval, domain: Domain
+) -> list[sp.Expr | None]:
+    """Return what an antiderivative comes to at both ends, None where it is not shown."""
+    return [_find_end(candidate, variable, end, run, domain) for end in (run.start, run.end)]
 
 
 def _find_end(

@@ -16,7 +16,7 @@ from mechproof.domains.domain import Domain
 from mechproof.domains.preparation import take_values
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
-from mechproof.proof.coordinates import BY_SINES
+from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.improper import list_zeros_between
@@ -52,7 +52,7 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body = sum_up(body, variable, domain) if point == sp.oo else body
     # Of a whole number n the sine of n*pi is zero, as that of pi/n is not.
     running = sp.Dummy(variable.name, real=True)
-    run = _write_by_sines(body.xreplace({variable: running}))
+    run = write_by_sines(body.xreplace({variable: running}))
     value = _find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
         value = _find_of_sequence(body, variable, domain)
@@ -73,14 +73,6 @@ def _list_by_parity(limit: sp.Limit, domain: Domain) -> tuple[sp.Expr, ...]:
     values = [_find_value(sp.Limit(part, n, point, direction), domain) for part in parts]
     found = [value for value in values if value is not None and value.is_finite]
     return tuple(found) if len(found) == len(values) else ()
-
-
-def _write_by_sines(body: sp.Expr) -> sp.Expr:
-    """Write functions that have poles as quotients, whose parts are smooth."""
-    return body.replace(
-        lambda node: isinstance(node, sp.tan | sp.cot | sp.sec | sp.csc),
-        lambda node: BY_SINES[type(node)](sp.sin(node.args[0]), sp.cos(node.args[0])),
-    )
 
 
 def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
@@ -190,7 +182,7 @@ def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
         even, odd = map(write_value, by_parity)
         shown = f"the limit for even {variable} is {even}, for odd {odd}"
         return shown if is_nonzero(by_parity[0] - by_parity[1], domain) else ""
-    found = _list_from_sides(_write_by_sines(body), variable, point, str(direction), domain)
+    found = _list_from_sides(write_by_sines(body), variable, point, str(direction), domain)
     if len(found) < 2 or all(one.is_infinite for one in found):
         return ""
     above, below = found
