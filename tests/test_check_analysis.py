@@ -76,7 +76,6 @@ NOT_PROVED = [
     r"\lim_{x\to0}\frac1x=\lim_{x\to0}\frac1x",
     r"\lim_{x\to0}\sin\frac1x=0",
     r"\lim_{x\to a}\sqrt{x}=\sqrt{a}",
-    r"\lim_{x\to\infty}\sin x=0",
     r"\lim_{x\to0}x\ge0",
     # A logarithm is not undone or cancelled where it has no value; the same of roots, and of what
     # has no value anywhere.

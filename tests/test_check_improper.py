@@ -150,7 +150,26 @@ WITHOUT_LIMIT = [
     r"\lim_{x\to0}e^{\frac1x}=0",
     r"\lim_{x\to0}\arctan\frac1x=\frac\pi2",
 ]
-# Of what is infinite with both signs, or not shown to be, nothing is said.
+# What does not converge, with what a number is printed for.
+DIVERGENT = [
+    (r"\int_{-1}^1\frac{dx}x=0", ()),
+    (r"\int_0^\pi\tan x\,dx=0", ()),
+    (r"\int_0^2\frac x{x^2-1}dx=\frac12\ln3", ()),
+    (r"\int_0^1\left(\frac1x-\frac1{1-x}\right)dx=0", ()),
+    (r"2+\int_0^1\frac{dx}x=5", ()),
+    (r"\int_{-\infty}^\infty x\,dx=0", ()),
+    (r"\int_{-\infty}^\infty\sin x\,dx=0", ()),
+    (r"\int_0^\infty x\cos x\,dx=-1", ()),
+    (r"\int_0^\infty\cos(ax+b)dx=0", ("a>0",)),
+    (r"\sum_{k=0}^\infty(-1)^k=\frac12", ()),
+    (r"\sum_{k=0}^\infty(-2)^k=\frac13", ()),
+    (r"\sum_{k=0}^\infty q^k=\frac1{1-q}", ("q<-1",)),
+    (r"\sum_{k=1}^\infty(-1)^k\frac k{k+1}=0", ()),
+    (r"\lim_{x\to\infty}\sin x=0", ()),
+    (r"\lim_{x\to-\infty}x\sin2x=0", ()),
+    (r"\lim_{x\to\infty}\left(\cos x+\frac1x\right)=0", ()),
+]
+# Of what is not shown to be infinite, or to have no value, nothing is said.
 OPEN = [
     # Known integrals with letters for which they have no value, or another one.
     (r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
@@ -158,13 +177,16 @@ OPEN = [
     (r"\int_0^\infty\frac{x\sin ax}{1+x^2}\,dx=\frac\pi2e^{-a}", (r"a\ge0",)),
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),
     (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=\frac\pi2\ln\frac a2", ()),
-    (r"\int_{-1}^1\frac{dx}x=0", ()),
     (r"\int_{-1}^1\int_0^1\frac yxdy\,dx=0", ()),
-    (r"\int_{-\infty}^\infty x\,dx=0", ()),
-    (r"\int_{-\infty}^\infty\sin x\,dx=0", ()),
-    (r"\int_0^1\left(\frac1x-\frac1{1-x}\right)dx=0", ()),
     (r"\int_0^1x^{-p}dx=\infty", ("p>0",)),
-    (r"2+\int_0^1\frac{dx}x=5", ()),
+    (r"\int_{-1}^1\frac{dx}x\ne0", ()),
+    (r"\int_{-1}^1\frac{dx}x=\int_{-2}^2\frac{dx}x", ()),
+    (r"\int_{-1}^1\frac{dx}{\sqrt[3]x}=0", ()),
+    (r"\int_0^a\frac{dx}x=0", ()),
+    (r"\int_0^\infty\cos ax\,dx=0", ()),
+    (r"\sum_{k=0}^\infty q^k=\frac1{1-q}", (r"q\le0",)),
+    (r"\lim_{n\to\infty}\sin2\pi n=0", ()),
+    (r"\lim_{x\to\infty}(\sin^2x+\cos^2x)=1", ()),
     (r"\int_0^1\frac{dx}x-\int_0^1\frac{dx}x=0", ()),
     (r"\int_0^\infty\frac{\cos x}xdx=0", ()),
     (r"\lim_{x\to0}\frac1x=\infty", ()),
@@ -222,6 +244,13 @@ def test_a_value_is_proved_and_another_refuted(
 ) -> None:
     assert judge(latex % true, where) is Verdict.PROVED
     assert judge(latex % wrong, where) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(("latex", "where"), DIVERGENT)
+def test_what_does_not_converge_is_no_number(latex: str, where: tuple[str, ...]) -> None:
+    (found,) = judge_pasted(Pasted(latex, where=where)).judgements
+    assert found.verdict is Verdict.REFUTED
+    assert "does not converge" in found.reason
 
 
 @pytest.mark.parametrize("latex", WITHOUT_LIMIT)

@@ -13,6 +13,7 @@ from mechproof.proof import (
     any_functions,
     binomial_squares,
     bisection,
+    divergence,
     endless_sums,
     floors,
     fourier_series,
@@ -78,6 +79,7 @@ NAMED += [
     integral_recurrences.DERIVATIVES,
     any_functions.RUNG,
     floors.RUNG,
+    divergence.RUNG,
 ]
 
 

@@ -25,6 +25,7 @@ from mechproof.proof.definedness import (
     need_the_same,
     put_in,
 )
+from mechproof.proof.divergence import RUNG as DIVERGENCE, tell_divergence
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
@@ -119,6 +120,8 @@ def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answe
         return replace(answer, rung=f"{found.rung}, {answer.rung}")
     if told := tell_missing_limit((printed, rebuilt), domain):
         return Answer(Verdict.REFUTED, FROM_SIDES, told, (Evidence(told),))
+    if told := tell_divergence((printed, rebuilt), domain):
+        return Answer(Verdict.REFUTED, DIVERGENCE, told, (Evidence(told),))
     if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
@@ -212,6 +215,9 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
+    if verdict is Verdict.PROVED and equal.rung.endswith(DIVERGENCE):
+        # What has no value is no number that differs.
+        return replace(equal, verdict=Verdict.UNDECIDED)
     told = "the two do not differ: " if verdict is Verdict.REFUTED else ""
     return replace(equal, verdict=verdict, reason=f"{told}{equal.reason}")
 

@@ -1,0 +1,141 @@
+"""Integrals, sums and limits that have no value: one that is printed for them is wrong.
+
+An integral does not converge where an antiderivative is infinite at a pole or an end, whatever
+signs are met there, or has no limit; a sum does not whose terms do not come to zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from typing import Any
+
+import sympy as sp
+
+from mechproof.domains.domain import Domain
+from mechproof.proof.coordinates import write_by_sines
+from mechproof.proof.endless_sums import read_endless
+from mechproof.proof.exact_values import write_value
+from mechproof.proof.growth import find_limit, is_defined_near
+from mechproof.proof.improper import is_improper, is_iterated
+from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivatives
+from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.record.parts import find_parts, has_parts
+from mechproof.record.substitution import substitute
+
+RUNG = "divergence"
+_ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
+_NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}
+# Of these letters whole numbers may be meant, also where that is not said.
+_WHOLE = (*"ijklmnN",)
+# The angles at which what swings is looked at.
+_ANGLES = tuple(sp.pi * k / 4 for k in range(8))
+
+
+def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
+    """Say why a side has no value, the other being a number; empty where it is not shown."""
+    endless = [side for side in sides if has_parts(side, *_ENDLESS)]
+    has_others = any(side.has(sp.oo, sp.nan, sp.zoo) for side in sides if side not in endless)
+    if len(endless) != 1 or has_others or not isinstance(endless[0], sp.Expr):
+        return ""
+    nodes = find_parts(endless[0], *_ENDLESS)
+    node = min(nodes, key=sp.default_sort_key)
+    if len(nodes) > 1 or not _is_term(node, endless[0], domain):
+        return ""
+    told = _RULES[type(node)](node, domain)
+    return f"{_NAMES[type(node)]} does not converge: {told}" if told else ""
+
+
+def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
+    """Tell whether a side is a multiple of what has no value, and what else may stand beside it."""
+    name = sp.Dummy("value")
+    factor = sp.diff(side.xreplace({node: name}), name)
+    return not factor.has(name) and is_nonzero(factor, domain)
+
+
+def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
+    if is_iterated(integral) or not is_improper(integral):
+        return ""
+    _, *limits = integral.limits[0]
+    length = limits[1] - limits[0]
+    if (limits[0] > limits[1]) == sp.true or not (length.is_infinite or is_nonzero(length, domain)):
+        return ""
+    pieces = cut_at_poles(integral)
+    return next(filter(None, (_tell_piece(piece, domain) for piece in pieces)), "")
+
+
+def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
+    """Say at which end an antiderivative is infinite, or swings."""
+    variable, *limits = piece.limits[0]
+    for candidate, run in list_antiderivatives(piece, domain):
+        values = find_ends(candidate, variable, run, domain)
+        for place, end, value in zip(limits, (run.start, run.end), values, strict=True):
+            where = f"as {variable.name.strip('_')} comes to {write_value(place)}"
+            if value is not None and value.is_infinite:
+                return f"an antiderivative comes to {write_value(value)} {where}"
+            if end.is_infinite and _swings(candidate, variable, end, domain):
+                return f"an antiderivative has no limit {where}"
+    return ""
+
+
+def _tell_sum(total: sp.Sum, domain: Domain) -> str:
+    """Say that the sizes of the terms come to what is not zero."""
+    if (read := read_endless(total)) is None:
+        return ""
+    term, k, _ = read
+    size = sp.Mul(*(_write_size(factor, domain) for factor in sp.Mul.make_args(term)))
+    limit = find_limit(size, k, sp.oo, -1, domain)
+    comes_to_zero = limit is None or not (limit.is_infinite or is_nonzero(limit, domain))
+    return "" if comes_to_zero else "its terms do not come to zero"
+
+
+def _write_size(factor: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write a power of a negative number by that of its size."""
+    base, exponent = factor.as_base_exp()
+    return (-base) ** exponent if is_positive(-base, domain) else factor
+
+
+def _tell_limit(limit: sp.Limit, domain: Domain) -> str:
+    body, variable, point, _ = limit.args
+    name = variable.name.strip("_")
+    is_met = point.is_infinite and not variable.is_integer and name not in _WHOLE
+    swings = is_met and _swings(body, variable, point, domain)
+    return "along other places it comes to another number" if swings else ""
+
+
+def _swings(body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
+    """Tell whether limits differ along places at which an angle is one number and turns.
+
+    The angle is a polynomial, and all sines and cosines are of whole multiples of it.
+    """
+    body = write_by_sines(body)
+    if not is_defined_near(body, variable, point, -1, domain):
+        return False
+    waves = [node for node in body.atoms(sp.sin, sp.cos) if node.has(variable)]
+    if not waves or not all(node.args[0].is_polynomial(variable) for node in waves):
+        return False
+    angle = waves[0].args[0]
+    ratios = {node: sp.cancel(node.args[0] / angle) for node in waves}
+    is_met = all(ratio.is_Rational for ratio in ratios.values())
+    turns = find_limit(angle, variable, point, -1, domain)
+    if not is_met or turns is None or not turns.is_infinite:
+        return False
+    whole = reduce(sp.ilcm, (ratio.q for ratio in ratios.values()))
+    at = ({n: n.func(whole * ratio * a) for n, ratio in ratios.items()} for a in _ANGLES)
+    found = [find_limit(substitute(body, one), variable, point, -1, domain) for one in at]
+    limits = [one for one in found if one is not None and one.is_extended_real is not False]
+    return any(_differ(limits[0], other, domain) for other in limits[1:])
+
+
+def _differ(one: sp.Expr, other: sp.Expr, domain: Domain) -> bool:
+    if one.is_infinite or other.is_infinite:
+        return bool(one != other)
+    return is_nonzero(one - other, domain)
+
+
+_RULES: Mapping[type[sp.Expr], Callable[[Any, Domain], str]] = {
+    sp.Integral: _tell_integral,
+    sp.Sum: _tell_sum,
+    sp.Limit: _tell_limit,
+    sp.Product: lambda node, domain: "",
+}
