@@ -102,6 +102,12 @@ NOT_PROVED = [
     r"\sum_{k=1}^\infty k-\sum_{k=1}^\infty k=0",
     r"\sum_{k=1}^n\sqrt{a_k}\sqrt{a_k}=\sum_{k=1}^na_k",
     r"\frac{d}{dx}\ln x=\frac{d}{dx}\ln(-x)",
+    r"\log_ab\cdot\log_bc=\log_ac",
+    r"\sqrt a\sqrt b\sqrt c=\sqrt{abc}",
+    r"\int_1^x\frac{dt}t=\ln|x|",
+    r"\int_2^x\frac{dt}t=\ln x-\ln2+\ln(x-1)-\ln(x-1)",
+    r"\int_0^xdt=\mathrm{e}^{\ln x}",
+    r"\int_a^b\frac{dx}x=\ln b-\ln a",
     r"\lim_{x\to0}(\sqrt{-x^2}\sqrt{-x^2})=0",
 ]
 SAID = [
@@ -112,6 +118,14 @@ SAID = [
     (r"\frac{d}{dx}\ln x=\frac1x", "x > 0"),
     (r"\frac{d}{dx}(\ln x-\ln x)=0", "x > 0"),
     (r"\ln(x+1000)=\ln(1000+x)", "x + 1000 > 0"),
+    # Of more letters few points have values.
+    (r"\log_ax=\frac{\ln x}{\ln a}", "a > 0 and x > 0"),
+    (r"\ln a+\ln b+\ln c=\ln c+\ln b+\ln a", "a > 0 and b > 0 and c > 0"),
+    # Beyond, the integral has no value, either.
+    (r"\int_1^x\frac{dt}t=\ln x", "x > 0"),
+    (r"\int_1^x\frac{dt}{\sqrt t}=2\sqrt x-2", "x >= 0"),
+    (r"\int_1^x\ln t\,dt=x\ln x-x+1", "x > 0"),
+    (r"\int_0^x\frac{dt}{1-t^2}=\operatorname{artanh}x", "1 - x > 0 and x + 1 > 0"),
     (r"\sqrt{x-y}(x+y)=x\sqrt{x-y}+y\sqrt{x-y}", "x - y >= 0"),
 ]
 DEFINED = [

@@ -6,20 +6,23 @@ signs are met there, or has no limit; a sum does not whose terms do not come to 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 from typing import Any
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
+from mechproof.arithmetic import balls
+from mechproof.domains.domain import Domain, Point
 from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.improper import is_improper, is_iterated
 from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivatives
+from mechproof.proof.refutation import FEW, has_value, points_for
 from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.record import list_needs, list_partial
 from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.substitution import substitute
 
@@ -30,6 +33,10 @@ _NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}
 _WHOLE = (*"ijklmnN",)
 # The angles at which what swings is looked at.
 _ANGLES = tuple(sp.pi * k / 4 for k in range(8))
+
+# Where between its limits it is looked whether an integrand has values.
+_SHARES = tuple(sp.Rational(k, 64) for k in (1, 8, 32, 56, 63))
+_ALL = Domain({}, (), {})
 
 
 def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
@@ -46,6 +53,42 @@ def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
     return f"{_NAMES[type(node)]} does not converge: {told}" if told else ""
 
 
+def lack_values_alike(sides: Sequence[sp.Expr], domain: Domain) -> bool:
+    """Tell whether at points tried both sides have values, or are shown to have none."""
+    if any(has_parts(side, sp.Sum, sp.Product, sp.Limit) for side in sides):
+        return False
+    return all(_are_alike(sides, point) for point in points_for((*sides,), domain, FEW))
+
+
+def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
+    """Tell it of one point; that an integral has no value is soon shown, if it is shown."""
+    lack = [_has_none(substitute(s, point)) for s in sides]
+    has_values = [not lacks and has_value(s, point) for s, lacks in zip(sides, lack, strict=True)]
+    one_lacks = (lacks or _is_plain(s) for s, lacks in zip(sides, lack, strict=True))
+    return all(has_values) or (not any(has_values) and all(one_lacks))
+
+
+def _is_plain(side: sp.Expr) -> bool:
+    return not has_parts(side, sp.Integral)
+
+
+def _has_none(side: sp.Expr) -> bool:
+    """Tell whether a number with integrals has no value, as far as these do not converge."""
+    nodes = find_parts(side, sp.Integral)
+    return any(_lacks_integrand(one) or _tell_integral(one, _ALL) for one in nodes)
+
+
+def _lacks_integrand(integral: sp.Integral) -> bool:
+    """Tell whether a root, a logarithm or the like has no real value between the limits."""
+    variable, *limits = integral.limits[0]
+    if is_iterated(integral) or not all(limit.is_finite for limit in limits):
+        return False
+    needs = [need.value for part in list_partial(integral.function) for need in list_needs(part)]
+    places = [limits[0] + share * (limits[1] - limits[0]) for share in _SHARES]
+    numbers = (balls.evaluate(n.subs(variable, place), {}) for n in needs for place in places)
+    return any(number.is_finite() and number < 0 for number in numbers)
+
+
 def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
     """Tell whether a side is a multiple of what has no value, and what else may stand beside it."""
     name = sp.Dummy("value")
@@ -54,11 +97,14 @@ def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
 
 
 def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
-    if is_iterated(integral) or not is_improper(integral):
+    if is_iterated(integral) or len(integral.limits[0]) < 3:
         return ""
-    _, *limits = integral.limits[0]
-    length = limits[1] - limits[0]
-    if (limits[0] > limits[1]) == sp.true or not (length.is_infinite or is_nonzero(length, domain)):
+    variable, low, high = integral.limits[0]
+    if (low > high) == sp.true:
+        integral = sp.Integral(integral.function, (variable, high, low))
+    if not is_improper(integral):
+        return ""
+    if not (low.is_infinite or high.is_infinite or is_nonzero(high - low, domain)):
         return ""
     pieces = cut_at_poles(integral)
     return next(filter(None, (_tell_piece(piece, domain) for piece in pieces)), "")

@@ -25,7 +25,7 @@ from mechproof.proof.definedness import (
     need_the_same,
     put_in,
 )
-from mechproof.proof.divergence import RUNG as DIVERGENCE, tell_divergence
+from mechproof.proof.divergence import RUNG as DIVERGENCE, lack_values_alike, tell_divergence
 from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
 from mechproof.proof.equalities import prove_equal, prove_where_defined
 from mechproof.proof.exact_values import decide_endless, decide_exact, resolve_sides
@@ -46,7 +46,14 @@ from mechproof.proof.reasons import (
     tell_inside,
     tell_needs,
 )
-from mechproof.proof.refutation import POINTS, compare, find_undefined, find_unlike, find_violation
+from mechproof.proof.refutation import (
+    EVERY_POINT,
+    POINTS,
+    compare,
+    find_undefined,
+    find_unlike,
+    find_violation,
+)
 from mechproof.proof.relations import prove_relation
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
@@ -156,6 +163,8 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     if rung := prove_where_defined(printed, rebuilt, domain):
         if not any(has_parts(side, sp.Integral, sp.Sum, sp.Product) for side in sides):
             return _report_equal(sides, domain, rung)
+        if lack_values_alike(sides, domain):
+            return _report_equal(sides, domain, rung, is_alike=True)
         needed = tell_needs([list_unshown(side, domain) for side in sides])
         reason = f"both sides agree where {needed}, which is not said"
         return Answer(Verdict.UNDECIDED, rung, reason)
@@ -167,18 +176,24 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     return report_unproved(comparison, why)
 
 
-def _report_equal(sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str) -> Answer:
-    """Answer for sides that are equal where both have values: PROVED if they have them alike."""
-    inside = [list_unshown_inside(side, domain) for side in sides]
+def _report_equal(
+    sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str, is_alike: bool = False
+) -> Answer:
+    """Answer for sides that are equal where both have values: PROVED if they have them alike.
+
+    `is_alike`: beyond what they need it is shown that both have none.
+    """
+    needs = [list_unshown(side, domain) for side in sides]
+    part = narrow_to(domain, [need for listed in needs for need in listed]) if is_alike else None
+    inside = [list_unshown_inside(side, part or domain) for side in sides]
     if {*inside[0]} != {*inside[1]}:
         return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
-    needs = [list_unshown(side, domain) for side in sides]
     needed = tell_needs(needs)
     if told := tell_jump(sides, domain):
         return Answer(Verdict.UNDECIDED, rung, f"what is differentiated jumps: {told}")
     if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
-    undefined = _find_break(sides, needs, domain)
+    undefined = _cross_examine(*sides, part) if part else _find_break(sides, needs, domain)
     if undefined:
         reason = f"both sides agree where both are defined, which fails at {undefined}"
         unsaid = f"; what is not said: {needed}" if needed else ""
@@ -195,7 +210,12 @@ def _find_break(
 
     Where no point gives values to both, that is told as well.
     """
-    undefined = _cross_examine(*sides, domain) or find_count_without_value(sides, domain)
+    undefined = _cross_examine(*sides, domain)
+    if undefined == EVERY_POINT and any(needs):
+        # Few points lie where more than one letter has to be positive.
+        part = narrow_to(domain, [need for listed in needs for need in listed])
+        undefined = _cross_examine(*sides, part) if part else undefined
+    undefined = undefined or find_count_without_value(sides, domain)
     if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
         return undefined
     return find_unlike(sides, domain)

@@ -30,6 +30,7 @@ from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
 POINTS = 40
+EVERY_POINT = "every point tried"
 # Where a point takes long, and where it takes long to find that there is no value.
 FEW, FEWEST = 10, 4
 PRECISIONS = (64, 192, 512)
@@ -93,7 +94,7 @@ def compare(
             undefined = name_point(point, domain)
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
-    undefined = undefined or ("" if agreeing else "every point tried")
+    undefined = undefined or ("" if agreeing else EVERY_POINT)
     # How far apart large numbers may be tells nothing.
     shown = balls.show(widest, 3) if widest < 1 else ""
     return Comparison(None, agreeing, undecided, shown, undefined)
@@ -131,10 +132,10 @@ def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINT
 def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
     """Return an interior point at which one side only has a value, empty if none is met.
 
-    Of sums, each of which is written out for every number of terms, few points are tried.
+    Of sums, each of which is written out for every number of terms, and integrals few are tried.
     """
-    has_sums = any(has_parts(side, sp.Sum, sp.Product) for side in sides)
-    count = FEW if has_sums else POINTS
+    is_slow = any(has_parts(side, sp.Sum, sp.Product, sp.Integral) for side in sides)
+    count = FEW if is_slow else POINTS
     return _find_point(sides, domain, count, lambda have_values: len(set(have_values)) > 1)
 
 
@@ -147,7 +148,7 @@ def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> s
             sizes = {**chosen, **known}
             letters = [*(s for s in plain if s not in known), *_list_elements((*sides,), sizes)]
             point = domain.points(letters, 1, sizes)[0]
-            if len({_has_value(side, point) for side in sides}) > 1:
+            if len({has_value(side, point) for side in sides}) > 1:
                 return name_point(point, domain)
     return ""
 
@@ -159,13 +160,13 @@ def _find_point(
     is_wanted: Callable[[list[bool]], bool],
 ) -> str:
     for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
-        have_values = [_has_value(side, point) for side in sides]
+        have_values = [has_value(side, point) for side in sides]
         if is_wanted(have_values) and domain.is_interior(point):
             return name_point(point, domain)
     return ""
 
 
-def _has_value(side: sp.Basic, point: Point) -> bool:
+def has_value(side: sp.Basic, point: Point) -> bool:
     """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
     if not has_parts(side, *_COUNTED) and balls.evaluate(side, point).is_finite():
         return True
