@@ -29,6 +29,15 @@ PAIRS = [
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=%s", r"\frac\pi{\sin\pi a}", r"\sin\pi a", ("0<a<1",)),
     (r"\int_0^\infty\frac{x^3}{e^x-1}\,dx=%s", r"\frac{\pi^4}{15}", r"\frac{\pi^4}{90}", ()),
     (r"\int_0^\infty\frac{x^2}{e^x-1}\,dx=%s", r"2\sum_{n=1}^\infty\frac1{n^3}", "2", ()),
+    # By parts, a fraction before the logarithm.
+    (
+        r"\int_0^1\frac{x\ln x}{(a+x^2)^2}dx=%s",
+        r"-\frac1{4a}\ln\frac{1+a}a",
+        r"\frac1{4a}\ln\frac{1+a}a",
+        ("a>0",),
+    ),
+    (r"\int_0^1\frac{\ln(1+x)}{(1+x)^2}dx=%s", r"\frac12-\frac12\ln2", r"\frac12\ln2", ()),
+    (r"\int_1^2\frac{\ln a\ln x}{x}dx=%s", r"\frac12\ln a\ln^22", r"\ln a\ln^22", ("a>0",)),
     # By error functions and sine integrals, and by what the integrand is made of.
     (r"\int_0^\infty x^2e^{-x^2}dx=%s", r"\frac{\sqrt\pi}4", r"\frac{\sqrt\pi}2", ()),
     (
@@ -177,6 +186,7 @@ OPEN = [
     (r"\int_0^\infty\frac{x\sin ax}{1+x^2}\,dx=\frac\pi2e^{-a}", (r"a\ge0",)),
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),
     (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=\frac\pi2\ln\frac a2", ()),
+    (r"\int_0^\infty\frac{\ln x}{a^2+x^2}dx=\frac{\pi\ln a}{2a}", ()),
     (r"\int_{-1}^1\int_0^1\frac yxdy\,dx=0", ()),
     (r"\int_0^1x^{-p}dx=\infty", ("p>0",)),
     (r"\int_{-1}^1\frac{dx}x\ne0", ()),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from functools import lru_cache
+from typing import NamedTuple
 
 import sympy as sp
 from sympy.integrals.heurisch import heurisch
@@ -34,6 +35,9 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
         for s in sorted(integrand.free_symbols - {variable}, key=str)
         if is_positive(s, domain)
     }
+    if (parts := _split_logarithm(integrand, variable)) and parts.rest.has(variable):
+        # There is no elementary one (Liouville), and SymPy would try its rules for long.
+        return
     back = {positive: symbol for symbol, positive in told.items()}
     met: set[sp.Expr] = set()
     for known in dict.fromkeys((integrand.xreplace(told), integrand)):
@@ -42,6 +46,39 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
                 if candidate not in met:
                     met.add(candidate)
                     yield candidate
+
+
+class _Parts(NamedTuple):
+    """A fraction times the logarithm of a linear u: the derivative of whole, and rest*u'/u."""
+
+    logarithm: sp.Expr
+    whole: sp.Expr
+    rest: sp.Expr
+
+
+def _split_logarithm(integrand: sp.Expr, variable: sp.Symbol) -> _Parts | None:
+    """Split a fraction that stands before the logarithm of a linear function, None elsewhere."""
+    logarithms = [node for node in integrand.atoms(sp.log) if node.has(variable)]
+    logarithm = min(logarithms, key=sp.default_sort_key, default=sp.S.One)
+    fraction, slope = integrand / logarithm, sp.diff(sp.exp(logarithm), variable)
+    is_linear = slope != 0 and not slope.has(variable)
+    if not is_linear or not fraction.is_rational_function(variable):
+        return None
+    above, below = sp.fraction(sp.cancel(fraction))
+    whole, above = sp.div(above, below, variable)
+    part, rest = ratint_ratpart(above, below, variable)
+    whole = sp.Poly(whole, variable).integrate().as_expr() + part
+    return _Parts(logarithm, whole, sp.cancel(rest * logarithm.args[0] / slope))
+
+
+def _propose_by_logarithm(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate a fraction times the logarithm of a linear function by parts."""
+    if (parts := _split_logarithm(integrand, variable)) is None:
+        return
+    logarithm, whole, rest = parts
+    left = sp.cancel(whole * sp.diff(logarithm, variable))
+    for found in _propose_by_fractions(left, variable) if left != 0 else [sp.S.Zero]:
+        yield rest * logarithm**2 / 2 + whole * logarithm - found
 
 
 def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
@@ -58,8 +95,8 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if integrand.free_symbols - {variable}:
         yield from _propose_by_sums(integrand, variable)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
-    # These two first: at some fractions SymPy tries its rules for long.
-    at_first = (_propose_by_bell, _propose_by_fractions)
+    # These first: at some fractions SymPy tries its rules for long.
+    at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm)
     for propose in (*at_first, _propose_by_rules, *by_others, _propose_in_parallel):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
