@@ -159,6 +159,23 @@ WITHOUT_LIMIT = [
     r"\lim_{x\to0}e^{\frac1x}=0",
     r"\lim_{x\to0}\arctan\frac1x=\frac\pi2",
 ]
+# What converges under a condition that is not said, the condition, and a value that is wrong there.
+NOT_SAID = [
+    (r"\int_0^\infty e^{-ax}dx=%s", r"\frac1a", "a > 0", r"\frac2a"),
+    (r"\int_0^\infty e^{ax}dx=%s", r"-\frac1a", "a < 0", r"\frac1a"),
+    (r"\int_0^1x^a\,dx=%s", r"\frac1{a+1}", "a > -1", r"\frac1a"),
+    (r"\int_1^\infty x^{-s}dx=%s", r"\frac1{s-1}", "s > 1", r"\frac1{s+1}"),
+    (
+        r"\int_0^\infty x^{s-1}e^{-ax}dx=%s",
+        r"\frac{\Gamma(s)}{a^s}",
+        "a > 0 and s > 0",
+        r"\frac{\Gamma(s)}{a^{s+1}}",
+    ),
+    (r"\int_0^\infty\frac{\ln x}{a^2+x^2}dx=%s", r"\frac{\pi\ln a}{2a}", "a > 0", r"\pi\ln a"),
+    (r"\sum_{k=0}^\infty q^k=%s", r"\frac1{1-q}", "q < 1 and q > -1", r"\frac2{1-q}"),
+    (r"\sum_{k=1}^\infty\frac{q^k}k=%s", r"-\ln(1-q)", "q < 1 and q > -1", r"\ln(1-q)"),
+    (r"\lim_{x\to\infty}e^{-ax}=%s", "0", "a > 0", "1"),
+]
 # What does not converge, with what a number is printed for.
 DIVERGENT = [
     (r"\int_{-1}^1\frac{dx}x=0", ()),
@@ -261,6 +278,16 @@ def test_what_does_not_converge_is_no_number(latex: str, where: tuple[str, ...])
     (found,) = judge_pasted(Pasted(latex, where=where)).judgements
     assert found.verdict is Verdict.REFUTED
     assert "does not converge" in found.reason
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("latex", "true", "needed", "wrong"), NOT_SAID)
+def test_where_it_converges_is_told(latex: str, true: str, needed: str, wrong: str) -> None:
+    (found,) = judge_pasted(Pasted(latex % true)).judgements
+    assert found.verdict is Verdict.UNDECIDED
+    assert found.reason == f"both sides agree where {needed}, which is not said"
+    assert judge(latex % true, tuple(needed.split(" and "))) is Verdict.PROVED
+    assert judge(latex % wrong) is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("latex", WITHOUT_LIMIT)

@@ -16,7 +16,7 @@ from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.restatements import check_restatements
 from mechproof.proof.statement_checks import check_statement
-from mechproof.proof.verdict import Answer, Evidence, Judgement, Verdict
+from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement
 
@@ -28,7 +28,6 @@ _TOLD: Mapping[type[Exception], str] = {
     OverflowError: "a number in it is too large",
     MemoryError: "it takes more memory than there is",
 }
-_OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
 def judge(row: Row, paper: Paper) -> Judgement:
@@ -123,7 +122,7 @@ def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) ->
             as_meant = Evidence(f"read as: {reading.text}: PROVED ({other.rung})")
             reason = f"true when read as: {reading.text}"
             return Answer(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
-        if other.verdict in _OPEN:
+        if other.verdict in OPEN:
             left_open = left_open or _leave_open(f"read as: {reading.text}", other, literal)
     return left_open
 
@@ -136,7 +135,7 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
     if not _has_interior(row.holds_on, part):
         return refuted
     inside = decide(row.statement, part)
-    if inside.verdict in _OPEN:
+    if inside.verdict in OPEN:
         return _leave_open(f"for {row.holds_on.text}", inside, refuted)
     if inside.verdict is not Verdict.PROVED:
         return refuted

@@ -6,6 +6,7 @@ A row counts where the integrand is proved to be its own, with letters for which
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +16,7 @@ from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_nonnegative, is_positive
+from mechproof.record import Slack
 
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)
@@ -132,7 +134,22 @@ def settle_known_integrals(expression: Any, domain: Domain) -> Any:
     return expression.xreplace({node: v for node, v in found.items() if v is not None})
 
 
-def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+def list_needed(node: sp.Basic) -> Iterator[Slack]:
+    """List what has to be positive, or not negative, in rows that an integral may be one of."""
+    if not isinstance(node, sp.Integral) or (read := _read(node)) is None:
+        return
+    _, integrand, limits = read
+    for row in _list_rows(integrand, limits):
+        found = _match(row, integrand)
+        if found is not None:
+            needs = [*(Slack(n, True) for n in row.positive)]
+            needs += [Slack(n, False) for n in row.nonnegative]
+            yield from (need._replace(value=need.value.xreplace(found)) for need in needs)
+            return
+
+
+def _read(integral: sp.Integral) -> tuple[sp.Expr, sp.Expr, list[sp.Expr]] | None:
+    """Return a factor, the integrand in X and the limits: half of what is even on the line."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return None
@@ -140,28 +157,43 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     integrand = integrand.xreplace({variable: X})
     if limits == [-_OO, _OO] and integrand.subs(X, -X) == integrand:
         factor, limits = 2 * factor, [sp.S.Zero, _OO]
+    return factor, integrand, limits
+
+
+def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    if (read := _read(integral)) is None:
+        return None
+    factor, integrand, limits = read
     length = limits[1] - limits[0]
     scale, argument = integrand.args[0].as_independent(X) if integrand.func == sp.log else (1, X)
     if scale not in (0, 1) and length.is_finite and is_positive(scale, domain):
         # ln(2*sin x) is ln 2 and ln(sin x).
         found = _find_value(sp.Integral(sp.log(argument), (X, *limits)), domain)
         return None if found is None else factor * (length * sp.log(scale) + found)
+    values = (_find_by(row, integrand, domain) for row in _list_rows(integrand, limits))
+    value = next((value for value in values if value is not None), None)
+    return None if value is None else factor * value
+
+
+def _list_rows(integrand: sp.Expr, limits: list[sp.Expr]) -> Iterator[KnownIntegral]:
     kinds = _list_kinds(integrand)
     for row in KNOWN:
         if [*row.limits] == limits and _list_kinds(row.integrand) == kinds:
-            value = _find_by(row, integrand, domain)
-            if value is not None:
-                return factor * value
-    return None
+            yield row
+
+
+def _match(row: KnownIntegral, integrand: sp.Expr) -> dict[sp.Wild, sp.Expr] | None:
+    """Return the letters of a row that a match proposes."""
+    found = integrand.match(row.integrand)
+    # Of a letter that is squared the match finds one of two numbers.
+    return found and {wild: sp.powdenest(value, force=True) for wild, value in found.items()}
 
 
 def _find_by(row: KnownIntegral, integrand: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Return the value that a row gives; the match only proposes letters."""
-    found = integrand.match(row.integrand)
+    found = _match(row, integrand)
     if found is None:
         return None
-    # Of a letter that is squared the match finds one of two numbers.
-    found = {wild: sp.powdenest(value, force=True) for wild, value in found.items()}
     positive, nonnegative = (
         [number.xreplace(found) for number in some] for some in (row.positive, row.nonnegative)
     )

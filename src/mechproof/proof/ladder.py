@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import chain, product
 from typing import Any
 
 import sympy as sp
@@ -16,6 +16,7 @@ from mechproof.proof import newton
 from mechproof.proof.algebra import explain_unequal
 from mechproof.proof.antiderivative import explain_break
 from mechproof.proof.any_functions import decide_any, has_any_functions
+from mechproof.proof.conditions import find_condition
 from mechproof.proof.count_zeros import find_count_without_value, tell_zero_quotients
 from mechproof.proof.definedness import (
     list_needed,
@@ -47,6 +48,7 @@ from mechproof.proof.reasons import (
     tell_needs,
 )
 from mechproof.proof.refutation import (
+    BALLS,
     EVERY_POINT,
     POINTS,
     compare,
@@ -55,7 +57,7 @@ from mechproof.proof.refutation import (
     find_violation,
 )
 from mechproof.proof.relations import prove_relation
-from mechproof.proof.verdict import Answer, Evidence, Verdict
+from mechproof.proof.verdict import OPEN, Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
 from mechproof.record import (
     Completion,
@@ -98,6 +100,9 @@ def decide(statement: Statement, domain: Domain) -> Answer:
 
 def _decide_equality(statement: Equality, domain: Domain) -> Answer:
     answer = _decide_sides(statement.printed, statement.rebuilt, domain)
+    if answer.verdict in OPEN:
+        sides = (statement.printed, statement.rebuilt)
+        return find_condition(sides, domain, _decide_sides) or answer
     is_repeated, source = _is_declaration(statement, domain), statement.rebuilt_from
     is_compared = source in ("mechanics", "member") and not is_repeated
     if answer.verdict is not Verdict.PROVED or is_compared:
@@ -171,7 +176,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     comparison = compare(printed, rebuilt, domain)
     if example := comparison.counterexample or find_counterexample(sides, domain):
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
-        return Answer(Verdict.REFUTED, "separating balls", reason, (example,))
+        return Answer(Verdict.REFUTED, BALLS, reason, (example,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
     return report_unproved(comparison, why)
 
@@ -184,7 +189,7 @@ def _report_equal(
     `is_alike`: beyond what they need it is shown that both have none.
     """
     needs = [list_unshown(side, domain) for side in sides]
-    part = narrow_to(domain, [need for listed in needs for need in listed]) if is_alike else None
+    part = narrow_to(domain, [*chain(*needs)]) if is_alike else None
     inside = [list_unshown_inside(side, part or domain) for side in sides]
     if {*inside[0]} != {*inside[1]}:
         return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
@@ -213,7 +218,7 @@ def _find_break(
     undefined = _cross_examine(*sides, domain)
     if undefined == EVERY_POINT and any(needs):
         # Few points lie where more than one letter has to be positive.
-        part = narrow_to(domain, [need for listed in needs for need in listed])
+        part = narrow_to(domain, [*chain(*needs)])
         undefined = _cross_examine(*sides, part) if part else undefined
     undefined = undefined or find_count_without_value(sides, domain)
     if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
@@ -263,7 +268,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     # What points refute need not be tried by every rung.
     if violation := find_violation(relation, domain):
         reason = newton.explain(relation, domain) or "a point violates it"
-        return Answer(Verdict.REFUTED, "separating balls", reason, (violation,))
+        return Answer(Verdict.REFUTED, BALLS, reason, (violation,))
     if rung := prove_relation(take_values(relation), domain):
         if any(inside):
             return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))

@@ -29,6 +29,7 @@ from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
+BALLS = "separating balls"
 POINTS = 40
 EVERY_POINT = "every point tried"
 # Where a point takes long, and where it takes long to find that there is no value.

@@ -29,6 +29,10 @@ class Verdict(StrEnum):
     UNDECIDED = "UNDECIDED"
 
 
+# What no rung decides.
+OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
+
+
 class State(StrEnum):
     """How far a row got; what is not judged has no verdict."""
 
