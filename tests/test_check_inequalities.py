@@ -31,6 +31,18 @@ PROVED = [
     # Two powers to n, each with what it is multiplied by.
     (r"n!\le\left(\frac{n+1}2\right)^n", ()),
     (r"n!<\left(\frac{n+1}2\right)^n", (r"n\ge2",)),
+    # Moduli, by their signs and by a mean value.
+    (r"|x+y+z|\le|x|+|y|+|z|", ()),
+    (r"|a_1+a_2+a_3|\le|a_1|+|a_2|+|a_3|", ()),
+    (r"|x-w|\le|x-y|+|y-z|+|z-w|", ()),
+    (r"|x|-|y|\le|x-y|", ()),
+    (r"|\cos x-\cos y|\le|x-y|", ()),
+    (r"|\sin2x-\sin2y|\le2|x-y|", ()),
+    (r"|e^{-x}-e^{-y}|\le|x-y|", (r"x\ge0", r"y\ge0")),
+    (r"|\sqrt x-\sqrt y|\le\frac12|x-y|", (r"x\ge1", r"y\ge1")),
+    # Angles, by their tangents.
+    (r"\arctan\frac{e\sin x}{1-e\cos x}\le\arcsin e", (r"0\le e<1",)),
+    (r"\arctan x<\arcsin x", ("0<x<1",)),
     # By the gaps of what is said.
     ("a^2+b^2+c^2<2(ab+bc+ca)", TRIANGLE),
     (r"(a+b-c)(b+c-a)(c+a-b)\le abc", TRIANGLE),
@@ -55,6 +67,19 @@ NOT_PROVED = [
     (r"(-1)^n\ge2", COUNT),
     (r"n!<\left(\frac{n+1}2\right)^n", ()),
     (r"n!\le\left(\frac n2\right)^n", ()),
+    # Moduli that are too small, too steep, or equal.
+    (r"|x+y+z|\le|x|+|y|+\frac{99}{100}|z|", ()),
+    (r"|x+y+z|<|x|+|y|+|z|", ()),
+    (r"|x-w|\le|x-y|+|y-z|", ()),
+    (r"|\cos x-\cos y|\le\frac{99}{100}|x-y|", ()),
+    (r"|\cos x-\cos y|<|x-y|", ()),
+    (r"|e^{-x}-e^{-y}|\le|x-y|", ()),
+    (r"|\sqrt x-\sqrt y|\le\frac12|x-y|", (r"x\ge0", r"y\ge0")),
+    (r"|\operatorname{sgn}x-\operatorname{sgn}y|\le|x-y|", ()),
+    (r"|\lfloor x\rfloor-\lfloor y\rfloor|\le|x-y|", ()),
+    (r"\arctan\frac{e\sin x}{1-e\cos x}\le\frac9{10}\arcsin e", (r"0\le e<1",)),
+    (r"\arctan\frac{e\sin x}{1-e\cos x}<\arcsin e", (r"0\le e<1",)),
+    (r"\arctan x<\arcsin x", (r"0\le x<1",)),
     # One relation less, or a bound that is too low.
     ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", *TRIANGLE[:2])),
     ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", "b>0", "c>0")),

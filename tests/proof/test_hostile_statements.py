@@ -273,6 +273,8 @@ HEAVY: dict[str, Statement] = {
     "high power": Equality((x + y) ** 5000, (x + y + z) ** 5000),
     "large multiple": Equality(cos(10**6 * x), 2 * cos(5 * 10**5 * x) ** 2 - 1),
     "sign of a high power": gt((x**2 + x + 1) ** 4000 + x**2, 0),
+    "high power in a modulus": ge(Abs((x + y + z) ** 4000 + y) + Abs(y), Abs(x)),
+    "slope of a high power": ge(Abs(x - y), Abs((x + 1) ** 4000 - (y + 1) ** 4000)),
     "many terms": Equality(Sum(1 / k**2, (k, 1, 10**9)), pi**2 / 6),
     "high power in a sum": Equality(Sum((A[k] + 1) ** 3000, (k, 1, n)), 0),
 }

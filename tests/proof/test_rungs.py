@@ -26,6 +26,7 @@ from mechproof.proof import (
     known_integrals,
     known_series,
     limits,
+    moduli,
     monotonicity,
     newton,
     powers,
@@ -69,6 +70,7 @@ NAMED += [
     inequalities.HALF_ANGLES,
     inequalities.ORDERS,
     inequalities.GAPS,
+    inequalities.TANGENTS,
     monotonicity.RUNG,
     binomial_squares.RUNG,
     telescoping.RUNG,
@@ -80,6 +82,8 @@ NAMED += [
     any_functions.RUNG,
     floors.RUNG,
     divergence.RUNG,
+    moduli.SIGNS,
+    moduli.MEAN_VALUE,
 ]
 
 

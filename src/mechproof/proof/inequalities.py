@@ -10,13 +10,14 @@ said are written by the gaps of these.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import combinations, permutations
 
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import expand, split
 from mechproof.domains.domain import Domain
-from mechproof.proof import binomial_squares, monotonicity
+from mechproof.proof import binomial_squares, moduli, monotonicity
 from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
@@ -27,6 +28,7 @@ SQUARES = "squares of roots and moduli"
 HALF_ANGLES = "signs in half-angle tangents"
 ORDERS = "every order of the numbers"
 GAPS = "gaps of linear relations"
+TANGENTS = "tangents of angles"
 # Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
 _MOST_ROOTS = 4
 _MOST_ORDERED = 3
@@ -46,13 +48,37 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
         return None
     rungs = (
         (HALF_ANGLES, is_shown_there),
+        (moduli.SIGNS, moduli.holds_by_signs),
+        (moduli.MEAN_VALUE, partial(moduli.holds_by_mean_value, show=show_sign)),
         (ORDERS, _by_orders),
+        (TANGENTS, _by_tangents),
         (SQUARES, _by_squares),
         (binomial_squares.RUNG, binomial_squares.holds_by_squares),
         (monotonicity.RUNG, monotonicity.holds_by_slope),
         (GAPS, _by_gaps),
     )
     return next((name for name, rung in rungs if rung(slack, domain)), None)
+
+
+def _by_tangents(slack: Slack, domain: Domain) -> bool:
+    """Compare two inverse sines or tangents, or a sum of two with zero, by their tangents."""
+    terms = sp.Add.make_args(domain.resolve(slack.value))
+    tangents = [_find_tangent(term, domain) for term in terms]
+    if len(terms) != 2 or None in tangents:
+        return False
+    return show_sign(Slack(sp.Add(*tangents), slack.strict), domain) is not None
+
+
+def _find_tangent(angle: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Return the tangent of an inverse sine or tangent, or its opposite; None for others."""
+    sign, inverse = angle.as_coeff_Mul()
+    if sign not in (1, -1) or not isinstance(inverse, sp.asin | sp.atan):
+        return None
+    (number,) = inverse.args
+    if isinstance(inverse, sp.atan):
+        return sign * number
+    is_within = is_shown(Slack(1 - number**2, True), domain)
+    return sign * number / sp.sqrt(1 - number**2) if is_within else None
 
 
 def _by_orders(slack: Slack, domain: Domain) -> bool:

@@ -48,6 +48,10 @@ RUNGS = {
     "arguments is one",
     "square of a root and its sign": "a side has the sign of a root, and its square is that of it",
     "squares of roots and moduli": "an inequality, by those of the squares of what has a sign",
+    "signs of moduli": "moduli are no less than others: for all signs of what is in these, "
+    "multiples of what is in the first, by no more than one, add up to it",
+    "mean value theorem": "|f(x) - f(y)| is no more than a bound of the slope of f times |x - y|",
+    "tangents of angles": "two angles within a quarter turn are in the order of their tangents",
     "sum of binomial squares": "an inequality: the difference of the sides, by real numbers whose "
     "squares are those that are not negative, is a sum of squares of one or two terms",
     "signs in half-angle tangents": "an inequality in the tangents of half angles and in "
