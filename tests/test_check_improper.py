@@ -84,6 +84,9 @@ PAIRS = [
     (r"\lim_{x\to0}\frac{|x|}x=%s", "1", "-1", ("x>0",)),
     # Sums that come to integrals.
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+k}=%s", r"\ln2", r"\ln3", ()),
+    (r"\lim_{n\to\infty}\left(2+\sum_{k=1}^n\frac1{n+k}\right)=%s", r"2+\ln2", r"2\ln2", ()),
+    (r"\lim_{n\to\infty}\frac1{n^2}\sum_{k=1}^n(2+k)=%s", r"\frac12", "1", ()),
+    (r"\lim_{n\to\infty}\sum_{k=1}^n\left(2+\frac1{2^k}\right)=%s", r"\infty", "2", ()),
     (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+ak}=%s", r"\frac{\ln(1+a)}a", r"\ln(1+a)", ("a>0",)),
     # Fourier series within a period.
@@ -288,6 +291,17 @@ def test_where_it_converges_is_told(latex: str, true: str, needed: str, wrong: s
     assert found.reason == f"both sides agree where {needed}, which is not said"
     assert judge(latex % true, tuple(needed.split(" and "))) is Verdict.PROVED
     assert judge(latex % wrong) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("latex", "where"),
+    [
+        (r"\int_0^{\pi/2}\ln(2+\sin x)\,dx=0", ()),
+        (r"\int_0^\pi\ln(a+\sin x)\,dx=\pi\ln a-\pi\ln2", ("a>0",)),
+    ],
+)
+def test_a_sum_in_a_logarithm_is_no_product(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("latex", WITHOUT_LIMIT)

@@ -47,7 +47,7 @@ def sum_up(body: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
     for total in sorted(body.atoms(sp.Sum, sp.Product), key=sp.default_sort_key):
         factor, term = sp.S.One, total.function
         if isinstance(total, sp.Sum):
-            factor, term = term.as_independent(total.limits[0][0])
+            factor, term = term.as_independent(total.limits[0][0], as_Add=False)
         plain = total.func(term, *total.limits).xreplace({variable: count})
         value = _propose(plain) if plain.has(count) else plain
         if not value.has(sp.Sum, sp.Product) and decide_by_induction(plain, value, counted):

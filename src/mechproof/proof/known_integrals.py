@@ -165,7 +165,8 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return None
     factor, integrand, limits = read
     length = limits[1] - limits[0]
-    scale, argument = integrand.args[0].as_independent(X) if integrand.func == sp.log else (1, X)
+    inner = integrand.args[0] if integrand.func == sp.log else X
+    scale, argument = inner.as_independent(X, as_Add=False)
     if scale not in (0, 1) and length.is_finite and is_positive(scale, domain):
         # ln(2*sin x) is ln 2 and ln(sin x).
         found = _find_value(sp.Integral(sp.log(argument), (X, *limits)), domain)

@@ -80,7 +80,11 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
 
     The sign of what comes to 0 may alternate.
     """
-    factor, total = body.as_independent(sp.Sum)
+    if isinstance(body, sp.Add):
+        steady, moving = body.as_independent(n)
+        value = _find_of_sequence(moving, n, domain) if steady != 0 else None
+        return None if value is None else steady + value
+    factor, total = body.as_independent(sp.Sum, as_Add=False)
     if isinstance(total, sp.Sum):
         body = total.func(factor * total.function, *total.limits)
     if isinstance(body, sp.Sum | sp.Product) and len(body.limits) == 1:
