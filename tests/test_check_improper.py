@@ -29,6 +29,30 @@ PAIRS = [
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=%s", r"\frac\pi{\sin\pi a}", r"\sin\pi a", ("0<a<1",)),
     (r"\int_0^\infty\frac{x^3}{e^x-1}\,dx=%s", r"\frac{\pi^4}{15}", r"\frac{\pi^4}{90}", ()),
     (r"\int_0^\infty\frac{x^2}{e^x-1}\,dx=%s", r"2\sum_{n=1}^\infty\frac1{n^3}", "2", ()),
+    # Of the table: over a half turn and a whole one.
+    (r"\int_0^\pi\ln(1-2a\cos x+a^2)\,dx=%s", "0", r"\pi a", ("-1<a<1",)),
+    (r"\int_0^{2\pi}\ln(1-2a\cos x+a^2)\,dx=%s", r"4\pi\ln a", "0", ("a>1",)),
+    (
+        r"\int_0^\pi\ln(a+b\cos x)\,dx=%s",
+        r"\pi\ln\frac{a+\sqrt{a^2-b^2}}2",
+        r"\pi\ln a",
+        ("a>|b|",),
+    ),
+    (
+        r"\int_0^{2\pi}\frac{\cos nx}{1-2a\cos x+a^2}\,dx=%s",
+        r"\frac{2\pi a^n}{1-a^2}",
+        r"\frac{\pi a^n}{1-a^2}",
+        ("0<a<1", r"n\in\mathbb N"),
+    ),
+    (
+        r"\int_0^{2\pi}\frac{dx}{a+b\cos x+c\sin x}=%s",
+        r"\frac{2\pi}{\sqrt{a^2-b^2-c^2}}",
+        r"\frac{2\pi}{\sqrt{a^2-b^2+c^2}}",
+        ("a>0", "b^2+c^2<a^2"),
+    ),
+    # Roots of fractions.
+    (r"\int_0^1\sqrt{\frac{1-x}{1+x}}\,dx=%s", r"\frac\pi2-1", r"\frac\pi2+1", ()),
+    (r"\int_{-1}^1\sqrt{\frac{1+x}{1-x}}\,dx=%s", r"\pi", r"2\pi", ()),
     # By parts, a fraction before the logarithm.
     (
         r"\int_0^1\frac{x\ln x}{(a+x^2)^2}dx=%s",

@@ -13,7 +13,7 @@ from mechproof.proof.known_integrals import KNOWN, KnownIntegral, X
 
 # Letters with which all rows but the last of these converge.
 LETTERS = {"a": sp.Rational(3, 2), "b": sp.Rational(4, 3), "n": sp.Integer(3)}
-LETTERS |= {"p": sp.Rational(1, 3), "q": sp.Rational(-1, 4), "m": sp.Rational(5, 2)}
+LETTERS |= {"c": sp.S.Half, "p": sp.Rational(1, 3), "q": sp.Rational(-1, 4), "m": sp.Rational(5, 2)}
 BETWEEN = {**LETTERS, "a": sp.Rational(-1, 3)}
 SWINGING = (sp.sin, sp.cos)
 TOLERANCE = 1e-2

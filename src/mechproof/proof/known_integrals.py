@@ -20,12 +20,13 @@ from mechproof.record import Slack
 
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)
-_A, _B = (sp.Wild(name, exclude=(X, 0)) for name in "ab")
+_A, _B, _C = (sp.Wild(name, exclude=(X, 0)) for name in "abc")
 # Of whole numbers the integrals are elementary.
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
 _M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: not number.is_Integer])
 _N = sp.Wild("n", properties=[lambda number: number.is_Integer and number.is_positive])
+_COUNT = sp.Wild("n", properties=[lambda number: number.is_integer and number.is_nonnegative])
 _PI, _OO, _HALF = sp.pi, sp.oo, sp.S.Half
 _Limits = tuple[sp.Expr, sp.Expr]
 
@@ -47,6 +48,7 @@ def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
     return KnownIntegral((one - other) / X, (0, _OO), jump * sp.log(_A / _B), (_A, _B))
 
 
+_CIRCLE = 1 - 2 * _A * sp.cos(X) + _A**2
 _ROOT = sp.sqrt(_PI / _A) / 2
 KNOWN = (
     # Logarithms of sines (4.224).
@@ -73,6 +75,29 @@ KNOWN = (
         (X**_A - X**_B) / sp.log(X), (0, 1), sp.log((_A + 1) / (_B + 1)), (_A + 1, _B + 1)
     ),
     KnownIntegral((X**_A - 1) / sp.log(X), (0, 1), sp.log(_A + 1), (_A + 1,)),
+    # Over a half turn or a whole one (3.613, 3.661, 4.224).
+    KnownIntegral(sp.log(_CIRCLE), (0, _PI), sp.S.Zero, (1 - _A**2,)),
+    KnownIntegral(sp.log(_CIRCLE), (0, 2 * _PI), sp.S.Zero, (1 - _A**2,)),
+    KnownIntegral(sp.log(_CIRCLE), (0, _PI), 2 * _PI * sp.log(_A), (_A - 1,)),
+    KnownIntegral(sp.log(_CIRCLE), (0, 2 * _PI), 4 * _PI * sp.log(_A), (_A - 1,)),
+    KnownIntegral(
+        sp.log(_A + _B * sp.cos(X)),
+        (0, _PI),
+        _PI * sp.log((_A + sp.sqrt(_A**2 - _B**2)) / 2),
+        (_A, _A**2 - _B**2),
+    ),
+    KnownIntegral(
+        sp.cos(_COUNT * X) / _CIRCLE, (0, _PI), _PI * _A**_COUNT / (1 - _A**2), (1 - _A**2,)
+    ),
+    KnownIntegral(
+        sp.cos(_COUNT * X) / _CIRCLE, (0, 2 * _PI), 2 * _PI * _A**_COUNT / (1 - _A**2), (1 - _A**2,)
+    ),
+    KnownIntegral(
+        1 / (_A + _B * sp.cos(X) + _C * sp.sin(X)),
+        (0, 2 * _PI),
+        2 * _PI / sp.sqrt(_A**2 - _B**2 - _C**2),
+        (_A, _A**2 - _B**2 - _C**2),
+    ),
     # Fresnel (3.691).
     KnownIntegral(sp.sin(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),
     KnownIntegral(sp.cos(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),

@@ -96,7 +96,7 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
         yield from _propose_by_sums(integrand, variable)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
     # These first: at some fractions SymPy tries its rules for long.
-    at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm)
+    at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
     for propose in (*at_first, _propose_by_rules, *by_others, _propose_in_parallel):
         with suppress(PolynomialError, NotImplementedError):
             yield from propose(integrand, variable)
@@ -148,6 +148,19 @@ def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Exp
     a, b, c = (sign * x for sign, x in zip((-1, 1, 1), exponent.all_coeffs(), strict=True))
     argument = sp.sqrt(a) * (variable - b / (2 * a))
     yield factor * sp.exp(c + b**2 / (4 * a)) * sp.sqrt(sp.pi / a) / 2 * sp.erf(argument)
+
+
+def _propose_by_roots(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate the root of a fraction p/q of linear functions as p divided by that of p*q."""
+    written = integrand
+    for root in integrand.atoms(sp.Pow):
+        above, below = sp.fraction(sp.together(root.base))
+        is_met = all(sp.diff(part, variable).is_number for part in (above, below))
+        if root.exp.is_Rational and root.exp.q == 2 and below.has(variable) and is_met:
+            other = (above / sp.sqrt(sp.expand(above * below))) ** (2 * root.exp)
+            written = written.xreplace({root: other})
+    if written != integrand:
+        yield from _propose_by_rules(sp.expand(written), variable)
 
 
 def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
