@@ -50,6 +50,9 @@ PAIRS = [
         r"\frac{2\pi}{\sqrt{a^2-b^2+c^2}}",
         ("a>0", "b^2+c^2<a^2"),
     ),
+    # Between letters, as from 0 to 1.
+    (r"\int_a^b\sqrt{(x-a)(b-x)}\,dx=%s", r"\frac\pi8(b-a)^2", r"\frac\pi4(b-a)^2", ("a<b",)),
+    (r"\int_a^b\frac{dx}{\sqrt{(x-a)(b-x)}}=%s", r"\pi", r"\frac\pi2", ("a<b",)),
     # Roots of fractions.
     (r"\int_0^1\sqrt{\frac{1-x}{1+x}}\,dx=%s", r"\frac\pi2-1", r"\frac\pi2+1", ()),
     (r"\int_{-1}^1\sqrt{\frac{1+x}{1-x}}\,dx=%s", r"\pi", r"2\pi", ()),

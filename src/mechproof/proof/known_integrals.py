@@ -198,7 +198,39 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return None if found is None else factor * (length * sp.log(scale) + found)
     values = (_find_by(row, integrand, domain) for row in _list_rows(integrand, limits))
     value = next((value for value in values if value is not None), None)
+    if value is None and all(limit.is_finite for limit in limits) and length.free_symbols:
+        value = _find_between_letters(integrand, limits, domain)
     return None if value is None else factor * value
+
+
+def _find_between_letters(
+    integrand: sp.Expr, limits: list[sp.Expr], domain: Domain
+) -> sp.Expr | None:
+    """Return the value by a variable from 0 to 1; roots of fractions of the limits are powers."""
+    lower, upper = limits
+    if not (upper.is_Symbol and is_positive(upper - lower, domain)) or lower.has(upper):
+        return None
+    gap = sp.Dummy("gap", positive=True)
+    moved = integrand.subs({X: lower + gap * X, upper: lower + gap}, simultaneous=True)
+    if not all(power.base.is_polynomial(X) for power in moved.atoms(sp.Pow)):
+        return None
+    powers = moved.replace(sp.Pow, _split_power)
+    factor, rest = powers.as_independent(X, as_Add=False)
+    within = {**domain.within, gap: sp.Interval.open(0, sp.oo), X: sp.Interval.open(0, 1)}
+    inside = Domain(within, (), {})
+    if not rest.free_symbols <= {X} or decide_equal(moved, powers, inside) is None:
+        return None
+    value = _find_value(sp.Integral(rest, (X, 0, 1)), domain)
+    return None if value is None else (gap * factor * value).xreplace({gap: upper - lower})
+
+
+def _split_power(base: sp.Expr, exponent: sp.Expr) -> sp.Expr:
+    """Write a power by those of the factors of its base, which are positive at X = 1/2."""
+    number, factors = sp.factor_list(base)
+    signs = {factor: -1 if factor.subs(X, _HALF).is_negative else 1 for factor, _ in factors}
+    number *= sp.Mul(*(signs[factor] ** power for factor, power in factors))
+    powers = ((signs[factor] * factor) ** (power * exponent) for factor, power in factors)
+    return sp.Mul(number**exponent, *powers)
 
 
 def _list_rows(integrand: sp.Expr, limits: list[sp.Expr]) -> Iterator[KnownIntegral]:
