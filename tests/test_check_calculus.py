@@ -38,6 +38,17 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
+    # Gamma functions of halves, by induction.
+    (
+        r"\Gamma\left(n+\frac12\right)=%s\sqrt\pi",
+        (r"\frac{(2n)!}{4^nn!}", r"\frac{(2n)!}{2^nn!}"),
+        (r"n\in\mathbb N",),
+    ),
+    (
+        r"\Gamma(n)\Gamma\left(n+\frac12\right)=%s\sqrt\pi\,\Gamma(2n)",
+        ("2^{1-2n}", "2^{2-2n}"),
+        (r"n\in\mathbb N", r"n\ge1"),
+    ),
     # Derivatives of any order.
     (
         r"\frac{d^n}{dx^n}\sin ax=%s",

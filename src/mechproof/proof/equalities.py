@@ -21,7 +21,7 @@ from mechproof.proof.cases import (
 )
 from mechproof.proof.definedness import list_necessary, list_unshown, narrow_to
 from mechproof.proof.floors import decide_by_floors
-from mechproof.proof.induction import decide_by_induction
+from mechproof.proof.induction import decide_by_induction, decide_by_quotients
 from mechproof.proof.integral_recurrences import decide_by_parts
 from mechproof.proof.integrals import decide_by_antiderivative
 from mechproof.proof.inverses import ROOT, decide_by_inverse
@@ -55,7 +55,7 @@ _FIRST = (
     decide_by_induction,
 )
 _SLOW = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
-_LAST = (decide_by_inverse, decide_by_telescoping, decide_by_floors)
+_LAST = (decide_by_quotients, decide_by_inverse, decide_by_telescoping, decide_by_floors)
 
 
 def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:

@@ -15,6 +15,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from mechproof.domains.domain import Domain
 from mechproof.domains.preparation import prepare
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.counts import find_first
 from mechproof.proof.integrals import put_values
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, is_analytic, split_powers
@@ -33,6 +34,25 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
     for count in sorted(_list_counts(difference), key=str):
         first = write_out(substitute(difference, {count: sp.S.One}))
         if _vanishes(first, domain) and _grows(difference, count, domain):
+            return RUNG
+    return None
+
+
+def decide_by_quotients(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Return the rung if sides with factorials begin alike and grow by the same factor, else None.
+
+    Both are positive for all n, so that what is for n + 1 follows from what is for n.
+    """
+    sides = [domain.resolve(side) for side in (left, right)]
+    if not any(side.has(sp.gamma) for side in sides) or not all(s.is_positive for s in sides):
+        return None
+    for count in sorted({n for side in sides for n in side.free_symbols}, key=str):
+        if (first := find_first(count, domain)) is None:
+            continue
+        begun = [substitute(side, {count: first}) for side in sides]
+        after = [side.subs(count, count + 1) for side in sides]
+        crossed = after[0] * sides[1] - after[1] * sides[0]
+        if all(_vanishes(number, domain) for number in (begun[0] - begun[1], crossed)):
             return RUNG
     return None
 
