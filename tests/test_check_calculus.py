@@ -63,6 +63,8 @@ PAIRS = [
     ),
     (r"\frac{d^n}{dx^n}\ln x=%s", (r"\frac{(-1)^{n-1}(n-1)!}{x^n}", r"\frac{(-1)^nn!}{x^n}"), ()),
     (r"\frac{d^n}{dx^n}x^m=%s", (r"\frac{m!}{(m-n)!}x^{m-n}", r"m!\,x^{m-n}"), (r"n\le m",)),
+    (r"\frac{d^n}{dx^n}x^n=%s", ("n!", "(n+1)!"), ()),
+    (r"\frac{d^n}{dx^n}x^{n+1}=%s", ("(n+1)!x", "n!x"), ()),
     (r"\frac{d^n}{dx^n}x^3=%s", ("0", "6"), (r"n\ge4",)),
     (r"\frac{d^{2n}}{dx^{2n}}\cos x=%s", (r"(-1)^n\cos x", r"-\cos x"), ()),
     # Floors, by the steps within a period.

@@ -134,14 +134,19 @@ def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
 
     It has to be one about each place, which nothing binds to a single one or to n.
     """
-    (inside, _, x, order), value, n = claim.integral.args, *claim[1:]
+    (inside, by, x, order), value, n = claim.integral.args, *claim[1:]
     within = domain.set_of(x)
     is_wide = isinstance(within, sp.Interval) and within.measure > 0 and x.is_Symbol
     bound = [relation for relation in domain.where if relation.has(x)]
     is_wide &= all(isinstance(r, sp.Gt | sp.Lt | sp.Ne) and not r.has(n) for r in bound)
     more = sp.diff(order, n)
-    if not (is_wide and more.is_Integer and more > 0) or inside.has(n) or x.is_integer:
+    if not (is_wide and more.is_Integer and more > 0) or x.is_integer:
         return False
+    if inside.has(n):
+        # What is for n + 1 has as its derivative a multiple of what is for n.
+        factor = sp.powsimp(sp.diff(inside.subs(n, n + 1), (by, more)) / inside)
+        following = value.subs(n, n + 1)
+        return not factor.has(by) and prove(factor * value, following, domain) is not None
     return prove(sp.diff(value, (x, more)), value.subs(n, n + 1), domain) is not None
 
 
