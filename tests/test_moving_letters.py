@@ -24,6 +24,7 @@ PAIRS = [
     (r"\frac{d}{dx}(u(x)v(x))=%s", "u'(x)v(x)+u(x)v'(x)", "u'(x)v'(x)"),
     (r"\frac{d}{dx}f(x)^2=%s", "2f(x)f'(x)", "2f(x)"),
     (r"\frac{d}{dt}(x\dot x)=%s", r"\dot x^2+x\ddot x", r"\dot x^2+x\dot x"),
+    (r"d(x\dot x)/dt=%s", r"\dot x^2+x\ddot x", r"\dot x^2+x\dot x"),
     (r"\frac{d}{dt}\left(\frac12mv^2\right)=%s", r"mv\dot v", r"m\dot v"),
     (r"\frac{d}{dt}\left(\frac12m\dot x^2\right)=%s", r"m\dot x\ddot x", r"m\ddot x"),
     (

@@ -109,10 +109,38 @@ CASES = {
         [ROD, r"\frac{dx}{dt}=-r\frac{d\varphi}{dt}\sin\varphi"],
         ["DEFINITION", "PROVED"],
     ),
+    "d by dt with a slash": (
+        [
+            ROD,
+            r"dx/dt=-r(d\varphi/dt)\sin\varphi",
+            r"\mathrm dx/\mathrm dt=-r\dot\varphi\cos\varphi",
+            r"d^2x/dt^2=-r\ddot\varphi\sin\varphi-r\dot\varphi^2\cos\varphi",
+            r"d(x^2)/dt=2x\,dx/dt",
+            r"dx^2/dt=2x\dot x",
+            r"\frac{1}{dx/dt}=1/dx/dt",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "PROVED", "not read", "not read"],
+    ),
+    "partial derivatives with a slash": (
+        [
+            r"k=\frac12m\dot\varphi^2",
+            r"\partial k/\partial\dot\varphi=m\dot\varphi",
+            r"\partial k/\partial\dot\varphi=2m\dot\varphi",
+            r"\partial^2k/\partial m\,\partial\dot\varphi=\dot\varphi",
+            r"\partial^2k/\partial\dot\varphi^2=\dot\varphi",
+            r"d/dt(\partial k/\partial\dot\varphi)=m\ddot\varphi",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED", "PROVED"],
+    ),
     "primes": (
         [r"s=a\cos\psi+b\psi", r"s'=b-a\sin\psi", r"s''=a\cos\psi"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "a derivative by the angle with a slash": (
+        [r"s=a\cos\psi+b\psi", r"ds/d\psi=b-a\sin\psi", r"d^2s/d\psi^2=a\cos\psi"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "a rate that is said to be itself": ([ROD, r"\dot x=\frac{dx}{dt}"], ["DEFINITION", "PROVED"]),
     "a derivative by the time of what is printed of a letter": (
         [
             r"k=\frac12r^2\dot\varphi^2-rl\cos\varphi",

@@ -163,6 +163,8 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         (r"the lift $s(u)$ $$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
         (r"$$s=bu^2$$ $$\dot s=s'\dot u$$", ["s(u) :", "u(t) :"], ["s' :", "s(t) :"]),
         (r"$$\dot s=\frac{ds}{du}\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
+        (r"$$\dot s=(ds/du)\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :", "d :"]),
+        (r"$$\dot s=(bd/du)\dot u$$ $$d=2b$$", ["d :"], ["d(u) :", "b(u) :"]),
         (r"$$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(t) :", "u(t) :"], []),
         (r"the lift $s(u)$ $$s=bu^2$$ $$\dot y=2s$$", ["s(u) :", "y(t) :"], ["u(t) :"]),
         # Two letters that are printed at once are those two.

@@ -210,6 +210,11 @@ PAPERS |= {
         "a ; b ; d ; x ; y : lengths\nt : time",
         [D, P, D, R],
     ),
+    "a slash is no derivative beside a length d": (
+        r"$$x=at^2$$ $$dx/dt=2at$$ $$y=(da)/(db)$$ $$y=a/b$$ $$y=b/a$$",
+        "a ; b ; d ; x ; y : numbers\nt : time",
+        [D, "not read", D, D, R],
+    ),
     "a bracket that goes on in another line": (
         r"$$\begin{aligned}u=&\left(a+b\right.\\&\left.+c\right)v\end{aligned}$$ $$u=av+bv+cv$$"
         r"$$u=av+bv-cv$$",

@@ -261,7 +261,7 @@ def _note_again(name: str, signs: Sequence[Sign], known: Known) -> None:
     """Note what is printed again of a letter, or of a rate that is derived."""
     for sign in signs:
         if sign.role in (Role.REPEATED, Role.DERIVATIVE) and sign.letter in sign.sides:
-            value = next(side for side in sign.sides[::-1] if side != sign.letter)
+            value = next((side for side in sign.sides[::-1] if side != sign.letter), None)
             if isinstance(value, sp.Expr) and sign.letter not in known.list_used(value):
                 known.again.setdefault(sign.letter, []).append((name, value))
 

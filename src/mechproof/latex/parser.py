@@ -32,6 +32,7 @@ from mechproof.latex.names import Names, to_signs
 from mechproof.latex.numerals import is_number_fraction, may_follow
 from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
+from mechproof.latex.slashed import fold_slashed
 from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
     Add,
@@ -86,9 +87,9 @@ class Parser:
         self.source = PrintedText(latex)
         signs = read_signs(latex)
         self.lines = several_equations.split(signs.tokens)
+        self.names = names
         self.begin(signs.tokens, len(latex))
         self.groups = signs.groups
-        self.names = names
         self.notation = notation
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
         makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
@@ -108,7 +109,7 @@ class Parser:
 
     def begin(self, tokens: Sequence[Token], last: int) -> None:
         """Begin to read these signs, which end at a place of the source."""
-        self.tokens: Sequence[Token] = conditions.keep_gaps(tokens)
+        self.tokens: Sequence[Token] = fold_slashed(conditions.keep_gaps(tokens), self.names)
         self.last = last
         self.place = self.bars = self.norms = self.depth = 0
         # Of places of brackets, whether they multiply the letter before.

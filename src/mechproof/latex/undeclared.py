@@ -78,7 +78,7 @@ def read_undeclared(parser: Parser) -> Node:
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
     near = f" (declared are {', '.join(begun[:4])})" if begun else ""
     hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "") or _advise_rate(parser)
-    index = _find_running_index(parser, parser.place, _find_end(parser, parser.place))
+    index = _find_running_index(parser, parser.place, find_end(parser.tokens, parser.place))
     name = parser.remedies.family if index else parser.remedies.name
     remedy = " ".join(filter(None, (hint, name.format(printed, index))))
     raise parser.refuse(f"{printed} is not declared{near}", remedy)
@@ -86,7 +86,9 @@ def read_undeclared(parser: Parser) -> Node:
 
 def _advise_rate(parser: Parser) -> str:
     r"""Return what makes \dot x the derivative of a declared letter that depends on nothing yet."""
-    signs = [token.text for token in parser.tokens[parser.place : _find_end(parser, parser.place)]]
+    signs = [
+        token.text for token in parser.tokens[parser.place : find_end(parser.tokens, parser.place)]
+    ]
     if not signs[0].endswith("dot") or "}" not in signs:
         return ""
     close = signs.index("}")
@@ -129,7 +131,7 @@ def _is_unsure(parser: Parser) -> bool:
     it is no differential.
     """
     text, place = parser.text, parser.place
-    if text not in UNSURE or _find_end(parser, place) > place + 1:
+    if text not in UNSURE or find_end(parser.tokens, place) > place + 1:
         return False
     texts = {token.text for token in parser.tokens}
     if all(chr(code) in texts for code in range(ord("a"), ord(text))):
@@ -154,7 +156,7 @@ def _read_running(parser: Parser) -> Letter:
 def _read_plain(parser: Parser) -> Letter:
     """Read a letter with its scripts and primes as a real symbol."""
     start, word = parser.start, _upright_word(parser)
-    end = _find_end(parser, parser.place)
+    end = find_end(parser.tokens, parser.place)
     texts = [token.text for token in parser.tokens[parser.place : end]]
     _refuse_expression(parser, texts)
     latex = "".join([word or texts[0], *texts[1:]])
@@ -210,9 +212,8 @@ def _find_running_index(parser: Parser, start: int, end: int) -> str:
     return "".join(index[own:]).replace("}", "")
 
 
-def _find_end(parser: Parser, place: int) -> int:
+def find_end(tokens: Sequence[Token], place: int) -> int:
     """Return the place behind a letter with its accent, index and primes."""
-    tokens = parser.tokens
     place = _find_base(tokens, place)
     end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
     while end < len(tokens) and tokens[end].text in ("_", *SUFFIXES):
@@ -237,7 +238,7 @@ def _find_base(tokens: Sequence[Token], place: int) -> int:
 
 def printed_name(parser: Parser, place: int) -> str:
     """Return how the letter at a place is printed, with its index and primes."""
-    tokens = parser.tokens[place : _find_end(parser, place)]
+    tokens = parser.tokens[place : find_end(parser.tokens, place)]
     # Those beside a power have no place of their own.
     hidden = (t.text for t in tokens if t.text in SUFFIXES and t.start == t.end)
     return parser.source.latex[tokens[0].start : tokens[-1].end] + "".join(hidden)

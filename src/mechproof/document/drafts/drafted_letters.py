@@ -21,9 +21,11 @@ _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 # A derivative of a letter by another.
 _D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*"
 _INDEX = r"_(?:\w|\{\w+\}|(?:\{\s*)?\\(?:text|mathrm|mbox)\s*\{[^{}]*\}\s*\}?)"
-_QUOTIENT = re.compile(
-    rf"\\frac\s*\{{\s*{_D}(?:\^\s*\{{?\d\}}?)?\s*"
-    rf"(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*\}}\s*\{{\s*{_D}(?P<by>\\?[A-Za-z]+)[^{{}}]*\}}"
+_OF = rf"{_D}(?:\^\s*\{{?\d\}}?)?\s*(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*"
+_BY = rf"{_D}(?P<by>\\?[A-Za-z]+)"
+_QUOTIENTS = (
+    re.compile(rf"\\frac\s*\{{\s*{_OF}\}}\s*\{{\s*{_BY}[^{{}}]*\}}"),
+    re.compile(rf"(?<![A-Za-z\\]){_OF}/\s*{_BY}"),
 )
 _RESPECT = re.compile(
     r"(?P<noun>\b(?:primes?|dash(?:es)?|derivatives?)\b[^$.]{0,60})?"
@@ -58,7 +60,7 @@ def list_entries(
     name one.
     """
     entries: dict[str, Entry] = {}
-    quotients = [match for latex in prints for match in _QUOTIENT.finditer(latex)]
+    quotients = [match for latex in prints for one in _QUOTIENTS for match in one.finditer(latex)]
     by = {name_symbol(match["of"]): match["by"] for match in quotients}
     met = drop_transposition([*collected.letters, *collected.guessed], prints)
     letters = [letter for letter in leave_pairs(met, prints) if not _EXTREME.search(letter)]
