@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.characters import find_alike, spell
+from mechproof.latex.characters import find_alike, find_disguised, find_replaced, spell
 from mechproof.latex.tokens import list_signs
 from mechproof.record import Variable
 
@@ -98,4 +98,22 @@ def test_which_letters_look_alike() -> None:
     assert find_alike(("o", "ο")) == ("o", "ο")
     assert find_alike((r"\Pi", "П")) == (r"\Pi", "П")
     assert find_alike(("β", "ж", "x", "y")) is None
+    # Nobody is blamed for a letter that others have.
+    assert find_alike(("a",), ("а", "b")) is None
+    assert find_alike(("а",), ("a", "b")) == ("a", "а")
+
+
+def test_what_is_read_as_another_sign() -> None:
+    assert find_replaced("u−v·w≤αΩφx²") == {"−": "-", "·": r"\cdot", "≤": r"\le"}
+    assert find_replaced("\u2126") == {"\u2126": r"\Omega"}
+    assert find_disguised("аaφβж") == {"а": "a"}
+
+
+@pytest.mark.parametrize("latex", ["y", r"\frac{a}{y}", r"\max(a,y)"])
+def test_names_of_macros_are_no_letters(latex: str) -> None:
+    letters = [Variable(sp.Symbol(x, real=True), "", latex=(x,)) for x in ("y", "a", "А", "х")]
+    reader = Reader(letters)
+    assert reader.parse(latex).chains
+    with pytest.raises(ReadingError, match="no meaning here"):
+        reader.parse("y☺")
     assert spell("″") == ("'", "'")

@@ -10,6 +10,7 @@ import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.roles import EQUAL
+from mechproof.latex.characters import write_plain
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import (
@@ -116,8 +117,9 @@ def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> b
     """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
     steps = known.symbols.find_steps(symbol)[1] if with_rates else (symbol,)
     names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
-    plain = _COMMAND.sub(" ", known.unread)
-    texts = ((name, known.unread if "\\" in name else plain) for name in names)
+    unread = write_plain(known.unread)
+    plain = _COMMAND.sub(" ", unread)
+    texts = ((write_plain(name), unread if "\\" in name else plain) for name in names)
     if any(name_symbol(name) in name_symbol(text) for name, text in texts):
         return False
     return sum(known.met[step] for step in steps) == 1

@@ -137,14 +137,43 @@ def advise(text: str) -> str:
     return "Print the plain sign, or its command." if is_dressed else ""
 
 
-def find_alike(signs: Iterable[str]) -> tuple[str, str] | None:
-    """Return two different letters among signs that print alike."""
+def find_alike(signs: Iterable[str], others: Iterable[str] = ()) -> tuple[str, str] | None:
+    """Return two different letters that print alike: one among signs, one there or among others.
+
+    Where only others have the one of another alphabet there are none.
+    """
+    own = {*signs}
     met: dict[str, str] = {}
-    for sign in sorted(set(signs)):
-        seen = spell(_ALIKE.get(sign, sign))[0]
-        if (other := met.setdefault(seen, sign)) != sign:
+    for sign in sorted(own.union(others)):
+        other = met.setdefault(_show_plain(sign), sign)
+        if other != sign and not own.isdisjoint(x for x in (other, sign) if not x.isascii()):
             return other, sign
     return None
+
+
+def _show_plain(sign: str) -> str:
+    return spell(_ALIKE.get(sign, sign))[0]
+
+
+def write_plain(text: str) -> str:
+    """Return a text with each letter as the Latin, or Greek, one that it prints like."""
+    return "".join(_show_plain(sign) if sign in _ALIKE else sign for sign in text)
+
+
+def find_replaced(text: str) -> dict[str, str]:
+    r"""Return the characters of a text that are read as other signs: ≤ as \le.
+
+    A Greek letter is its command, and a raised digit a script: they are no other signs.
+    """
+    others = (
+        x for x in dict.fromkeys(text) if not unicodedata.name(x, "GREEK").startswith("GREEK")
+    )
+    return {x: " ".join(read) for x in others if (read := spell(x)) != (x,)}
+
+
+def find_disguised(text: str) -> dict[str, str]:
+    """Return the letters of a text that print like a letter of another alphabet, each with that."""
+    return {x: _ALIKE[x] for x in dict.fromkeys(text) if x in _ALIKE and x not in EITHER}
 
 
 def _has_accent(text: str) -> bool:

@@ -188,12 +188,10 @@ class Parser:
 
     def _refuse_alike(self) -> None:
         """Refuse letters of two alphabets that print alike, here or among the names."""
-        signs = (token.text for token in self.tokens)
-        either = (sign for sign in self.source.latex if sign in EITHER)
-        alike = find_alike((*signs, *self.names.signs, *either)) or ()
-        places = sorted((sign.isascii(), self.source.latex.find(sign)) for sign in alike)
-        found = [place for _, place in places if place >= 0]
-        if found:
+        signs = {token.text: token.start for token in self.tokens[::-1]}
+        signs |= {sign: n for n, sign in enumerate(self.source.latex) if sign in EITHER}
+        if alike := find_alike(signs, self.names.signs):
+            found = [signs[sign] for sign in sorted(alike, key=str.isascii) if sign in signs]
             raise self.refuse(
                 f"{' and '.join(map(name_character, alike))} look alike: one letter or two?",
                 "Print the same letter for one quantity, letters that look different for two.",

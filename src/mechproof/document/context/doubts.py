@@ -13,6 +13,7 @@ from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
+from mechproof.latex.characters import write_plain
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
@@ -203,7 +204,7 @@ def doubt_by_unread(
         if not (is_certain and unread):
             continue
         letters = list_compared(task, tasks)
-        named = [defines(one, letters) and name_symbol(str(one.sign.letter)) for one in tasks]
+        named = [defines(one, letters) and _name_plain(str(one.sign.letter)) for one in tasks]
         between = [x for place, name, x in unread if place <= n and name in named[:place]]
         if names := ", ".join(left.number for left in between):
             first = "it differs" if _is_refuted(rows[n]) else "it holds"
@@ -218,8 +219,13 @@ def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
         if isinstance(one, Task):
             place += 1
         elif one.state is State.NOT_READ and "=" in one.printed_latex:
-            unread.append((place, name_symbol(one.printed_latex.partition("=")[0].strip()), one))
+            unread.append((place, _name_plain(one.printed_latex.partition("=")[0].strip()), one))
     return unread
+
+
+def _name_plain(latex: str) -> str:
+    """Return the name of a letter; what looks like one of another alphabet may be meant for it."""
+    return name_symbol(write_plain(latex))
 
 
 def _is_refuted(row: CheckedRow) -> bool:
