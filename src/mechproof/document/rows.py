@@ -36,6 +36,7 @@ from mechproof.document.roles import Role, Sign
 from mechproof.document.seams import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
+from mechproof.document.told_characters import tell_characters
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
@@ -199,7 +200,8 @@ class Document:
         compared = list(tables.read(self.tables))
         start = Place(self.files.names[0], 1, 1)
         faults = [(place or start, reason) for place, reason in self.symbols.faults]
-        self.told = [*faults, *tables.told]
+        characters = tell_characters(self.printed, self.files)
+        self.told = [*faults, *tables.told, *characters]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
         restated = RestatedSizes(self.source, self.symbols)
