@@ -240,6 +240,29 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
         ),
         (r"the force $b$ in N, $b=\SI{20}{kN}$, $$y=2b$$", ["sizes b=20 kN"], []),
         (r"For $b=20$ in all $$y=2bc$$", ["sizes b=20"], ["b : [in]"]),
+        # Units beside letters, and in the heads of tables.
+        (
+            r"a mass $b$ in kg, force $c$ [N] $$y=b+c$$",
+            ["b : mass [kg] {b>0}", "c : force [N]"],
+            [],
+        ),
+        (r"$b$ and $c$ in mm, at a speed $q$ in m/s, $$y=b+cq$$", ["b : [mm]", "c : [mm]"], []),
+        (r"at a speed $q$ in m/s, $$y=2q$$", ["q : speed [m/s]"], ["q : speed [m]"]),
+        (r"\(b\) (mm) and $c$ (\si{\milli\second}) $$y=b+c$$", ["b : [mm]", "c : [ms]"], []),
+        (r"as $b$ [1], $c$ (1), $q$ in A and $k$ (m) $$y=b+cqk$$", ["b :", "c :", "q :"], []),
+        (r"the force $b$ in all, $c$ in minima $$y=b+c$$", ["b : force", "c :"], []),
+        (
+            "$$y=b+c+q+k$$\n\\begin{tabular}{lSSS}\n& {$b$ / \\si{mm}} & {$c$ (\\si{\\kilo"
+            "\\newton})} & $q$ [m] & $k$ \\\\\nA & 1 & 2 & 3 & 4\\\\\n\\end{tabular}",
+            ["b : [mm]", "c : [kN]", "q : [m]", "k :"],
+            [],
+        ),
+        (
+            "$$y=b+c+q$$\n\\begin{tabular}{ccc}\n$b$ & $c$ & $q$\\\\ mm & $^\\circ$ & "
+            "\\\\\n1 & 2 & 3\\\\\n\\end{tabular}",
+            ["b : [mm]", "c : [°]", "q :"],
+            [],
+        ),
         (r"\newcommand{\bs}{b_{s}} with $\bs=24$ $$y=2b_s$$", ["sizes b_{s}=24"], []),
         # What is denied, assumed, solved or said of a moment defines no letter; nor do multiples.
         (r"For $b=c^2$ we get $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),

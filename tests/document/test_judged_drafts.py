@@ -127,3 +127,13 @@ def test_matrices_are_read_with_the_sizes_of_a_draft(text: str, outcomes: set[st
     assert {
         row.outcome for row in mechproof.check("paper.tex", draft(text) + text).rows
     } == outcomes
+
+
+def test_a_table_is_compared_in_the_units_of_its_head() -> None:
+    text = (
+        "\\begin{tabular}{ccc}\n$r$ [mm] & $l$ / mm & $\\lambda$\\\\ \\hline\n"
+        "66 & 200 & 0.33\\\\\n60 & 180 & 0.35\\\\\n\\end{tabular}\n"
+        "\\begin{equation}\\lambda=r/l\\end{equation}\n"
+    )
+    rows = mechproof.check("paper.tex", f"{draft(text)}{text}").rows
+    assert [row.outcome for row in rows] == ["DEFINITION", "PROVED", "REFUTED"]

@@ -28,7 +28,7 @@ from mechproof.document.mentions import (
 )
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
 from mechproof.document.numbers.restated_sizes import RestatedSizes
-from mechproof.document.numbers.size_tables import SizeTables
+from mechproof.document.numbers.size_tables import SizeTables, find_head_units
 from mechproof.document.numbers.sizes import collect_sizes
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
@@ -179,6 +179,10 @@ class Document:
         self.limit = limit
         self._parse_all()
         return {name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape}
+
+    def find_table_units(self) -> Iterator[tuple[str, str, int]]:
+        """Yield the letters in heads of tables with their units, and where the table stands."""
+        return find_head_units(self.tables, self.symbols.reader())
 
     def read(self, limit: float) -> list[Task | Left]:
         """Read all equations in their order: first what they define, then what they assert.

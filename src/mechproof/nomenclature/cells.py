@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -103,7 +103,7 @@ def _write_slash(fraction: re.Match[str]) -> str:
 def find_unit(text: str) -> Unit | None:
     """Return the unit that is printed so, None for what is none."""
     name = name_unit(text)
-    return read_unit(name) if name else None
+    return replace(read_unit(name), name=name) if name else None
 
 
 def read_head(text: str, reader: Reader) -> Head | None:
@@ -118,7 +118,7 @@ def read_head(text: str, reader: Reader) -> Head | None:
     if plain and not text[plain.end() :].strip("$ "):
         before = text[: plain.start()].rstrip(" ,[($")
         if letter := _find_letter(before, reader):
-            return Head(letter, before.strip("$ "), read_unit("°"))
+            return Head(letter, before.strip("$ "), find_unit("°"))
     unit = _UNIT.search(text)
     known = find_unit(next(filter(None, unit.groups()), "")) if unit else None
     before = text[: unit.start()] if unit else ""

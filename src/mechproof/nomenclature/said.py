@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from mechproof.nomenclature.cells import name_unit
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.units import UnitError, read_unit
 from mechproof.sources.files import Source
@@ -18,6 +19,14 @@ _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"
 _UNIT = (
     r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)"
     r"|,?\s+in\s+(rad|deg|rpm|[kMmc]?(?:m|g|N|Nm|Pa|W|Hz|s))\b))?"
+)
+# A unit right behind letters: "a mass $m$ in kg", "the force $F$ [N]".
+_MULTIPLE = r"(?:rad|deg|°|rpm|[kMmcµ]?(?:m|g|N|Nm|Pa|W|J|Hz|s)|min)(?:\^?\{?-?[1-3]\}?)?"
+_SAID_UNIT = rf"{_MULTIPLE}(?:\s*[/·]\s*{_MULTIPLE}){{0,2}}(?![\w/^])"
+_BESIDE = re.compile(
+    r"(?P<list>(?:\$[^$&|\n=<>]{1,30}\$(?:\s*,\s*|,?\s+and\s+))*)\$(?P<name>[^$&|\n=<>]{1,30})\$[\s~]*"
+    rf"(?:\[(?P<square>[^\]\[]{{1,40}})\]|\((?:in\s+)?(?P<round>{_SAID_UNIT}|\\[^()]{{1,40}})\)"
+    rf"|,?\s*in\s+(?P<plain>{_SAID_UNIT}))"
 )
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _ARTICLE = r"(?:the\s+|an?\s+)?"
@@ -132,8 +141,7 @@ class Said:
 
 def find_said(source: Source) -> Iterator[tuple[str, Said]]:
     """Yield letters with what is said of them last, so that the first of a table wins."""
-    string = _INLINE.sub(lambda match: " $" if match[1] == "(" else "$ ", source.text.string)
-    string = _WRAPPED.sub(" ", string)
+    string = _write_inline(source)
     for pattern in _PATTERNS:
         for match in reversed(list(pattern.finditer(string))):
             named = {*match.groupdict().values()}
@@ -144,6 +152,28 @@ def find_said(source: Source) -> Iterator[tuple[str, Said]]:
             for name, meaning in zip(letters, _share(match["meaning"], len(letters)), strict=True):
                 if not _NO_NOUN.match(meaning):
                     yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+
+
+def _write_inline(source: Source) -> str:
+    """Return a text, as long as it is, with dollars around letters, and sentences in one line."""
+    string = _INLINE.sub(lambda match: " $" if match[1] == "(" else "$ ", source.text.string)
+    return _WRAPPED.sub(" ", string)
+
+
+def find_units(source: Source) -> Iterator[tuple[str, str, int]]:
+    """Yield letters in sentences with the unit printed behind them, and where they stand.
+
+    A unit that is said, "in mm", is that of all letters of a list, one in brackets of the last.
+    """
+    for match in _BESIDE.finditer(_write_inline(source)):
+        said = next(filter(None, match.group("square", "round", "plain")))
+        unit = name_unit(said)
+        if not any(map(str.isalpha, unit.replace("°", "d"))):
+            continue
+        others = _BETWEEN.split(match["list"]) if match["plain"] else []
+        for name in (*others, match["name"]):
+            if letter := name.strip(" $"):
+                yield letter, unit, source.text.offsets[match.start("name")]
 
 
 def find_pi(said: Mapping[str, Said]) -> Said | None:

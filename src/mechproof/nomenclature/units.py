@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 import sympy as sp
@@ -14,10 +14,11 @@ from mechproof.record import ANGLE, LENGTH, NUMBER, Dimension, Variable
 
 @dataclass(frozen=True)
 class Unit:
-    """A physical dimension, and the size of the unit in that of SI (rad for angles)."""
+    """A physical dimension, the size of the unit in that of SI (rad for angles), and its print."""
 
     dimension: Dimension
     scale: sp.Expr = sp.S.One
+    name: str = field(default="", compare=False)
 
     def __mul__(self, other: Unit) -> Unit:
         return Unit(self.dimension * other.dimension, self.scale * other.scale)

@@ -40,9 +40,9 @@ from mechproof.document.drafts.said_values import (
 from mechproof.document.rows import Document
 from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printed_units
 from mechproof.nomenclature.letters import collect_letters, name_symbol
-from mechproof.nomenclature.said import Said, find_pi, find_said
+from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.displays import find_displays
 from mechproof.sources.files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
 # Seconds to find out whether a letter is a matrix.
@@ -67,7 +67,8 @@ def draft_block(source: Source) -> str:
         collected.letters.append(r"\pi")
     letters = [*collected.letters, *collected.guessed]
     found = find_sizes(plain, collected)
-    shapes = Document(replace(source, lines=[], has_block=False)).find_sizes(_LIMIT) | found.known
+    document = Document(replace(source, lines=[], has_block=False))
+    shapes = document.find_sizes(_LIMIT) | found.known
     unclear = [x for x in letters if name_symbol(x) in found.unclear or is_motion(x, shapes)]
     stems = {name_symbol(strip_arguments(x)) for x in unclear}
     shapes = {name: size for name, size in shapes.items() if name not in stems}
@@ -79,7 +80,8 @@ def draft_block(source: Source) -> str:
     for base, by in map(split_letter, collect_letters(values, guess=True, imaginary=unit).letters):
         entries.setdefault(name_symbol(base), Entry({base: None}, by))
     _take_inline(inline, entries, said)
-    _take_units(displays, entries, said, source)
+    measures = [*find_printed_units(displays), *find_units(source), *document.find_table_units()]
+    _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
     lines = [
@@ -126,16 +128,16 @@ def _take_inline(
 
 
 def _take_units(
-    displays: Sequence[Printed],
+    measures: Sequence[tuple[str, str, int]],
     entries: Mapping[str, Entry],
     said: dict[str, Said],
     source: Source,
 ) -> None:
-    """Enter the units that displays print of letters."""
+    """Enter the units that are printed of letters, in displays first."""
     shown = {
         name_symbol(show_line(one)): name for name, entry in entries.items() for one in entry.names
     }
-    for letter, measure, offset in find_printed_units(displays):
+    for letter, measure, offset in measures:
         name = shown.get(name_symbol(letter), "")
         known = said.get(name, Said("", "", source.files.locate(offset).line))
         said[name] = replace(known, unit=known.unit or measure)

@@ -82,6 +82,15 @@ def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
     return _take_units(_make_grid(name, heads, columns[0], columns[1:], reader))
 
 
+def find_head_units(tables: Sequence[Tabular], reader: Reader) -> Iterator[tuple[str, str, int]]:
+    """Yield the letters that stand in heads, their units, and where the table stands."""
+    for table in tables:
+        if grid := find_grid("", table, reader):
+            for head in grid.heads.values():
+                if head.is_letter and head.unit:
+                    yield head.printed, head.unit.name, table.offset
+
+
 def _make_grid(
     name: str,
     heads: Mapping[int, Head],
