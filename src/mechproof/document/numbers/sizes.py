@@ -29,7 +29,7 @@ class Sizes:
     """The sizes of letters; `numeric` are the displays that print nothing but numbers.
 
     `numbers` are printed of letters that have a formula, in the `order` of the equations;
-    `restated` are sizes that sentences say.
+    `restated` are sizes that sentences say, `every` are all prints of the size of a letter.
     """
 
     known: Known
@@ -38,6 +38,7 @@ class Sizes:
     numbers: Mapping[sp.Basic, Sequence[PrintedSize]]
     order: Sequence[str]
     restated: RestatedSizes
+    every: Mapping[sp.Basic, Sequence[tuple[Printed, Sign, PrintedSize]]]
 
     def tell(self, sign: Sign, printed: Printed) -> str:
         """Say which printed sizes a number is compared at, and which sentences state anew."""
@@ -151,7 +152,7 @@ def collect_sizes(
 ) -> Sizes:
     """Collect the sizes that are printed; a letter that is printed with two of them has none."""
     read = [(one, [] if isinstance(signs, Left) else signs) for one, signs in equations]
-    found: dict[sp.Basic, list[PrintedSize]] = {}
+    every: dict[sp.Basic, list[tuple[Printed, Sign, PrintedSize]]] = {}
     numbers: dict[sp.Basic, list[PrintedSize]] = {}
     groups: dict[int, bool] = {}
     for printed, signs in read:
@@ -159,13 +160,15 @@ def collect_sizes(
         groups[printed.group] = groups.get(printed.group, True) and is_numeric
         for sign in signs:
             if sign.role is Role.SIZE and sign.letter is not None and sign.number:
-                found.setdefault(sign.letter, []).append(read_size(sign, printed, known))
+                size = read_size(sign, printed, known)
+                every.setdefault(sign.letter, []).append((printed, sign, size))
         for letter, one in list_numbers(printed, signs, known):
             numbers.setdefault(letter, []).append(one)
+    found = {s: [size for *_, size in ones] for s, ones in every.items()}
     sizes = {s: {one.size.value * one.unit for one in ones} for s, ones in found.items()}
     kept = {s: ones[0] for s, ones in found.items() if len(sizes[s]) == 1}
     numeric = frozenset(group for group, is_all in groups.items() if is_all)
-    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated)
+    return Sizes(known, kept, numeric, numbers, [one.name for one, _ in read], restated, every)
 
 
 def list_zeros(

@@ -12,6 +12,7 @@ from mechproof.document.known import Known
 from mechproof.document.numbers.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
 from mechproof.document.numbers.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.numbers.put_in_sizes import may_be_rounded, state_put_in, state_result
+from mechproof.document.numbers.repeated_sizes import doubt_size
 from mechproof.document.numbers.rounded_factors import is_far
 from mechproof.document.numbers.scales import agrees, is_near
 from mechproof.document.numbers.sizes import Sizes
@@ -60,6 +61,7 @@ class StatedNumbers:
             if misfit := tell_misfit(sign, self.known.symbols):
                 return misfit
             sign, stated = self._compare_size(printed, sign, own)
+            stated = stated or doubt_size(sign, printed, self.sizes) or None
         claim = row.says if stated is None else stated
         if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
             return NEAR
