@@ -316,6 +316,12 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["# let b=c/2"],
             ["let b=c/2"],
         ),
+        (
+            r"$$y=\begin{Bmatrix}b&\text{if }b>0\\-b&\text{otherwise}\end{Bmatrix}$$",
+            ["y :"],
+            ["y 2x2 :"],
+        ),
+        (r"$$y=\begin{pmatrix}b&c_\text{f}\\-b&b\end{pmatrix}$$", ["y 2x2 :"], ["y :"]),
         (r"$$y=b_0^{\text{stat}}+c$$", [r"b_{0}^{\text{stat}} :"], ["b_{0} :"]),
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
         (

@@ -16,6 +16,7 @@ from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.names import INDEX, strip_braces
 from mechproof.latex.tokens import tokenize
+from mechproof.latex.words import ELSE, IF, to_text
 from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
@@ -78,6 +79,7 @@ _MATRIX = re.compile(
 _TABLE = re.compile(
     r"\\begin\{(?:array|matrix|aligned)\}(?:\{[lcr|]+\})?(?=[^&\\]*(?:_\{[^{}]*\}\s*)?=)"
 )
+_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{([^{}]*)\}")
 
 
 def name_symbol(latex: str) -> str:
@@ -278,9 +280,14 @@ def is_vector(letter: str) -> bool:
 
 
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
-    """Yield the letters that are printed to be a matrix, and its numbers of rows and columns."""
+    """Yield the letters that are printed to be a matrix, and its numbers of rows and columns.
+
+    What has conditions in it lists cases.
+    """
     for latex in prints:
         for match in _MATRIX.finditer(_TABLE.sub("", latex)):
+            if not {*IF, *ELSE}.isdisjoint(map(to_text, _WORDS.findall(match["body"]))):
+                continue
             rows = [row for row in match["body"].split(r"\\") if row.strip()]
             columns = rows[0].count("&") + 1 if rows else 1
             yield name_symbol(match["name"]), (len(rows), columns)
