@@ -28,6 +28,12 @@ def test_plain_signs_are_not_told() -> None:
     assert not check_displays("u-v=-v+u", r"α\le α+1").told
 
 
+def test_words_in_displays_are_no_letters() -> None:
+    assert not check_displays(r"F_{\mathrm{а}}=ku\quad\text{größer, для а}").told
+    ((place, _),) = check_displays(r"F=\text{а}+а").told
+    assert place.column == 14
+
+
 def test_a_letter_alone_that_looks_like_another_is_told() -> None:
     found = check_displays("(а+b)^2=а^2+2аb+b^2", "(а+b)^2=а^2+2аb+b^3")
     assert found.rows[0].outcome == "PROVED"

@@ -5,6 +5,7 @@ It is said once, at the first of them; no verdict depends on it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from mechproof.latex.characters import find_disguised, find_replaced, name_character
@@ -12,6 +13,8 @@ from mechproof.sources.displays import Printed
 from mechproof.sources.text import Files, Place
 
 _Find = Callable[[str], Mapping[str, str]]
+# Words within a display.
+_WORDS = re.compile(r"\\(?:text[a-z]*|mbox|intertext|mathrm|operatorname\*?)\s*\{[^{}]*\}")
 
 
 def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
@@ -27,7 +30,7 @@ def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple
 def _find(find: _Find, displays: Sequence[Printed], files: Files) -> dict[str, tuple[Place, str]]:
     met: dict[str, tuple[Place, str]] = {}
     for printed in displays:
-        latex = printed.latex.string
+        latex = _WORDS.sub(_blank, printed.latex.string)
         for sign, other in find(latex).items():
             met.setdefault(sign, (printed.locate(files, latex.index(sign)), other))
     return met
@@ -36,3 +39,7 @@ def _find(find: _Find, displays: Sequence[Printed], files: Files) -> dict[str, t
 def _find_first(met: Mapping[str, tuple[Place, str]]) -> Place:
     place, _ = next(iter(met.values()))
     return place
+
+
+def _blank(words: re.Match[str]) -> str:
+    return " " * len(words[0])
