@@ -31,6 +31,7 @@ from mechproof.document.context.doubts import (
     find_other_solutions,
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
+from mechproof.document.context.possible_matrices import doubt_by_matrices
 from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.restated_prints import (
     compare_restated,
@@ -211,6 +212,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
         rows |= dict(doubt_by_examples(key, tasks, rows, limit))
         rows |= dict(doubt_by_restated(tasks, rows))
+        rows |= dict(doubt_by_matrices(tasks, rows, document.find_possible_matrices()))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))

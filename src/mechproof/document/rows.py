@@ -51,6 +51,7 @@ from mechproof.nomenclature.letters import (
     name_symbol,
 )
 from mechproof.nomenclature.pairs import add_pairs, leave_pairs
+from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.scopes import add_scopes
 from mechproof.nomenclature.shapes import find_sizes
@@ -183,6 +184,13 @@ class Document:
     def find_table_units(self) -> Iterator[tuple[str, str, int]]:
         """Yield the letters in heads of tables with their units, and where the table stands."""
         return find_head_units(self.tables, self.symbols.reader())
+
+    def find_possible_matrices(self) -> dict[sp.Basic, str]:
+        """Return the letters taken as numbers that are printed as matrices are, and how."""
+        prints = [one.latex.string for one in self.printed]
+        names = self.symbols.names
+        found = dict(find_possible_matrices(self.taken, prints)) if self.taken else {}
+        return {names[x]: shown for x, shown in found.items() if names[x].is_Symbol}
 
     def read(self, limit: float) -> list[Task | Left]:
         """Read all equations in their order: first what they define, then what they assert.

@@ -1,0 +1,88 @@
+r"""Letters that are printed as matrices are: [R], R^T, \det R, (I-R)^{-1} beside a factor."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from mechproof.latex.left_scripts import ACCENTS
+from mechproof.nomenclature.letters import name_symbol
+
+_ACCENT = "|".join(accent[1:] for accent in ACCENTS)
+_INDEX = r"(?:_(?:\w|\\[A-Za-z]+|\{[^{}]*\}))?"
+_LETTER = (
+    rf"(?P<letter>(?:\\(?:{_ACCENT})\s*(?:\{{[^{{}}]*\}}|[A-Za-z])|\\[A-Za-z]+|[A-Za-z]){_INDEX})"
+)
+_CAPITAL = rf"[A-Z]{_INDEX}"
+_TERM = rf"(?:1|{_CAPITAL}(?:\s*{_CAPITAL})*)"
+_LEFT, _RIGHT = r"(?:\\left\s*)?", r"(?:\s*\\right)?"
+# Square brackets that are no brackets: of a line break, of a root, of an environment.
+_OPTION = re.compile(
+    r"\\\\\s*\[[^\]]*\]|\\(?:sqrt|smash|x[a-z]+arrow|begin\{[^{}]*\})\s*\[[^\]]*\]"
+)
+# With limits behind it, it is what an integral is between them.
+_BRACKETED = rf"\[\s*{_LETTER}{_RIGHT}\s*\](?!\s*_)"
+_SURE_T = (
+    r"\{?\s*\\(?:(?:top|intercal)(?![A-Za-z])|(?:math|text)?(?:rm|sf)\s*\{?\s*T|text\s*\{\s*T)"
+)
+_PLAIN_T = r"(?:T|\{\s*T\s*\})"
+_DOUBLE = r"\\(?:overline|bar)\s*\{\s*\\(?:overline|bar)\s*(?:\{[^{}]*\}|[A-Za-z])\s*\}"
+_GROUP = (
+    r"S[OE]\s*\([^()]*\)|\\(?:mathrm|text|operatorname)\s*\{\s*S[OE]\s*\}|"
+    r"\\mathbb\s*\{?\s*[RC]\s*\}?\s*\^"
+)
+# A letter within a word is no letter of a command.
+_WITHIN = r"(?<![A-Za-z\\])[A-Za-z]*?"
+_SIGNS = (
+    rf"(?P<shown>{_BRACKETED})",
+    rf"{_WITHIN}(?P<shown>{_LETTER}\s*\^\s*(?:{_SURE_T}))",
+    rf"{_WITHIN}(?P<shown>(?P<letter>{_CAPITAL})\s*\^\s*{_PLAIN_T})",
+    rf"{_WITHIN}(?P<shown>{_LETTER}\s*\\in\s*(?:{_GROUP}))",
+    rf"(?P<shown>(?P<letter>{_DOUBLE}))",
+)
+_TRANSPOSED = rf"{_WITHIN}(?P<shown>{_LETTER}\s*\^\s*{_PLAIN_T})"
+_SANS_SERIF = re.compile(rf"\\mathsf\s*\{{?\s*([A-Z])\s*\}}?({_INDEX})")
+# What is of matrices, and capital letters in it.
+_OF_MATRICES = re.compile(
+    r"\\(?:det|(?:operatorname|mathrm|text)\s*\{\s*(?:det|tr|Tr|rank|adj)\s*\})(?![A-Za-z])\s*"
+    rf"(?:{_LEFT}[(\[]([^()\[\]]*)[)\]]|({_CAPITAL}))"
+)
+_SUM = re.compile(
+    rf"{_LEFT}[(\[](\s*{_TERM}(?:\s*[-+]\s*{_TERM})+){_RIGHT}\s*[)\]]\s*\^\s*\{{\s*-\s*1\s*\}}"
+)
+_BEFORE, _BEHIND = re.compile(r"[\w)\]}]\s*\Z"), re.compile(r"\s*(?:\\left|[\w(\[])")
+_UNIT = re.compile(r"(?<![A-Za-z_{])[IE1](?![A-Za-z_\d])")
+
+
+def find_possible_matrices(
+    letters: Collection[str], prints: Iterable[str]
+) -> Iterator[tuple[str, str]]:
+    """Yield the names of letters that are printed as matrices are, each with such a print."""
+    names = {*map(name_symbol, letters)}
+    # A letter T may stand in exponents.
+    signs = _SIGNS if "T" in names else (*_SIGNS, _TRANSPOSED)
+    patterns = [re.compile(sign) for sign in signs]
+    for latex in prints:
+        text = _OPTION.sub(" ", latex)
+        for name, shown in _find_shown(text, patterns):
+            if name in names:
+                yield name, shown
+
+
+def _find_shown(text: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[tuple[str, str]]:
+    for pattern in patterns:
+        for found in pattern.finditer(text):
+            yield name_symbol(found["letter"].strip()), found["shown"].strip()
+    for found in _SANS_SERIF.finditer(text):
+        yield name_symbol(rf"\mathrm{{{found[1]}}}{found[2]}"), found[0].strip()
+    for found in _OF_MATRICES.finditer(text):
+        yield from _list_capitals(found[1] or found[2], found[0])
+    for found in _SUM.finditer(text):
+        is_factor = _BEFORE.search(text[: found.start()]) or _BEHIND.match(text, found.end())
+        if is_factor and _UNIT.search(found[1]):
+            yield from _list_capitals(found[1], found[0])
+
+
+def _list_capitals(text: str, shown: str) -> Iterator[tuple[str, str]]:
+    for letter in re.findall(rf"(?<![A-Za-z\\_{{]){_CAPITAL}", text):
+        yield name_symbol(letter), shown.strip()

@@ -1,0 +1,76 @@
+"""Letters that nobody declared and that are printed as matrices are: no verdict rests on them."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+OPEN, GIVEN, PROVED, REFUTED = "not judged", "DEFINITION", "PROVED", "REFUTED"
+# What holds for numbers, and what for none.
+PRODUCTS = "P=(A+B)^2", "P=A^2+2AB+B^2", "P=A^2+AB+B^2"
+SHOWN = [
+    "[A]=[C][D]",
+    r"\left[A\right]^{-1}C=D",
+    r"A^\top C=D",
+    r"A^{\mathrm{T}}C=D",
+    "A^TC=D",
+    "TA^TC=D",
+    r"\det A=0",
+    r"\det(A-\lambda I)=0",
+    r"\operatorname{tr}(AC)=D",
+    "C=(A-I)(I+A)^{-1}",
+    r"C=\left(1-A\right)^{-1}D",
+    r"A\in SO(3)",
+    r"A\in\mathbb{R}^{3\times3}",
+]
+NOT_SHOWN = [
+    "C=(A+D)^{-1}",
+    "C=(A^{-1}+D^{-1})^{-1}F",
+    r"C=\sqrt[A]{D}",
+    r"C=\sin[A+D]",
+    "C=F^T",
+]
+TURNED = (
+    "X=[R]X",
+    "([I]-[R])X=0",
+    "[B]=([R]-[I])([R]+[I])^{-1}",
+    r"\left([I]-([I]-[B])^{-1}([I]+[B])\right)X=0",
+    "C=[R]C+d",
+    "([I]-[R])C=d",
+)
+
+
+def _judge(*prints: str, block: str = "") -> list[str]:
+    lines = (f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in prints)
+    return [row.outcome for row in check("paper.tex", block + "\n".join(lines)).rows]
+
+
+@pytest.mark.parametrize("shown", SHOWN)
+def test_what_may_hold_for_matrices_only_or_for_numbers_only_is_left_open(shown: str) -> None:
+    assert _judge(shown, *PRODUCTS)[-2:] == [OPEN, OPEN]
+
+
+@pytest.mark.parametrize("shown", NOT_SHOWN)
+def test_other_letters_are_numbers(shown: str) -> None:
+    assert _judge(shown, *PRODUCTS)[-2:] == [PROVED, REFUTED]
+
+
+def test_what_is_said_to_be_a_number_is_one() -> None:
+    block = "%% mechproof\n%% A; B; C; D; P : numbers\n%% end\n"
+    assert _judge("[A]=[C][D]", *PRODUCTS, block=block)[-2:] == [PROVED, REFUTED]
+
+
+def test_what_is_printed_to_be_a_matrix_is_no_number() -> None:
+    tables = r"A=\begin{pmatrix}a&b\\0&c\end{pmatrix}", r"B=\begin{pmatrix}0&1\\1&0\end{pmatrix}"
+    product = r"[A][B]=\begin{pmatrix}b&a\\c&0\end{pmatrix}"
+    assert _judge(*tables, product, product.replace("b&a", "a&b"))[-2:] == [PROVED, REFUTED]
+
+
+def test_turns_by_matrices_in_brackets_are_accused_of_nothing() -> None:
+    assert REFUTED not in _judge(*TURNED)
+    assert REFUTED not in _judge(*(x.replace("[", "").replace("]", "") for x in TURNED))
+    rows = check("paper.tex", "\n".join(f"$${x}$$" for x in TURNED)).rows
+    assert "B 3x3" in rows[3].reason
