@@ -69,6 +69,8 @@ REFUSED = [
     (r"\frac d{dx}(x\vec r)=x\dot{\vec r}", "beside a derivative by x"),
     (r"\int_0^T\dot{\vec r}\,dt=T\dot{\vec r}", "that is not worked out"),
     (r"\mathbf x=\begin{pmatrix}1\\2\end{pmatrix}", "same size"),
+    ("[A][B]=[B][A]", r"print it bold, \\mathbf A"),
+    ("(A-I)(A+I)^{-1}=(A+I)^{-1}(A-I)", "may be a matrix"),
 ]
 
 
@@ -82,6 +84,11 @@ def test_vectors_and_matrices_are_compared_entry_by_entry(latex: str, verdict: V
 def test_what_may_be_a_part_of_a_vector_is_asked(latex: str, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         judge_pasted(Pasted(latex))
+
+
+def test_a_letter_in_square_brackets_may_be_said_to_be_a_number() -> None:
+    (judgement,) = judge_pasted(Pasted("[A][B]=[B][A]", names=("A", "B"))).judgements
+    assert judgement.verdict is PROVED
 
 
 def test_a_letter_that_is_bold_only_is_told_as_that() -> None:

@@ -17,6 +17,7 @@ from mechproof.latex.undeclared import UNSURE
 from mechproof.nomenclature.adjacent_letters import find_factors, find_increments, find_phases
 from mechproof.nomenclature.counting_letters import find_counts
 from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
+from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.relations import read_relations
 from mechproof.pipeline.bold_letters import (
     find_bold,
@@ -226,6 +227,7 @@ def _declare(
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
+    _refuse_matrices([x for x in letters if x not in pasted.names], prints)
     refuse_unclear([*letters, *({"d"} & {*said})], bold)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
@@ -253,6 +255,15 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
                 f"{letter} is printed as an operator, which is not known; say --name "
                 f"'{letter}' where it is a number"
             )
+
+
+def _refuse_matrices(letters: Collection[str], prints: Iterable[str]) -> None:
+    """Refuse a letter that is printed as matrices are, in square brackets or with a sign T."""
+    for letter, shown in find_possible_matrices(letters, prints):
+        raise ValueError(
+            rf"{letter} may be a matrix, as {shown} looks: print it bold, \mathbf {letter}, or say "
+            f"--name '{letter}' where it is a number"
+        )
 
 
 def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
