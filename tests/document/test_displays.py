@@ -200,6 +200,7 @@ def test_what_a_display_cites_is_no_part_of_it() -> None:
         (E % "a=1" + "\\begin{align*}\nb=2", [("a=1", False), (r"\begin{align*}", True)]),
         ("$$a=1$$\n  $$b=2$$\n$$c=3", [("a=1", False), ("b=2", False), ("c=3", True)]),
         ("\\[a=1\\]\n\\[b=2\n", [("a=1", False), ("b=2", True)]),
+        (r"\[\begin{aligned}[t]a&=1\\b&=2\end{aligned}\]", [("a=1", False), ("b=2", False)]),
         (r"\[\begin{aligned}a&=1\\[2mm]b&=2\end{aligned}\]", [("a=1", False), ("b=2", False)]),
     ],
 )

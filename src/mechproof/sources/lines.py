@@ -16,7 +16,7 @@ from mechproof.sources.text import LocatedText, join
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(
     r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|align\*?|gather\*?|equation\*?)\}"
-    r"(?:\{\d+\})?"
+    r"(?:\[[tbc]\])?(?:\{\d+\})?"
 )
 _SPACING = re.compile(SPACING)
 # A brace over equations, at the beginning of a line: a system, no values of a function.
