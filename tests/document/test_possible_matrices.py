@@ -74,3 +74,10 @@ def test_turns_by_matrices_in_brackets_are_accused_of_nothing() -> None:
     assert REFUTED not in _judge(*(x.replace("[", "").replace("]", "") for x in TURNED))
     rows = check("paper.tex", "\n".join(f"$${x}$$" for x in TURNED)).rows
     assert "B 3x3" in rows[3].reason
+
+
+def test_a_letter_alone_in_brackets_is_defined_as_without_them() -> None:
+    verdicts = [GIVEN, PROVED, REFUTED]
+    assert _judge("(b)=(r-p)^2", "b=r^2-2rp+p^2", "(b)=r^2-p^2") == verdicts
+    block = "%% mechproof\n%% A 2x2 : map\n%% B 2x2 : map\n%% P 2x2 : map\n%% end\n"
+    assert _judge("[P]=[A]([A]+[B])", "P=A^2+AB", "[P]=A^2+BA", block=block) == verdicts

@@ -127,7 +127,8 @@ def _list_put_in(chain: Chain) -> Iterator[Varied]:
 
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
-    nodes = chain.members[left : left + 2]
+    members = chain.members[left : left + 2]
+    nodes = tuple(strip(node) if is_bare(strip(node)) else node for node in members)
     is_rounded = chain.relations[left] == r"\approx" and is_number(nodes[1])
     if chain.relations[left] == r"\approx" and find_factor(nodes) and find_factor(nodes[1:]):
         return _find_role_of_factor(nodes, read, known)
