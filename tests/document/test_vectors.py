@@ -191,6 +191,40 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED", "not judged"],
     ),
+    "an entry that is never true is no constraint": (
+        [
+            r"\mathbf R=\begin{pmatrix}\cos u&-\sin u\\ \sin u&\cos u\end{pmatrix}",
+            r"\mathbf S=\begin{pmatrix}\cos u&\sin u\\-\sin u&\cos u\end{pmatrix}",
+            r"\mathbf S\mathbf R=\begin{pmatrix}1&0\\0&1\end{pmatrix}",
+            r"\mathbf R^T\mathbf R=\begin{pmatrix}1&0\\0&2\end{pmatrix}",
+            r"\mathbf E=\begin{pmatrix}1&0\\0&1\end{pmatrix}",
+            r"\mathbf S\mathbf R=-\mathbf E",
+            r"\mathbf R\mathbf R=\mathbf E",
+            r"\begin{pmatrix}a\\b\\1\end{pmatrix}=\begin{pmatrix}b\\a\\2\end{pmatrix}",
+            r"\begin{pmatrix}a\\b\\1\end{pmatrix}=\begin{pmatrix}b\\a\\1\end{pmatrix}",
+        ],
+        [
+            *["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "DEFINITION", "REFUTED"],
+            *["not judged", "REFUTED", "not judged"],
+        ],
+    ),
+    "a system without a solution, and cases, are not accused": (
+        [
+            r"\begin{pmatrix}1&1\\0&0\end{pmatrix}\begin{pmatrix}a\\b\end{pmatrix}"
+            r"=\begin{pmatrix}1\\2\end{pmatrix}",
+            r"\mathbf R\mathbf R=\begin{pmatrix}1&0\\0&2\end{pmatrix}",
+            r"\mathbf R=\begin{pmatrix}p&q\\0&1\end{pmatrix}",
+        ],
+        ["DEFINITION", "not judged", "not judged"],
+    ),
+    "rounded decimals accuse nothing that they explain": (
+        [
+            r"\mathbf A=\begin{pmatrix}0.866&-0.5\\0.5&0.866\end{pmatrix}",
+            r"\mathbf A^T\mathbf A=\begin{pmatrix}1&0\\0&1\end{pmatrix}",
+            r"\mathbf A^T\mathbf A=\begin{pmatrix}2&0\\0&1\end{pmatrix}",
+        ],
+        ["DEFINITION", "not judged", "REFUTED"],
+    ),
     "constraints excuse vectors": (
         [
             r"r\sin\varphi=l\sin\beta",

@@ -38,6 +38,7 @@ from mechproof.document.context.restated_prints import (
     doubt_by_restated,
     tell_unlike,
 )
+from mechproof.document.context.rounded_definitions import doubt_by_rounded
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging import (
@@ -190,6 +191,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= misprints
         rows |= dict(doubt_by_indices(tasks, rows))
         rows |= dict(doubt_by_decimals(tasks, rows))
+        rows |= dict(doubt_by_rounded(tasks, rows))
         rows |= dict(doubt_by_rates(tasks, rows))
         rows |= dict(doubt_by_factors(tasks, rows))
         rows |= dict(doubt_conditions(tasks, rows))

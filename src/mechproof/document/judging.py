@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -17,8 +17,7 @@ from mechproof.document.constraints.solutions import (
     judge_signs,
 )
 from mechproof.document.constraints.unsaid_relations import find_relations
-from mechproof.document.constraints.witnesses import find_points
-from mechproof.document.misprints import FEW
+from mechproof.document.never_true import tell_never_true
 from mechproof.document.numbers.rounded_factors import judge_factor
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document
@@ -27,14 +26,13 @@ from mechproof.document.slips import find_slip
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.ladder import ContradictionError
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import (
     Equality,
     Holds,
     PrintedNumber,
     RecordError,
-    Statement,
 )
 from mechproof.sources.files import read_source
 
@@ -44,8 +42,6 @@ _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 # Seconds for one equation.
 LIMIT = 60.0
-# How far a row is never true: those that define its letters may be wrong instead.
-WITH_DEFINITIONS = " with what defines its letters"
 # What is said of a member that a row differs from.
 UNLIKE = ", which has the same letters: one is wrong, or of another case"
 TRANSPOSED = (
@@ -178,10 +174,9 @@ def _judge_alone(task: Task) -> Judgement | str:
         return found
     if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
         return turned
-    if found.verdict is Verdict.REFUTED and not task.is_rounded and _is_nowhere_true(task):
-        is_apart = _decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False)))
-        beside = WITH_DEFINITIONS if is_apart is False else ""
-        return replace(found, reason=f"it is never true{beside}: {found.reason}")
+    is_exact = found.verdict is Verdict.REFUTED and not task.is_rounded
+    if is_exact and (never := tell_never_true(task, found.reason)):
+        return replace(found, reason=never)
     return _take_as_given(task, found)
 
 
@@ -198,38 +193,6 @@ def _holds_transposed(task: Task) -> bool:
         return False
     turned = replace(task.row, says=Equality(one.T, other, "member"))
     return one.shape == other.shape[::-1] and judge(turned, task.paper).verdict is Verdict.PROVED
-
-
-def _is_nowhere_true(task: Task) -> bool:
-    """Return whether a row is proved to be true nowhere; not asked where a zero is met."""
-    says = task.row.says
-    domain = Domain.of(task.paper, task.row.on)
-    if isinstance(says, Equality) and task.residual is not None:
-        rest = domain.resolve(says.printed) - domain.resolve(says.rebuilt)
-        if any(find_points([rest], rest.free_symbols, domain, FEW)):
-            return False
-        apart = Holds(sp.Ne(says.printed, says.rebuilt, evaluate=False))
-        return decide(apart, domain).verdict is Verdict.PROVED
-    if isinstance(says, Holds):
-        return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
-    return False
-
-
-def holds_alone(task: Task) -> bool:
-    """Return whether a row is true whatever defines its letters."""
-    return _decide_alone(task, Equality) is True
-
-
-def _decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
-    """Return whether what is stated of the sides is proved without what defines letters.
-
-    None for sides that are no numbers.
-    """
-    one, other = task.sign.sides
-    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
-        return None
-    domain = replace(Domain.of(task.paper, task.row.on), given={})
-    return decide(state(one, other), domain).verdict is Verdict.PROVED
 
 
 def _take_as_given(task: Task, found: Judgement) -> Judgement:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_left, is_turned
-from mechproof.document.judging import WITH_DEFINITIONS, holds_alone
+from mechproof.document.never_true import WITH_DEFINITIONS, holds_alone
 from mechproof.document.roles import CONSTRAINING, Role
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
@@ -21,7 +21,7 @@ from mechproof.record import Definition, Equality
 from mechproof.record.parts import find_free
 
 # Two digits of a decimal.
-_ROUNDING = sp.Rational(1, 100)
+ROUNDING = sp.Rational(1, 100)
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 # Strengths and stiffnesses have factors such as 64, 192 or 384.
@@ -38,7 +38,7 @@ def find_contradictions(
     """
     for n, task in enumerate(tasks):
         is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
-        letters = list_printed(task) if is_beside else set[sp.Basic]()
+        letters = list_printed(task) | task.sign.printed if is_beside else set[sp.Basic]()
         is_new = task.said.is_new
         others = [m for m, one in enumerate(tasks) if m > n or is_new or is_turned(one, task)]
         others = [m for m in others if defines(tasks[m], letters)]
@@ -116,7 +116,7 @@ def doubt_by_decimals(
         if not all(isinstance(side, sp.Expr) for side in (one, other)) or other == 0:
             continue
         ratio = sp.cancel(one / other)
-        if ratio.is_number and abs(ratio - 1) < _ROUNDING:
+        if ratio.is_number and abs(ratio - 1) < ROUNDING:
             yield n, make_row(task, f"it differs from {first} by no more than rounding may explain")
 
 

@@ -32,4 +32,7 @@ def doubt_by_matrices(
 
 def _ask(letter: sp.Basic, shown: Mapping[sp.Basic, str]) -> str:
     asked = f"is it a matrix, as {shown[letter]} looks?"
-    return f"{asked} Say so in the block of letters: {letter} 3x3, or what it is otherwise"
+    return (
+        f"{asked} Say in the block of letters what it is, {letter} 3x3 : its meaning, or "
+        f"{letter} : number"
+    )

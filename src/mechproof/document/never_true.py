@@ -1,0 +1,89 @@
+"""Rows that are true nowhere, whatever their letters are: of a matrix one entry is enough."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.constraints.witnesses import find_points
+from mechproof.document.misprints import FEW
+from mechproof.document.tasks import Task
+from mechproof.domains.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality, Holds, Statement
+
+# How far a row is never true: those that define its letters may be wrong instead.
+WITH_DEFINITIONS = " with what defines its letters"
+
+
+def tell_never_true(task: Task, reason: str) -> str:
+    """Return that a row is proved to be true nowhere, and why: nothing if it is not."""
+    domain = Domain.of(task.paper, task.row.on)
+    if said := next(_list_false_entries(task, domain), ""):
+        beside = WITH_DEFINITIONS if task.sign.printed & domain.given.keys() else ""
+        return f"it is never true{beside}: {said}"
+    if not _is_nowhere_true(task, domain):
+        return ""
+    is_apart = decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False)))
+    beside = WITH_DEFINITIONS if is_apart is False else ""
+    return f"it is never true{beside}: {reason}"
+
+
+def _is_nowhere_true(task: Task, domain: Domain) -> bool:
+    """Return whether a row is proved to be true nowhere; not asked where a zero is met."""
+    says = task.row.says
+    if isinstance(says, Equality) and task.residual is not None:
+        return _are_apart(says.printed, says.rebuilt, domain)
+    if isinstance(says, Holds):
+        return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
+    return False
+
+
+def _are_apart(one: sp.Expr, other: sp.Expr, domain: Domain) -> bool:
+    rest = domain.resolve(one) - domain.resolve(other)
+    if any(find_points([rest], rest.free_symbols, domain, FEW)):
+        return False
+    return decide(Holds(sp.Ne(one, other, evaluate=False)), domain).verdict is Verdict.PROVED
+
+
+def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
+    """Yield what entries of matrices say that is never true.
+
+    A zero that a column of unknown letters is not equal to tells that a system has no solution.
+    """
+    says = task.row.says
+    if not isinstance(says, Equality):
+        return
+    one, other = (_write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    if not (isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase)):
+        return
+    is_system = min(one.shape) == 1 and bool(one.free_symbols | other.free_symbols)
+    for row, column in (divmod(n, one.cols) for n in range(len(one)) if one.shape == other.shape):
+        left, right = one[row, column], other[row, column]
+        if not (is_system and 0 in (left, right)) and _are_apart(left, right, domain):
+            said = f"{sp.sstr(sp.simplify(left))} = {sp.sstr(sp.simplify(right))}"
+            yield f"entry ({row + 1}, {column + 1}) says {said}"
+
+
+def _write_out(side: sp.Basic) -> sp.Basic:
+    return side.doit() if isinstance(side, sp.MatrixExpr) else side
+
+
+def holds_alone(task: Task) -> bool:
+    """Return whether a row is true whatever defines its letters."""
+    return decide_alone(task, Equality) is True
+
+
+def decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
+    """Return whether what is stated of the sides is proved without what defines letters.
+
+    None for sides that are no numbers.
+    """
+    one, other = task.sign.sides
+    if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
+        return None
+    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    return decide(state(one, other), domain).verdict is Verdict.PROVED
