@@ -44,6 +44,8 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 LIMIT = 60.0
 # What is said of a member that a row differs from.
 UNLIKE = ", which has the same letters: one is wrong, or of another case"
+# What is said of a letter that is introduced, if no dimensions are compared.
+_BOUND = "bound symbols agree"
 TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
@@ -138,9 +140,11 @@ def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | No
 def _judge_alone(task: Task) -> Judgement | str:
     """Judge a row, or say why not; what asserts nothing is refuted only if it is true nowhere."""
     try:
-        found = judge(task.row, task.paper)
+        found = _find_mixture(task) or judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict is Verdict.DEFINITION:
+        return _say_compared(task, found)
     if found.verdict is Verdict.REFUTED and are_exchanged(task):
         return "both signs give the same two values, but the other way round"
     if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
@@ -178,6 +182,22 @@ def _judge_alone(task: Task) -> Judgement | str:
     if is_exact and (never := tell_never_true(task, found.reason)):
         return replace(found, reason=never)
     return _take_as_given(task, found)
+
+
+def _find_mixture(task: Task) -> Judgement | None:
+    """Judge a part with units by itself, where other letters have none."""
+    if task.mixed is None:
+        return None
+    part, paper = task.mixed
+    found = judge(replace(task.row, says=Equality(part, part, "member")), paper)
+    return found if found.verdict is Verdict.ILL_FORMED else None
+
+
+def _say_compared(task: Task, found: Judgement) -> Judgement:
+    """Say of what introduces a letter no more than what was compared."""
+    said = f"{_BOUND}; dimensions are not compared: {task.lacking}"
+    reason = found.reason.replace(f"dimensions and {_BOUND}", said)
+    return replace(found, reason=reason) if task.lacking else found
 
 
 def _holds_transposed(task: Task) -> bool:

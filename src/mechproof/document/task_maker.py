@@ -18,15 +18,14 @@ from mechproof.document.numbers.numerical_values import turn_units
 from mechproof.document.numbers.sizes import list_zeros
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.roles import CONSTRAINING, Role, Sign
+from mechproof.document.row_units import find_units
 from mechproof.document.sides import (
     gives_entries,
     has_letters,
     have_same_letters,
     is_solvable,
-    list_related,
     list_sides,
     list_stated,
-    raises_by_letter,
     ties_letters,
     ties_running,
 )
@@ -213,14 +212,8 @@ class TaskMaker:
                 row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
             )
         sides = list_sides(row, sign, self.known)
-        letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        letters |= list_related(row.says) | list_stated(row.says)
-        is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
-        is_special &= not self._is_given_by_itself(sign)
-        is_number = number.is_stated or sign.role is Role.SIZE or any(sign.units)
-        has_units = not (letters & self.known.symbols.bare or is_number or is_special)
-        has_units &= not any(map(raises_by_letter, sides))
-        paper = self.papers[has_units]
+        units = find_units(row, sign, sides, self.known, self.papers, number.is_stated)
+        paper = self.papers[units.are_known]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
             residual = sides[0] - sides[1]
@@ -257,17 +250,9 @@ class TaskMaker:
             said=printed.announced,
             at={letter: self.known.settle(value) for letter, value in at.items()},
             is_given=is_given,
+            lacking=units.lacking,
+            mixed=None if units.mixed is None else (units.mixed, self.papers[True]),
         )
-
-    def _is_given_by_itself(self, sign: Sign) -> bool:
-        """Return whether a quantity stands on both sides: their dimensions are compared, too.
-
-        Those of angles would hold up to turns.
-        """
-        dimension = self.known.symbols.find_dimension(sign.letter) if sign.letter else None
-        others = [side for side in sign.sides if side is not None and side != sign.letter]
-        is_within = any(sign.letter in side.free_symbols for side in others)
-        return is_within and dimension is not None and not dimension.is_angle
 
     def _restate(self, row: Row, sign: Sign) -> Row:
         """State that a letter is introduced where its sign does so, else that sides agree."""

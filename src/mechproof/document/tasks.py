@@ -63,6 +63,8 @@ class Task:
     is_given: bool = False
     local: Task | None = None
     rests_on: tuple[str, str] = ("", "")
+    lacking: str = ""
+    mixed: tuple[sp.Expr, Paper] | None = None
 
     @property
     def is_rounded(self) -> bool:
