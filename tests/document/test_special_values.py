@@ -110,7 +110,7 @@ CASES = {
     r"\max_c(a-c)=a": ["PROVED"],
     # It is steady beyond the end.
     r"\max_k(6k-k^2)=8": ["PROVED"],
-    r"\max_k(6k-k^2)=9": ["not judged"],
+    r"\max_k(6k-k^2)=9": ["REFUTED"],
     r"\min_k(2k-k^2)=0": ["PROVED"],
     # It holds for positive lengths only.
     r"\max_\psi(d\cos\psi)=d": ["not judged"],
@@ -127,10 +127,16 @@ CASES = {
     r"\max_\psi(a\cos(\psi+\alpha)+d\sin\psi)=\sqrt{a^2+d^2-2ad\cos\alpha}": ["REFUTED"],
     r"\max_t\dot z=\sqrt{a^2\nu^2}": ["PROVED"],
     # Two waves, a product of them, and a value that no one place has.
-    r"\max_\psi(a\cos\psi+d\sin2\psi)=\sqrt{a^2+d^2}": ["not judged"],
-    r"\max_\psi(a\cos\psi\sin\psi)=\frac a3": ["not judged"],
-    r"\max_k(\cos k+\sin k)=\sqrt2": ["not judged"],
-    r"\max_k(2k-k^2)=2": ["not judged"],
+    r"\max_\psi(a\cos\psi+d\sin2\psi)=\sqrt{a^2+d^2}": ["UNDECIDED"],
+    r"\max_\psi(a\cos\psi\sin\psi)=\frac a3": ["UNDECIDED"],
+    r"\max_k(\cos k+\sin k)=\sqrt2": ["UNDECIDED"],
+    # What bounds it is proved, and differs.
+    r"\max_k(2k-k^2)=2": ["REFUTED"],
+    r"\max_\psi a\sin^2\psi=a": ["PROVED"],
+    r"\max_\psi a\sin^2\psi=2a": ["REFUTED"],
+    r"\min_\psi a\sin^2\psi=-a": ["REFUTED"],
+    r"\min_\psi\sqrt{a^2+d^2-2ad\cos\psi}=a-d": ["not judged"],
+    r"\min_\psi\sqrt{a^2+c^2-2ac\cos\psi}=|a-c|": ["PROVED"],
     r"p=\max_k(2k-k^2)": ["not judged"],
     r"\max_\psi h<a": ["not judged"],
     r"\max_{0<\psi<1}h=a": ["not read"],

@@ -75,8 +75,8 @@ def _is_given_by_itself(sign: Sign, known: Known) -> bool:
 def _find_mixed(row: Row, bare: Collection[sp.Basic], paper: Paper) -> sp.Expr | None:
     """Return a part of a side that mixes dimensions, whatever the letters without a unit are."""
     says, dimensions = row.says, dimensions_of(paper)
-    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
-    sides = (says.printed,) if isinstance(says, Definition) else sides
+    sides = [says.printed] if isinstance(says, Equality | Definition) else []
+    sides += [says.rebuilt] if isinstance(says, Equality) else []
     known = dimensions.keys() - {*bare}
     for side in sides:
         for part in _list_parts(side, known) if isinstance(side, sp.Expr) else ():

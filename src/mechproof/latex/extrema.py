@@ -2,7 +2,8 @@ r"""Largest and smallest values, `\max_\theta f`: a bound everywhere that is rea
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import islice, permutations
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -22,6 +23,8 @@ _TURNING = (sp.sin, sp.cos, sp.tan)
 # Where functions of angles are steady, and how close a value must be there to be looked at.
 _TURNS = (sp.S.Zero, sp.pi, sp.pi / 2, -sp.pi / 2, 3 * sp.pi / 2)
 _CLOSE = 1e-12
+# Orders of letters that are tried.
+_ORDERS = 24
 
 
 def is_extremum(parser: Parser) -> bool:
@@ -74,7 +77,8 @@ def state_extremum(
     """State that a term lies on one side of a bound, and that it reaches it.
 
     Of a wave that is what its amplitude makes of it. Of others stationary points and ends are tried
-    for where; None if it reaches it at none of them.
+    for where. If it reaches it at none of them, it is compared with what they have at most; None
+    where no such point is found.
     """
     value, bound = sides
     term, by = settle_all(value, values), node.by.symbol
@@ -83,14 +87,39 @@ def state_extremum(
         extreme = mean + amplitude if node.name == "max" else mean - amplitude
         return Conjunction((Equality(bound, extreme, "member"),))
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
-    numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(letters)}
-    for place in _list_places(term, by, within):
-        there = term.xreplace({by: place})
-        difference = (there - settle_all(bound, values)).xreplace(numbers).evalf()
-        if difference.is_number and abs(difference) < _CLOSE:
-            limit = _SIGNS[node.name](value, bound, evaluate=False)
+    sign, known = _SIGNS[node.name], settle_all(bound, values)
+    reached = [term.xreplace({by: place}) for place in _list_places(term, by, within)]
+    for there in reached:
+        if _agree(there, known, letters):
+            limit = sign(value, bound, evaluate=False)
             return Conjunction((Holds(limit), Equality(there, bound, "member")))
-    return None
+    # Letters of another order of size may make it so.
+    orders = [*islice(permutations(letters), _ORDERS)]
+    numbers = [_evaluate(there, letters) for there in reached]
+    pairs = [
+        (number, there)
+        for number, there in zip(numbers, reached, strict=True)
+        if number is not None
+    ]
+    if not pairs or any(_agree(there, known, one) for there in reached for one in orders):
+        return None
+    choose = max if node.name == "max" else min
+    extreme = choose(pairs, key=lambda pair: pair[0])[1]
+    # It is the extremum if it bounds the term, and what differs from it is none then.
+    limit = sign(value, extreme, evaluate=False)
+    return Conjunction((Holds(limit), Equality(extreme, bound, "member")), needs_first=True)
+
+
+def _agree(one: sp.Expr, other: sp.Expr, letters: Sequence[sp.Basic]) -> bool:
+    difference = _evaluate(one - other, letters)
+    return difference is not None and bool(abs(difference) < _CLOSE)
+
+
+def _evaluate(expression: sp.Expr, letters: Sequence[sp.Basic]) -> sp.Expr | None:
+    """Return the value at numbers that fall from letter to letter, None if it is none."""
+    numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(letters)}
+    found = expression.xreplace(numbers).evalf()
+    return found if found.is_number and found.is_real else None
 
 
 def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:

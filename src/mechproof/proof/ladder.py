@@ -292,6 +292,9 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     answers = [decide(part, domain) for part in statement.parts]
+    if statement.needs_first and answers[0].verdict is not Verdict.PROVED:
+        first = getattr(statement.parts[0], "relation", statement.parts[0])
+        return Answer(Verdict.UNDECIDED, "none", f"it rests on {first}, which is not proved")
     failed = {
         f"part {number} of {len(answers)}": d
         for number, d in enumerate(answers, start=1)

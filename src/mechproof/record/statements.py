@@ -99,9 +99,10 @@ class Definition:
 
 @dataclass(frozen=True)
 class Conjunction:
-    """Every part is true."""
+    """Every part is true; with `needs_first` the others say nothing if the first is not proved."""
 
     parts: tuple[Statement, ...]
+    needs_first: bool = False
 
     def __post_init__(self) -> None:
         if not self.parts:

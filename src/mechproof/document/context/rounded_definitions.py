@@ -40,7 +40,7 @@ def _differ_little(task: Task) -> bool:
     one, other = (x.doit() if isinstance(x, sp.MatrixExpr) else x for x in (one, other))
     if not all(isinstance(x, sp.MatrixBase) for x in (one, other)) or one.shape != other.shape:
         return False
-    return _find_largest(one - other) < ROUNDING * _find_largest(other)
+    return bool(_find_largest(one - other) < ROUNDING * _find_largest(other))
 
 
 def _find_largest(matrix: sp.MatrixBase) -> Any:
