@@ -32,6 +32,7 @@ from mechproof.document.context.doubts import (
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
 from mechproof.document.context.possible_matrices import doubt_by_matrices
+from mechproof.document.context.proved_prints import doubt_by_proved
 from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.restated_prints import (
     compare_restated,
@@ -189,6 +190,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         misprints = dict(find_misprints(key, tasks, rows, limit))
         rows |= dict(_leave_open(tasks, rows))
         rows |= misprints
+        rows |= dict(doubt_by_proved(key, tasks, rows, limit))
         rows |= dict(doubt_by_indices(tasks, rows))
         rows |= dict(doubt_by_decimals(tasks, rows))
         rows |= dict(doubt_by_rounded(tasks, rows))

@@ -46,7 +46,7 @@ def find_misprints(
     asked = {
         n: tuple(connect(n, [g for g in given if may_hold_for(tasks[g], task)], tasks))
         for n, task in enumerate(tasks)
-        if _may_be_misprint(task, rows[n])
+        if may_be_misprint(task, rows[n])
         # What ties the roots of a constraint is as right as that.
         and not (task.sign.is_tied and task.sign.first in proved)
         # Of a letter whose first prints differ nobody knows which is meant.
@@ -185,7 +185,8 @@ def _list_later(
         yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
 
 
-def _may_be_misprint(task: Task, row: CheckedRow) -> bool:
+def may_be_misprint(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row is an equation that is neither proved nor refuted, and not rounded."""
     is_open = row.state is State.NOT_JUDGED or bool(row.judgement and row.judgement.rung == GIVEN)
     is_equation = isinstance(task.row.says, Equality) and task.sign.number in ("", "0")
     is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)

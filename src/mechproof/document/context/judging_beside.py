@@ -19,7 +19,13 @@ from mechproof.document.constraints.solutions import (
     write_sign,
 )
 from mechproof.document.judging import Key, open_tasks
-from mechproof.document.misprints import RUNG, find_failure, find_misprint, holds_at_rest
+from mechproof.document.misprints import (
+    RUNG,
+    Misprint,
+    find_failure,
+    find_misprint,
+    holds_at_rest,
+)
 from mechproof.document.slips import Entry
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
@@ -79,7 +85,43 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
 
 def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
-    key, number, others = which
+    found = _find_misprint(*which, may_repeat=False)
+    if found is None:
+        return None
+    task, misprint, compared_with = found
+    reason = write_sign(f"{misprint.change.reason}{compared_with}")
+    return _replace(task, Verdict.REFUTED, RUNG, reason, (misprint.evidence,))
+
+
+def tell_misprint(which: tuple[Key, int, tuple[int, ...], tuple[int, ...]]) -> str:
+    """Say what a row may be meant to be beside constraints, also if that is printed elsewhere.
+
+    Rows that are proved are told of which it is one with a slip; nothing of what may be true.
+    """
+    key, number, others, proved = which
+    found = _find_misprint(key, number, others, may_repeat=True)
+    if found is None:
+        return ""
+    task, misprint, compared_with = found
+    domain = Domain.of(task.paper, task.row.on)
+    one, other = map(domain.resolve, misprint.change.sides)
+    rows = (open_tasks(key)[m] for m in proved)
+    alike = [row.row.number for row in rows if _is_multiple(one - other, row.residual)]
+    if alike:
+        return f"it differs from {alike[0]}, which is proved: a misprint, or of another case?"
+    return write_sign(f"{misprint.change.reason}{compared_with}: of another case?")
+
+
+def _is_multiple(rest: sp.Expr, residual: sp.Expr | None) -> bool:
+    if residual in (None, 0) or rest.free_symbols != residual.free_symbols:
+        return False
+    return bool(sp.cancel(rest / residual).is_number)
+
+
+def _find_misprint(
+    key: Key, number: int, others: Sequence[int], *, may_repeat: bool
+) -> tuple[Task, Misprint, str] | None:
+    """Return a row that may be a misprint, what mends it, and what it is compared with."""
     tasks = open_tasks(key)
     # Nothing said of a case accuses what is said of all.
     task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
@@ -96,7 +138,7 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
             return None
         plain = [one for one in constraints if not one.sign.is_tied]
         # What becomes one that stands elsewhere is no misprint, unless it is meant to be the same.
-        is_same = task.asserts or task.sign.is_tied
+        is_same = task.asserts or task.sign.is_tied or may_repeat
         printed, repeated = _list_printed(tasks), None if is_same else [*_list_given(task, plain)]
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
@@ -104,9 +146,7 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
             if found and not holds_at_rest(state(entry.sides), given, domain, second):
                 met = dict.fromkeys((task.sign.first, *(one.row.number for one in beside)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
-                compared_with = f"; compared with {names}" if names else ""
-                reason = write_sign(f"{found.change.reason}{compared_with}")
-                return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
+                return task, found, f"; compared with {names}" if names else ""
     except (RecordError, ContradictionError):
         pass
     return None

@@ -1,0 +1,67 @@
+"""Rows that are one with a slip beside what is proved: they are no constraints."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+pytestmark = pytest.mark.usefixtures("judged_here")
+
+BLOCK = r"""%% mechproof
+%% r; l : lengths [mm] {r>0} {l>0}
+%% a : length [mm] {a>0}
+%% x(t) : position [mm]
+%% \varphi(t) : crank [rad]
+%% \psi(t) : rod [rad] {-\pi/2<\psi<\pi/2}
+%% where l>r
+%% end
+"""
+LOOP = (r"r\cos\varphi+l\cos\psi=x", r"r\sin\varphi=l\sin\psi")
+RATE = r"r\dot\varphi\cos\varphi=l\dot\psi\cos\psi"
+SECOND = (
+    r"r\ddot\varphi\cos\varphi-r\dot\varphi^2\sin\varphi=l\ddot\psi\cos\psi{}l\dot\psi^2\sin\psi"
+)
+TANGENT = r"\tan\psi=\frac{{r\sin\varphi}}{{x{}r\cos\varphi}}"
+SQUARED = "x^2-2rx\\cos\\varphi{}=l^2{}"
+OPEN, GIVEN, PROVED, REFUTED = "not judged", "DEFINITION", "PROVED", "REFUTED"
+CASES = {
+    "a tangent": ([*LOOP, TANGENT.format("-"), TANGENT.format("+")], [PROVED, REFUTED]),
+    # A second wrong row hides it.
+    "two wrong rows": (
+        [
+            *LOOP,
+            SQUARED.format("+r^2", ""),
+            SQUARED.format("+l^2", "+r^2-l^2"),
+            TANGENT.format("-"),
+            TANGENT.format("+"),
+        ],
+        [PROVED, REFUTED, PROVED, OPEN],
+    ),
+    "a second derivative": (
+        [LOOP[1], RATE, SECOND.format("-"), SECOND.format("+")],
+        [PROVED, PROVED, OPEN],
+    ),
+    "the right print again": ([*LOOP, TANGENT.format("-"), TANGENT.format("-")], [PROVED, PROVED]),
+    # What ties other letters, or says more, is a constraint.
+    "a further constraint": (
+        [*LOOP, TANGENT.format("-"), r"r\cos\varphi+l\cos\psi=2a\sin\varphi"],
+        [PROVED, GIVEN],
+    ),
+    "one of a special position": ([*LOOP, TANGENT.format("-"), r"\varphi=2\psi"], [PROVED, GIVEN]),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_slip_beside_what_is_proved_is_no_constraint(name: str) -> None:
+    equations, expected = CASES[name]
+    lines = (f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in equations)
+    rows = check("paper.tex", BLOCK + "\n".join(lines)).rows
+    assert [row.outcome for row in rows][-len(expected) :] == expected
+
+
+def test_the_print_with_which_it_is_compared_is_named() -> None:
+    equations, _ = CASES["a second derivative"]
+    lines = (f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in equations)
+    *_, row = check("paper.tex", BLOCK + "\n".join(lines)).rows
+    assert row.reason.startswith("it differs from (3), which is proved")
