@@ -55,6 +55,8 @@ def find_units(
     bare = letters & known.symbols.bare
     if not bare:
         return RowUnits(True)
+    if letters <= {*bare, None}:
+        return RowUnits(False, "its letters have no units")
     names = sorted(map(str, bare))
     told = ", ".join(names[:_TOLD]) + (" and others" if len(names) > _TOLD else "")
     mixed = _find_mixed(row, known.symbols.bare, papers[True])
