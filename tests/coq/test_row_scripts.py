@@ -12,6 +12,7 @@ from command import PROVED, run, write
 from mechproof.pipeline import row_scripts
 from mechproof.pipeline.row_scripts import BESIDE_OTHERS, WITHOUT_ROW, write_row_scripts
 from mechproof.pipeline.verification import judge_derivations
+from mechproof.proof.verdict import Verdict
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
 
@@ -23,6 +24,15 @@ ROWS = tuple(
     Equation(f"({n})", "print", Equality((x + n) ** 2, x**2 + 2*n*x + n**2 + int(n == 2)))
     for n in (1, 2, 3)
 )
+PAPER = Paper("mine", "my notes", (Variable(x, "a number"),), ROWS)
+"""
+
+CONDITIONAL = """
+from sympy import Ge, Interval, oo, symbols
+from mechproof.record import *
+x = symbols("x", real=True)
+PART = Part("x from 1 on", within={x: Interval(1, oo)})
+ROWS = (Equation("(1)", "print", Holds(Ge(x**2, x)), holds_on=PART),)
 PAPER = Paper("mine", "my notes", (Variable(x, "a number"),), ROWS)
 """
 
@@ -58,6 +68,16 @@ def test_prints_without_mechanics_have_scripts_but_for_what_follows(
     written = write_row_scripts({file: ledger})
     assert [script.reason for script in written] == ["", "", BESIDE_OTHERS]
     assert [bool(script.text) for script in written] == [True, True, False]
+
+
+def test_a_conditional_row_has_a_theorem_and_a_point_at_which_it_fails(tmp_path: Path) -> None:
+    file = tmp_path / "mine.py"
+    file.write_text(CONDITIONAL, encoding="utf-8")
+    (ledger,) = judge_derivations([file], use_cache=False)
+    assert [one.verdict for one in ledger.judgements] == [Verdict.CONDITIONAL]
+    (script,) = write_row_scripts({file: ledger})
+    assert "Theorem part_1 : forall x : R, (x >= 1) -> ((x ^ 2) >= x)." in script.text
+    assert "Theorem part_2 : exists x : R, ((x ^ 2) < x)." in script.text
 
 
 @pytest.mark.parametrize(

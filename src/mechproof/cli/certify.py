@@ -41,7 +41,7 @@ def certify(
     no_cache: options.NoCache = False,
     limit: options.Limit = LIMIT,
 ) -> None:
-    """Write a Coq script for every row that is PROVED or REFUTED; `make` in FOLDER checks them.
+    """Write a Coq script for every row that is PROVED, REFUTED or CONDITIONAL, for `make`.
 
     Each states its row in the letters of the paper, with the domain as hypotheses, and is read
     back from its text and compared with the row before it is written. What Coq refuses by the

@@ -21,12 +21,13 @@ NOT_CHECKED = "not checked in this run"
 BY_COQ, REFUSED = "Coq: ", "Coq refuses the proof that was written for it"
 _INTRODUCTION = """# What Coq checks
 
-Rows of the ledger that are PROVED or REFUTED, written as theorems of Coq {version} and proved there
-once more: `mechproof certify --out FOLDER --check` writes the files and runs Coq. A theorem states
-the whole row in the letters of the paper, with the domain as its hypotheses and with what every
-quotient, root and tangent needs to have a value; a point that satisfies all hypotheses is proved to
-exist beside it. Of a refuted row a point is proved at which it fails. A law by pieces is a theorem
-for each piece, under its condition; sums go to any whole number, over families of any numbers. Each
+Rows of the ledger that are PROVED, REFUTED or CONDITIONAL, written as theorems of Coq {version}
+and proved there once more: `mechproof certify --out FOLDER --check` writes the files and runs Coq.
+A theorem states the whole row in the letters of the paper, with the domain as its hypotheses and
+with what every quotient, root and tangent needs to have a value; a point that satisfies all
+hypotheses is proved to exist beside it. Of a refuted row a point is proved at which it fails; a
+conditional row has both, the theorem on the part where it is true. A law by pieces is a theorem for
+each piece, under its condition; sums go to any whole number, over families of any numbers. Each
 file is read back from its text by a reader of its own and compared with the row before it is
 written.
 

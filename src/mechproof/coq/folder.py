@@ -21,12 +21,12 @@ from mechproof.coq.theorems import Theorem, build_theorems
 from mechproof.domains.domain import Domain
 from mechproof.ledger.judged import JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Row
+from mechproof.record import Paper, Row
 from mechproof.tools.made import ForeignFileError, Made
 
 LIST = "mechproof-coq.sha256"
-# What of a ledger says that something is proved, of all values or at a point.
-CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED)
+# What of a ledger says that something is proved, of all values, at a point, or of each a part.
+CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED, Verdict.CONDITIONAL)
 ASSUMPTIONS = "Assumptions.v"
 _MAKEFILE = f"""# Has Coq check every file, and print what all of them assume: make -j2
 LIBRARIES := {" ".join(f"{name}.v" for name in LIBRARIES)}
@@ -71,10 +71,10 @@ class RowScript:
 
 
 def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
-    """Write what Coq is given of a proved or refuted row, read back and compared with the row."""
+    """Write what Coq is given of a certifiable row, read back and compared with the row."""
     name = f"{re.sub(r'[^a-z0-9]+', '_', judgement.id.lower())}.v"
     try:
-        theorems = build_theorems(row, judgement.verdict, Domain.of(ledger.paper, row.on))
+        theorems = _list_theorems(row, judgement.verdict, ledger.paper)
         text = write_script(judgement.id, theorems)
     except UnwritableError as error:
         return withhold(judgement, str(error))
@@ -82,6 +82,15 @@ def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> Row
     return replace(
         withhold(judgement, ""), file=name, text=text, is_alike=all(map(_is_alike, theorems))
     )
+
+
+def _list_theorems(row: Row, verdict: Verdict, paper: Paper) -> list[Theorem]:
+    """List what a row says; of one that is true on a part, that, and a point at which it fails."""
+    whole = Domain.of(paper, row.on)
+    if verdict is not Verdict.CONDITIONAL:
+        return build_theorems(row, verdict, whole)
+    inside = build_theorems(row, Verdict.PROVED, Domain.of(paper, row.on, row.holds_on))
+    return [*inside, *build_theorems(row, Verdict.REFUTED, whole)]
 
 
 def _is_alike(theorem: Theorem) -> bool:

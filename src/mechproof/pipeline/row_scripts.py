@@ -28,7 +28,7 @@ _opened: list[tuple[Opened, JudgedPaper]] = []
 def write_row_scripts(
     ledgers: Mapping[Path, JudgedPaper], tell: Callable[[str], None] = lambda text: None
 ) -> list[RowScript]:
-    """Write a script for every row that is proved or refuted, or say why not, in their order.
+    """Write a script for every row that is certifiable, or say why not, in their order.
 
     Ledgers are by the places of their papers. Raises ValueError for a row at which it fails.
     """
