@@ -45,7 +45,7 @@ What errors are relative to:
 
     1 (eccentricity_of_smallest_ratio) = 1
 
-Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
+Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -75,7 +75,7 @@ What errors are relative to:
         Max(8*e2*k**3*(1 - e2**2)/(4*e2*sin(x/2)**2 + (1 - e2)**2)**2, 32*e2**2*k**3*(1 -
         e2**2)*sin(x)**2/(4*e2*sin(x/2)**2 + (1 - e2)**2)**3)
 
-Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
+Generated from the derivation oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

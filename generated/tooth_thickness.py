@@ -36,7 +36,7 @@ What errors are relative to:
     the sum of its terms' sizes (thickness_error) = 2*(|height_error| +
         |e_tip|/2)*tan(alpha)
 
-Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
+Generated from the derivation tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

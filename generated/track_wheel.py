@@ -67,7 +67,7 @@ What errors are relative to:
         (error - offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error -
         offset)*(error + offset))))
 
-Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
+Generated from the derivation track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -49,7 +49,7 @@ Symbols of the formulas:
     turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
     engaged = Piecewise((0, travel_5 < l_GH), (1, True))
 
-Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
+Generated from the derivation wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -53,6 +53,12 @@ def test_it_is_said_how_the_kernels_are_imported(place: Path) -> None:
     assert "from generated import" not in checked.output
 
 
+def test_what_is_generated_names_no_paper_of_the_package(place: Path) -> None:
+    texts = {file.name: file.read_text() for file in place.parent.glob("generated/*.*")}
+    assert "\nGenerated from the derivation functions with SymPy" in texts["functions.py"]
+    assert not [n for n, t in texts.items() if "mechproof.derivations" in t or "elliptic" in t]
+
+
 @pytest.mark.parametrize("name", SIZES)
 def test_a_tailored_kernel_is_within_its_bound(place: Path, name: str) -> None:
     request = read_request(f"functions.{name}", 1e-9, SIZES[name], place)

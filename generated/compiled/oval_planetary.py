@@ -10,7 +10,7 @@ is proved of these kernels where it says `compiled`, and of the NumPy kernels el
 
 Elementary functions: `elementary` 113e9d7d3b82.
 
-Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
+Generated from the derivation oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -15,7 +15,7 @@ sets of terms are added beside each other, each to the bits that it has alone. I
 functions that numba compiles they take one array of terms for each argument, or a number for
 equal ones.
 
-Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
+Generated from the derivation track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

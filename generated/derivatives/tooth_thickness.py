@@ -13,7 +13,7 @@ conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of
 kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
 by the argument (the first: by it or by 1 rad or mm, what is less).
 
-Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
+Generated from the derivation tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -14,7 +14,7 @@ domain and where an argument is NaN the result is NaN; in a domain numpy.pi coun
 TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
-Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
+Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

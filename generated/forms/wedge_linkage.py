@@ -26,7 +26,7 @@ Symbols of the formulas:
     turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
     engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
 
-Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
+Generated from the derivation wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 

@@ -309,7 +309,7 @@ def test_derivatives_are_written_where_they_are_asked_for(tmp_path: Path) -> Non
     assert sorted(f.name for f in tmp_path.iterdir()) == ["Makefile", f"{name}.c", f"{name}.h"]
     header = (tmp_path / f"{name}.h").read_text()
     assert " * Result: mm per unit of each argument, 4 numbers\n" in header
-    assert "mechproof.derivations.track_wheel by" in header
+    assert "the derivation track_wheel by" in header
     files = {f"{name}.{end}": (tmp_path / f"{name}.{end}").read_text() for end in "hc"}
     function = compile_files(tmp_path, files, STRICT).track_wheel_derivatives_radius
     function.argtypes, function.restype = [*[ctypes.c_double] * 4, POINTER], None

@@ -44,11 +44,11 @@ What is wrong, ambiguous or missing in print comes first, each cause once and th
 findings. What their mends take out of a print is red, what they put in is green. Then every printed
 equation and every checkable claim of the papers, with the verdict that `mechproof verify` computes.
 This page is generated; the same findings and rows are in `ledger.json`, by the `id` that is also
-the anchor of a row here (`LEDGER.md#elliptic_planetary/eq-12`). "Read as" is what
-was read from the print and judged; rows marked *as typed* were typed by hand. A rung is the way in
-which a row was decided; the last section explains each. The last column says which script of
-`mechproof certify` proves a row once more with Coq, or why there is none ([COQ.md](COQ.md)). The
-formulas of what is proved, and what they were compared with, are folded away below each table.
+the anchor of a row here, behind `LEDGER.md#`. "Read as" is what was read from the print and judged;
+rows marked *as typed* were typed by hand. A rung is the way in which a row was decided; the last
+section explains each. The last column says which script of `mechproof certify` proves a row once
+more with Coq, or why there is none ([COQ.md](COQ.md)). The formulas of what is proved, and what
+they were compared with, are folded away below each table.
 
 {AT_HAND}
 

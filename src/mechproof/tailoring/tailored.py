@@ -163,17 +163,12 @@ def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
     return Kernel(quantity.name, alone, (form,), digest, code, ((),))
 
 
-def _name_derivation(request: Request) -> str:
-    system = request.paper.system
-    return f"the derivation {system}" if request.folder else f"mechproof.derivations.{system}"
-
-
 def _describe(request: Request, bound: float) -> tuple[str, ...]:
     sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
     return (
         f"`{request.name}` tailored to {sizes}: off by at most {round_up(bound)}.",
         "",
-        f"Generated from {_name_derivation(request)} by `mechproof.tailor`.",
+        f"Generated from the derivation {request.paper.system} by `mechproof.tailor`.",
     )
 
 

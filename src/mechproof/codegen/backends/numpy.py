@@ -129,7 +129,7 @@ def _render(
 def tell_origin(system: str) -> tuple[str, ...]:
     """Say what a module is generated from, and how."""
     return (
-        f"Generated from mechproof.derivations.{system} with SymPy {sp.__version__}.",
+        f"Generated from the derivation {system} with SymPy {sp.__version__}.",
         REGENERATED,
     )
 

@@ -87,7 +87,7 @@ def _render(texts: Sequence[FormulaText], script: Script, paper: Paper) -> str:
     data: dict[str, object] = {
         "formulas": texts,
         "helpers": list(helpers.values()),
-        "origin": f"Generated from mechproof.derivations.{paper.system}.",
+        "origin": f"Generated from the derivation {paper.system}.",
     }
     data |= {"result": RESULT, "form": FORM} if script.takes_arrays else {}
     texts_beside = [script.helpers[name] for name in written]
