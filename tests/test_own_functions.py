@@ -102,3 +102,13 @@ def test_the_command_writes_one_and_refuses_a_seam(place: Path) -> None:
     assert done.exit_code == 2
     told = " ".join(done.output.split())
     assert "y = (1.0, 3.0): functions.rest jumps or is undefined about 2" in told
+
+
+def test_a_derivation_that_fails_is_told(place: Path, tmp_path: Path) -> None:
+    shutil.copytree(place.parent / "generated", tmp_path / "generated")
+    (tmp_path / "derivations").mkdir()
+    (tmp_path / "derivations" / "functions.py").write_text("1 / 0\n")
+    with chdir(tmp_path):
+        done = run("emit", "c", "functions.power", "--error", "1e-6", "--let", "x=0:1")
+    assert done.exit_code == 1
+    assert "functions.py:1: ZeroDivisionError" in "".join(done.output.split("\n"))

@@ -12,7 +12,7 @@ from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.paths import Places, find_locations, find_places, read_out
-from mechproof.derivation import find_systems, packaged_directory
+from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.pipeline.verification import LIMIT
 from mechproof.record import Paper
 from mechproof.tools.files import write_whole
@@ -203,6 +203,8 @@ def _emit_tailored(
         kernel = tailor(names[0], error=error, derivations=folder, **arguments)
     except (ValueError, TypeError) as wrong:
         refuse(str(wrong))
+    except DerivationError as failed:
+        fail(str(failed))
     say(repr(kernel))
     try:
         files = kernel.write_c(out, name=called)
