@@ -112,6 +112,7 @@ PAIRS = [
     # Sums that come to integrals.
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+k}=%s", r"\ln2", r"\ln3", ()),
     (r"\lim_{n\to\infty}\left(2+\sum_{k=1}^n\frac1{n+k}\right)=%s", r"2+\ln2", r"2\ln2", ()),
+    (r"\lim_{n\to\infty}\left(3+\frac{2^n}{n!}\right)=%s", "3", "4", ()),
     (r"\lim_{n\to\infty}\frac1{n^2}\sum_{k=1}^n(2+k)=%s", r"\frac12", "1", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\left(2+\frac1{2^k}\right)=%s", r"\infty", "2", ()),
     (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),

@@ -80,9 +80,9 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
 
     The sign of what comes to 0 may alternate.
     """
-    if isinstance(body, sp.Add):
-        steady, moving = body.as_independent(n)
-        value = _find_of_sequence(moving, n, domain) if steady != 0 else None
+    steady, moving = body.as_independent(n, as_Add=True)
+    if steady != 0:
+        value = _find_of_sequence(moving, n, domain)
         return None if value is None else steady + value
     factor, total = body.as_independent(sp.Sum, as_Add=False)
     if isinstance(total, sp.Sum):
