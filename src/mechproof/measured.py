@@ -234,14 +234,14 @@ class Record:
         return max((worst for worst in found if worst is not None), default=None)
 
 
-def round_up(value: float, digits: int = ERROR_DIGITS) -> float:
-    """Return the next number of so many digits that is not smaller in size."""
+def round_up(value: float) -> float:
+    """Return the next number of as many digits as errors have that is not smaller in size."""
     if not math.isfinite(value):
         return value
-    near = round_off(value, digits)
+    near = round_off(value, ERROR_DIGITS)
     if abs(near) >= abs(value):
         return near
-    return float(Context(prec=digits, rounding=ROUND_UP).plus(Decimal(value)))
+    return float(Context(prec=ERROR_DIGITS, rounding=ROUND_UP).plus(Decimal(value)))
 
 
 def round_off(value: float, digits: int = TIME_DIGITS) -> float:

@@ -28,6 +28,8 @@ from mechproof.arithmetic.intervals import Array, Mask
 TOGETHER = 512
 # Parts whose sides are such shares of the whole are not divided.
 THIN = 2.0**-24
+# So many parts where the bound is high are told.
+KEPT = 32
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class Largest:
     open: Box | None
 
 
-def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int = 32) -> Largest:
+def bound_largest(bound: Bound, box: Box, tolerance: float, most: int) -> Largest:
     """Divide a box until the bound is known to a tolerance, or into so many parts at most."""
     whole = as_boxes(box)
     boxes = divide(whole, len(box))
@@ -63,7 +65,7 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
         reached = max(reached, _find_highest(middles), _find_highest(heights[thin]))
         low = heights <= reached * (1 + tolerance)
         if low.any():
-            highest = _keep(highest, boxes[low], heights[low], kept)
+            highest = _keep(highest, boxes[low], heights[low])
             finished = max(finished, float(heights[low].max()))
             boxes, heights = boxes[~low], heights[~low]
         if not len(boxes) or count >= most:
@@ -72,7 +74,7 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int, kept: int
         count += len(halves.boxes) // 2
         boxes = np.concatenate([boxes[TOGETHER:], halves.boxes])
         heights = np.concatenate([heights[TOGETHER:], _raise(halves.heights)])
-    highest = _keep(highest, boxes, heights, kept)
+    highest = _keep(highest, boxes, heights)
     found = max(finished, float(heights.max(initial=0.0)))
     return Largest(found, reached, count, tuple(map(as_box, highest[0])), None)
 
@@ -92,9 +94,7 @@ def _raise(heights: Array) -> Array:
     return np.where(np.isnan(heights), np.inf, heights)
 
 
-def _keep(
-    known: tuple[Boxes, Array], boxes: Boxes, heights: Array, kept: int
-) -> tuple[Boxes, Array]:
+def _keep(known: tuple[Boxes, Array], boxes: Boxes, heights: Array) -> tuple[Boxes, Array]:
     together = np.concatenate([known[0], boxes]), np.concatenate([known[1], heights])
-    order: NDArray[np.intp] = np.argsort(-together[1], kind="stable")[:kept]
+    order: NDArray[np.intp] = np.argsort(-together[1], kind="stable")[:KEPT]
     return together[0][order], together[1][order]

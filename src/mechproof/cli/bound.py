@@ -112,13 +112,12 @@ def bound(
         with show_progress("bounding rounding errors") as report:
             for found in bound_all(boundings, convention, tolerance, parts, report):
                 bounds.append(found)
+                for line in _tell(found):
+                    say(line)
     except (FPCoreError, PastedError, ValueError) as error:
         refuse(str(error))
     except ArithmeticError as error:
         fail(str(error))
-    for found in bounds:
-        for line in _tell(found):
-            say(line)
     options.write_json(json_file, bounds_to_json(bounds))
     if any(found.open for found in bounds):
         raise typer.Exit(1)

@@ -343,9 +343,9 @@ class Document:
             known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
-    def _leave(self, printed: Printed, state: State, reason: str, remedy: str = "") -> Left:
+    def _leave(self, printed: Printed, state: State, reason: str) -> Left:
         latex = printed.latex.string
-        return Left(printed.name, printed.locate(self.files), latex, state, reason, remedy)
+        return Left(printed.name, printed.locate(self.files), latex, state, reason)
 
     def _refuse(self, printed: Printed, error: ReadingError) -> Left:
         place = printed.locate(self.files, error.place)

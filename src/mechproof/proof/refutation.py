@@ -112,9 +112,9 @@ def are_seen_to_differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
     return False
 
 
-def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
+def find_violation(relation: sp.Basic, domain: Domain) -> Evidence | None:
     """Return a point at which the relation is certainly false, if one is found."""
-    for point in points_for((relation,), domain, count, thorough=count == POINTS):
+    for point in points_for((relation,), domain, POINTS, thorough=True):
         if balls.truth(put_exactly(relation, point), point, 256) is False:
             first, second, *_ = min(relation.atoms(Relational), key=str).args
             left, right = (
