@@ -150,7 +150,10 @@ CASES = {
             r"\mathbf d=\begin{pmatrix}2\\0\end{pmatrix}",
             r"\mathbf c=\mathbf a",
         ],
-        [*["DEFINITION"] * 2, "PROVED", "PROVED", "not judged", *["DEFINITION"] * 6],
+        [
+            *("DEFINITION", "DEFINITION", "PROVED", "PROVED", "not judged"),
+            *("DEFINITION", "DEFINITION", *["not judged"] * 3, "DEFINITION"),
+        ],
     ),
     "that two matrices differ is no proof that one is nowhere zero": (
         [
