@@ -309,6 +309,7 @@ SAID = {
     ),
     "a star is part of a name": "%% F ; E^* ; R^\\star : sizes\n",
     "an identity may be claimed": "%% identity (1)\n",
+    "d by dt with a slash": "%% factor r\n",
 }
 
 

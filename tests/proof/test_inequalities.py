@@ -11,6 +11,7 @@ from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_
 from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
+from mechproof.proof.moduli import SIGNS
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
@@ -40,8 +41,8 @@ TABLES = {
         ),
     ),
     CASES: ((r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),),
+    SIGNS: ((r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),),
     SQUARES: (
-        (r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),
         (r"|\sin x|\le|x|", r"|\sin x|<|x|", ""),
         (r"|\sin2x|\le2|\sin x|", r"|\sin2x|\le\frac{19}{10}|\sin x|", ""),
         (

@@ -78,7 +78,7 @@ def state_extremum(
 
     Of a wave that is what its amplitude makes of it. Of others stationary points and ends are tried
     for where. If it reaches it at none of them, it is compared with what they have at most; None
-    where no such point is found.
+    where no such point is found, or where it depends on the order of letters whether it does.
     """
     value, bound = sides
     term, by = settle_all(value, values), node.by.symbol
@@ -89,19 +89,22 @@ def state_extremum(
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
     sign, known = _SIGNS[node.name], settle_all(bound, values)
     reached = [term.xreplace({by: place}) for place in _list_places(term, by, within)]
+    # Letters of another order of size may make it so, or not.
+    orders = [*islice(permutations(letters), _ORDERS)]
+    agree = [any(_agree(there, known, one) for there in reached) for one in orders]
+    if any(agree) and not all(agree):
+        return None
     for there in reached:
         if _agree(there, known, letters):
             limit = sign(value, bound, evaluate=False)
             return Conjunction((Holds(limit), Equality(there, bound, "member")))
-    # Letters of another order of size may make it so.
-    orders = [*islice(permutations(letters), _ORDERS)]
     numbers = [_evaluate(there, letters) for there in reached]
     pairs = [
         (number, there)
         for number, there in zip(numbers, reached, strict=True)
         if number is not None
     ]
-    if not pairs or any(_agree(there, known, one) for there in reached for one in orders):
+    if not pairs:
         return None
     choose = max if node.name == "max" else min
     extreme = choose(pairs, key=lambda pair: pair[0])[1]

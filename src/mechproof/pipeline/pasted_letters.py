@@ -227,7 +227,8 @@ def _declare(
     prints = pasted.prints
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     _refuse_others(letters, prints)
-    _refuse_matrices([x for x in letters if x not in pasted.names], prints)
+    valued = {text.partition("=")[0].strip() for text in pasted.values}
+    _refuse_matrices([x for x in letters if x not in {*pasted.names, *valued}], prints)
     refuse_unclear([*letters, *({"d"} & {*said})], bold)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
