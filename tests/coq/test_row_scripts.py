@@ -135,5 +135,5 @@ def test_the_command_has_coq_check(tmp_path: Path) -> None:
     file, out = write(tmp_path, PROVED), tmp_path / "coq"
     result = run("certify", str(file), "--out", str(out), "--check")
     assert result.exit_code == 0, result.output
-    assert "1 of 1 rows are accepted" in result.output.replace("\n", " ")
+    assert "1 of 1 rows (100.0%) are accepted" in result.output.replace("\n", " ")
     assert "mine_eq_1.v" in (out / "COQ.md").read_text(encoding="utf-8")

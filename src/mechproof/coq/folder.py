@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
-import sympy as sp
-
 from mechproof.coq.comparison import compare_script
+from mechproof.coq.families import name_letters
 from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
+from mechproof.coq.proofs import is_the_same
 from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.coq.theorems import Theorem, build_theorems
@@ -94,8 +94,8 @@ def _list_theorems(row: Row, verdict: Verdict, paper: Paper) -> list[Theorem]:
 
 
 def _is_alike(theorem: Theorem) -> bool:
-    conclusion = theorem.conclusion
-    return isinstance(conclusion, sp.Eq) and conclusion.lhs == conclusion.rhs
+    listed = (*theorem.hypotheses, theorem.conclusion)
+    return is_the_same(theorem.conclusion, name_letters(theorem.symbols, *listed))
 
 
 def withhold(judgement: Judgement, reason: str) -> RowScript:

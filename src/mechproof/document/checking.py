@@ -19,6 +19,7 @@ from mechproof.document.context.constrained_rows import (
 )
 from mechproof.document.context.doubted_definitions import doubt_by_letters
 from mechproof.document.context.doubted_examples import doubt_by_examples
+from mechproof.document.context.doubted_matrices import doubt_by_matrices
 from mechproof.document.context.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
@@ -31,7 +32,6 @@ from mechproof.document.context.doubts import (
     find_other_solutions,
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
-from mechproof.document.context.possible_matrices import doubt_by_matrices
 from mechproof.document.context.proved_prints import doubt_by_proved
 from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.restated_prints import (

@@ -26,7 +26,7 @@ from mechproof.document.slips import find_slip
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.ladder import AGREE, BOUND_AGREE, ContradictionError
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import (
     Equality,
@@ -44,8 +44,6 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 LIMIT = 60.0
 # What is said of a member that a row differs from.
 UNLIKE = ", which has the same letters: one is wrong, or of another case"
-# What is said of a letter that is introduced, if no dimensions are compared.
-_BOUND = "bound symbols agree"
 TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
@@ -195,8 +193,8 @@ def _find_mixture(task: Task) -> Judgement | None:
 
 def _say_compared(task: Task, found: Judgement) -> Judgement:
     """Say of what introduces a letter no more than what was compared."""
-    said = f"{_BOUND}; dimensions are not compared: {task.lacking}"
-    reason = found.reason.replace(f"dimensions and {_BOUND}", said)
+    said = f"{BOUND_AGREE}; dimensions are not compared: {task.lacking}"
+    reason = found.reason.replace(AGREE, said)
     return replace(found, reason=reason) if task.lacking else found
 
 

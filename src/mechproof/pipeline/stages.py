@@ -27,7 +27,7 @@ from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
-from mechproof.measured import FOLDER, find_known, read_records, write_record
+from mechproof.measured import FOLDER, QUICK, find_known, read_records, write_record
 from mechproof.pipeline.certification import certify_derivations
 from mechproof.pipeline.validation import ValidationError, validate_derivations
 from mechproof.pipeline.verification import (
@@ -164,7 +164,7 @@ def measure(
     it is written, with a headline, and in the end the page of all, without. ValueError for a name
     that is unknown, `DerivationError` for a derivation that fails; both before anything is run.
     """
-    target = generated / FOLDER / ("quick" if quick else "")
+    target = generated / FOLDER / (QUICK if quick else "")
     subjects = find_subjects(tuple(names), derivations)
     known = {s.name: find_known(target, s.name, len(s.quantity.arguments)) for s in subjects}
 

@@ -7,7 +7,7 @@ A row counts where the integrand is proved to be its own, with letters for which
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -48,6 +48,14 @@ def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
     return KnownIntegral((one - other) / X, (0, _OO), jump * sp.log(_A / _B), (_A, _B))
 
 
+def _turn(
+    integrand: sp.Expr, value: sp.Expr, *positive: sp.Expr
+) -> tuple[KnownIntegral, KnownIntegral]:
+    """Return those of cosines over a half turn, which has this value, and over a whole one."""
+    half = KnownIntegral(integrand, (sp.S.Zero, _PI), value, positive)
+    return half, replace(half, limits=(sp.S.Zero, 2 * _PI), value=2 * value)
+
+
 _CIRCLE = 1 - 2 * _A * sp.cos(X) + _A**2
 _ROOT = sp.sqrt(_PI / _A) / 2
 KNOWN = (
@@ -76,22 +84,14 @@ KNOWN = (
     ),
     KnownIntegral((X**_A - 1) / sp.log(X), (0, 1), sp.log(_A + 1), (_A + 1,)),
     # Over a half turn or a whole one (3.613, 3.661, 4.224).
-    KnownIntegral(sp.log(_CIRCLE), (0, _PI), sp.S.Zero, (1 - _A**2,)),
-    KnownIntegral(sp.log(_CIRCLE), (0, 2 * _PI), sp.S.Zero, (1 - _A**2,)),
-    KnownIntegral(sp.log(_CIRCLE), (0, _PI), 2 * _PI * sp.log(_A), (_A - 1,)),
-    KnownIntegral(sp.log(_CIRCLE), (0, 2 * _PI), 4 * _PI * sp.log(_A), (_A - 1,)),
-    KnownIntegral(
+    *_turn(sp.log(_CIRCLE), sp.S.Zero, 1 - _A**2),
+    *_turn(sp.log(_CIRCLE), 2 * _PI * sp.log(_A), _A - 1),
+    *_turn(
         sp.log(_A + _B * sp.cos(X)),
-        (0, _PI),
         _PI * sp.log((_A + sp.sqrt(_A**2 - _B**2)) / 2),
-        (_A, _A**2 - _B**2),
+        *(_A, _A**2 - _B**2),
     ),
-    KnownIntegral(
-        sp.cos(_COUNT * X) / _CIRCLE, (0, _PI), _PI * _A**_COUNT / (1 - _A**2), (1 - _A**2,)
-    ),
-    KnownIntegral(
-        sp.cos(_COUNT * X) / _CIRCLE, (0, 2 * _PI), 2 * _PI * _A**_COUNT / (1 - _A**2), (1 - _A**2,)
-    ),
+    *_turn(sp.cos(_COUNT * X) / _CIRCLE, _PI * _A**_COUNT / (1 - _A**2), 1 - _A**2),
     KnownIntegral(
         1 / (_A + _B * sp.cos(X) + _C * sp.sin(X)),
         (0, 2 * _PI),

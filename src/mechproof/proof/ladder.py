@@ -78,6 +78,9 @@ from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
 UNCOMPARED = "nothing to compare with"
+# What was seen of a letter that is introduced.
+BOUND_AGREE = "bound symbols agree"
+AGREE = f"dimensions and {BOUND_AGREE}"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 _SETTLED = {
@@ -305,7 +308,7 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     evidence = tuple(item for answer in answers for item in answer.evidence)
     rung = join_rungs([d.rung for d in answers])
     if all(d.verdict is Verdict.DEFINITION for d in answers):
-        introduced = f"introduces {len(answers)} symbols; dimensions and bound symbols agree"
+        introduced = f"introduces {len(answers)} symbols; {AGREE}"
         reason = introduced if len(answers) > 1 else answers[0].reason
         return Answer(Verdict.DEFINITION, rung, reason, evidence)
     reason = f"{count_parts(len(answers))} parts hold" if len(answers) > 1 else "holds"
@@ -346,7 +349,7 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
         statement, domain.resolve(statement.value)
     ),
     Definition: lambda statement, domain: Answer(
-        Verdict.DEFINITION, "definition", "introduces a symbol; dimensions and bound symbols agree"
+        Verdict.DEFINITION, "definition", f"introduces a symbol; {AGREE}"
     ),
     Conjunction: _decide_conjunction,
     Completions: _decide_completions,
