@@ -11,7 +11,8 @@ from command import OPEN, PROVED, write
 
 from mechproof.codegen.regenerate import LIST
 from mechproof.pipeline import stages
-from mechproof.pipeline.stages import PipelineError, regenerate
+from mechproof.pipeline.judging import PipelineError
+from mechproof.pipeline.stages import regenerate
 from mechproof.pipeline.validation import ValidationError
 
 

@@ -99,7 +99,7 @@ def test_what_coq_refuses_by_the_record_is_left_out(
     (ledger,) = judge_derivations([place], use_cache=False)
     refused = {script.id: script.digest for script in write_row_scripts({place: ledger})[:2]}
     refused["mine/eq-2"] = "of another script"
-    monkeypatch.setattr("mechproof.coq.coverage.read_refused", lambda folder: refused)
+    monkeypatch.setattr("mechproof.pipeline.row_scripts.read_refused", lambda folder: refused)
     result = run("certify", str(place), "--out", str(tmp_path / "coq"))
     assert "2 scripts of 3 rows" in " ".join(result.output.split())
     assert "left out: 1 scripts that Coq refuses" in " ".join(result.output.split())

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.paths import find_locations, find_places, read_out
+from mechproof.pipeline.judging import PipelineError
 from mechproof.pipeline.verification import LIMIT
 from mechproof.sources.files import SUFFIXES
-from mechproof.tools.made import ForeignFileError
+
+if TYPE_CHECKING:
+    from mechproof.pipeline.row_scripts import Certified
 
 
 def certify(
@@ -52,38 +54,35 @@ def certify(
     does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
     fails; 2: bad usage.
     """
-    from mechproof.coq.checker import RECORD_LIMIT, CheckerError
-    from mechproof.coq.coverage import check_folder, keep_record, read_known, read_refused
-    from mechproof.coq.folder import write_folder
-    from mechproof.pipeline.row_scripts import write_row_scripts
+    from mechproof.pipeline.row_scripts import certify as certify_papers
 
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")
     places = find_places(derivations, None)
-    locations = find_locations(papers or (), places, SUFFIXES)
-    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
-    refuse_failures(ledgers)
+    stages = certify_papers(
+        find_locations(papers or (), places, SUFFIXES),
+        out,
+        places.generated,
+        check=check,
+        record=record,
+        one_in=one_in,
+        use_cache=not no_cache,
+        limit=limit,
+        progress=show_progress,
+    )
     try:
-        with show_progress("writing scripts") as tell:
-            certificates = write_row_scripts(dict(zip(locations, ledgers, strict=True)), tell)
-        known, refused = read_known(places.generated), read_refused(places.generated)
-        left = [c for c in certificates if not check and c.text and refused.get(c.id) == c.digest]
-        write_folder(out, [c for c in certificates if c not in left])
-        written = sum(bool(c.text) for c in certificates) - len(left)
-        say(f"{out}: {written} scripts of {len(certificates)} rows; `make -C {out}` checks them")
-        if left:
-            say(f"left out: {len(left)} scripts that Coq refuses by the record")
-        if not check:
-            return
-        with show_progress("running Coq") as tell:
-            if record:
-                coverage = check_folder(out, certificates, tell, known=known, limit=RECORD_LIMIT)
-            else:
-                coverage = check_folder(out, certificates, tell, one_in=one_in)
-        if record:
-            keep_record(places.generated, coverage)
-    except (CheckerError, ForeignFileError, OSError, ValueError) as error:
+        for done in stages:
+            _tell(done, out)
+    except PipelineError as error:
         fail(str(error))
-    say(coverage.count())
-    if lost := [] if record else coverage.find_lost(known):
-        fail("\n".join(f"not as recorded: {line}" for line in lost))
+
+
+def _tell(done: Certified, out: Path) -> None:
+    if done.coverage is None:
+        say(f"{out}: {done.written} scripts of {done.rows} rows; `make -C {out}` checks them")
+        if done.left_out:
+            say(f"left out: {done.left_out} scripts that Coq refuses by the record")
+        return
+    say(done.coverage.count())
+    if done.lost:
+        fail("\n".join(f"not as recorded: {line}" for line in done.lost))

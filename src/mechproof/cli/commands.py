@@ -18,7 +18,6 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
 from mechproof.cli.improve import SEARCH_LIMIT, improve, offer_forms
-from mechproof.cli.judging import read_ledgers, refuse_failures
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.new import new
 from mechproof.cli.paths import RULE, find_locations, find_places
@@ -26,6 +25,7 @@ from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import to_json
+from mechproof.pipeline.judging import PipelineError, read_ledgers, refuse_failures
 from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.verdict import State, Verdict
 from mechproof.sources.files import SUFFIXES
@@ -98,11 +98,16 @@ def verify(
     outcomes = options.read_outcomes(fail_on, UNDECIDED)
     locations = find_locations(papers or (), find_places(derivations, root), SUFFIXES)
     options.clear_json(json_file)
-    ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
-    if not any(ledger.failures for ledger in ledgers):
-        options.write_json(json_file, to_json(ledgers))
-    print_ledgers(ledgers, show_findings=show_findings, show_all=show_all)
-    refuse_failures(ledgers)
+    try:
+        ledgers = read_ledgers(
+            locations, use_cache=not no_cache, limit=limit, progress=show_progress
+        )
+        if not any(ledger.failures for ledger in ledgers):
+            options.write_json(json_file, to_json(ledgers))
+        print_ledgers(ledgers, show_findings=show_findings, show_all=show_all)
+        refuse_failures(ledgers)
+    except PipelineError as error:
+        fail(str(error))
     if any(ledger.outcomes & outcomes for ledger in ledgers):
         raise typer.Exit(1)
 
@@ -151,7 +156,7 @@ def regenerate(
             limit=limit,
             progress=show_progress,
         )
-    except stages.PipelineError as error:
+    except PipelineError as error:
         fail(str(error))
     for change in done.changes:
         step = f"{'removed' if change.is_removal else 'wrote'} {change.name}"
@@ -210,7 +215,7 @@ def measure(
     try:
         for file, headline in measured:
             say(f"{file}: {headline}" if headline else str(file))
-    except stages.PipelineError as error:
+    except PipelineError as error:
         fail(str(error))
 
 

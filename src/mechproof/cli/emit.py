@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say
-from mechproof.cli.judging import judge_papers, refuse_failures
+from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.paths import Places, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
-from mechproof.pipeline.verification import LIMIT
-from mechproof.record import Paper
+from mechproof.pipeline.judging import PipelineError
 from mechproof.tools.files import write_whole
+
+if TYPE_CHECKING:
+    from mechproof.pipeline.emission import Emitted
 
 Sizes = dict[str, float | tuple[float, ...]]
 
@@ -74,8 +75,6 @@ def emit_c(
     Exit status 0: written; 1: a kernel is not PROVED, a derivation fails, or has no kernel for C;
     2: bad usage.
     """
-    from mechproof.codegen.backends.c99 import render_c, render_c_derivatives, render_makefile
-
     if error is None and (let or name is not None):
         refuse(f"{'--let' if let else '--name'} goes with --error")
     if float32 + derivatives + (error is not None) > 1:
@@ -85,33 +84,13 @@ def emit_c(
         _emit_tailored(systems or [], error, _read_sizes(let or []), out, name, folder)
         return
     _refuse_quantities(systems or [])
-    for location, paper in _judge(systems, derivations):
-        try:
-            errors = _search_errors(paper, location) if float32 else None
-            files = render_c_derivatives(paper) if derivatives else render_c(paper, errors=errors)
-        except (ValueError, NotImplementedError) as error:
-            if systems:
-                fail(str(error))
-            say(f"left out: {error}")
-            continue
-        for name, text in files.items():
-            _write(out / name, text)
-    # One that somebody else wrote is left alone.
-    if not (out / "Makefile").exists():
-        _write(out / "Makefile", render_makefile())
-
-
-def _judge(systems: list[str] | None, derivations: Path | None) -> Iterator[tuple[Path, Paper]]:
-    """Prove the kernels of systems, unless they have not changed since, and yield the papers."""
-    from mechproof.pipeline.validation import list_unmeant
+    from mechproof.pipeline import emission
 
     locations = find_locations(systems or (), find_places(derivations, None))
-    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
-    judged = [*zip(locations, ledgers, strict=True)]
-    others = [text for place, ledger in judged for text in list_unmeant(ledger.paper, place)]
-    refuse_failures(ledgers, others)
-    for location, ledger in judged:
-        yield location, ledger.paper
+    emitted = emission.emit_c(
+        locations, float32=float32, derivatives=derivatives, progress=show_progress
+    )
+    _write_all(emitted, out, must_have=bool(systems))
 
 
 # What is written of a system, by the name of the command.
@@ -134,15 +113,14 @@ def _add_script(language: str, text: str) -> None:
         ] = None,
         derivations: options.Derivations = None,
     ) -> None:
-        from mechproof.codegen.backends.scripts import render_scripts
+        from mechproof.pipeline import emission
 
         _refuse_quantities(systems or [])
-        for _, paper in _judge(systems, derivations):
-            files, refused = render_scripts(paper, language.replace("-", "_"))
-            for reason in refused:
-                say(f"left out: {reason}")
-            for name, written in files.items():
-                _write((out or Path(language)) / name, written)
+        locations = find_locations(systems or (), find_places(derivations, None))
+        emitted = emission.emit_scripts(
+            language.replace("-", "_"), locations, progress=show_progress
+        )
+        _write_all(emitted, out or Path(language))
 
     emit.__doc__ = f"""{text}
 
@@ -159,13 +137,6 @@ def _add_script(language: str, text: str) -> None:
 
 for _language, _text in SCRIPTS.items():
     _add_script(_language, _text)
-
-
-def _search_errors(paper: Paper, location: Path) -> Mapping[str, str]:
-    from mechproof.lab.singles import state_errors
-
-    say(f"{paper.system}: searching for the largest errors in float")
-    return state_errors(paper, location)
 
 
 def _refuse_quantities(names: list[str]) -> None:
@@ -237,7 +208,24 @@ def _read_size(text: str) -> tuple[str, float | tuple[float, ...]]:
     return name, numbers[0] if len(numbers) == 1 else numbers
 
 
+def _write_all(emitted: Iterable[Emitted], out: Path, *, must_have: bool = False) -> None:
+    """Write files as they come; fail where a system must have some, and has none."""
+    try:
+        for one in emitted:
+            if must_have and not one.files:
+                fail(*one.left_out)
+            for reason in one.left_out:
+                say(f"left out: {reason}")
+            for name, text in one.files.items():
+                _write(out / name, text)
+    except PipelineError as error:
+        fail(str(error))
+
+
 def _write(file: Path, text: str) -> None:
+    # A Makefile that somebody else wrote is left alone.
+    if file.name == "Makefile" and file.exists():
+        return
     try:
         write_whole(file, text)
     except OSError as error:

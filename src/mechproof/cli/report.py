@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.judging import load_papers, read_ledgers, refuse_failures
 from mechproof.cli.paths import find_locations, find_places, read_out
-from mechproof.derivation import DerivationError
-from mechproof.pipeline.ledger_cache import LedgerCache
+from mechproof.pipeline.judging import PipelineError
 from mechproof.pipeline.verification import LIMIT
 from mechproof.sources.files import SUFFIXES
-from mechproof.tools.files import write_whole
 from mechproof.tools.made import ForeignFileError
-
-if TYPE_CHECKING:
-    from mechproof.ledger.judged import Ledger
-    from mechproof.report import Site
 
 
 def report(
@@ -49,37 +41,26 @@ def report(
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import build_site, keep_shares, key_shares, load_shares
+    from mechproof.pipeline.reporting import write_report
 
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
-    ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
-    reads = [{} if no_cache else LedgerCache(place).read_sources() for place in locations]
-    keys = key_shares(locations, [ledger.system for ledger in ledgers], reads)
-    kept = load_shares(keys)
     try:
-        shown = _load_others(locations, ledgers, kept, limit)
-        with show_progress("writing the pages") as tell:
-            site = build_site(locations, shown, tell, kept)
-        keep_shares(keys, site)
-        _write(target, site, is_file=single)
-    except (DerivationError, ForeignFileError, ValueError) as error:
+        count, failures = write_report(
+            locations,
+            target,
+            single=single,
+            use_cache=not no_cache,
+            limit=limit,
+            progress=show_progress,
+        )
+    except PipelineError as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")
-    refuse_failures(ledgers, site.failures)
-
-
-def _load_others(
-    locations: Sequence[Path], ledgers: Sequence[Ledger], kept: Container[Path], limit: float
-) -> list[Ledger]:
-    """Load the papers of which no pages are kept; return the ledgers of all."""
-    others = [place for place in locations if place not in kept]
-    found = dict(zip(locations, ledgers, strict=True))
-    if others:
-        judged = load_papers([found[place] for place in others], others, limit=limit)
-        found.update(zip(others, judged, strict=True))
-    return list(found.values())
+    say(f"wrote {target}" if single else f"{target}: {count} files; open {target / 'index.html'}")
+    if failures:
+        fail("\n".join(failures))
 
 
 def _find_target(out: str | None, *, is_file: bool) -> Path:
@@ -92,14 +73,3 @@ def _find_target(out: str | None, *, is_file: bool) -> Path:
     except ForeignFileError as error:
         refuse(f"--out {error}")
     return target
-
-
-def _write(target: Path, site: Site, *, is_file: bool) -> None:
-    from mechproof.report import join_pages, write_folder
-
-    if is_file:
-        write_whole(target, join_pages(site.files))
-        say(f"wrote {target}")
-    else:
-        write_folder(target, site.files)
-        say(f"{target}: {len(site.files)} files; open {target / 'index.html'}")

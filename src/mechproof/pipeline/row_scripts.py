@@ -1,28 +1,100 @@
-"""Row scripts: in, papers with their verdicts; out, what Coq is given of each row.
+"""Row scripts: in, papers; out, what Coq is given of each row, in three stages.
 
-They are written on all processors, where those share memory.
+1. Judge: every row of each paper gets a verdict.
+2. Write: what is certifiable becomes a script, on all processors where those share memory.
+3. Check: Coq runs the scripts, those that it refuses are removed, and the record can be kept.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_row_script
+from mechproof.coq.checker import RECORD_LIMIT, CheckerError
+from mechproof.coq.coverage import Coverage, check_folder, keep_record, read_known, read_refused
+from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_folder, write_row_script
 from mechproof.document.constraints.consequences import FOLLOWING
 from mechproof.ledger.judged import JudgedPaper
+from mechproof.pipeline.judging import (
+    Progress,
+    judge_papers,
+    name_faults,
+    refuse_failures,
+    tell_nobody,
+)
 from mechproof.pipeline.opening import Opened, open_paper
+from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Row
+from mechproof.tools.made import ForeignFileError
 from mechproof.tools.processes import START, WorkerError, run_tasks
 
-# Seconds for the scripts of a row; beyond, something hangs.
-LIMIT = 600.0
 WITHOUT_ROW = "the print is judged, but the paper's module has no row of it"
 BESIDE_OTHERS = "it follows from other equations, and scripts have one row each"
 Task = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Certified:
+    """How many scripts of so many rows are written and left out, and once checked, by Coq.
+
+    `lost` tells of those that a record has as accepted, and Coq does not accept.
+    """
+
+    rows: int
+    written: int
+    left_out: int
+    coverage: Coverage | None = None
+    lost: tuple[str, ...] = ()
+
+
 # What is at work, for the processes that are forked.
 _opened: list[tuple[Opened, JudgedPaper]] = []
+
+
+def certify(
+    locations: Sequence[Path],
+    folder: Path,
+    generated: Path,
+    *,
+    check: bool = False,
+    record: bool = False,
+    one_in: int = 1,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    progress: Progress = tell_nobody,
+) -> Iterator[Certified]:
+    """Write the scripts of papers into a folder; with `check` have Coq check one in so many.
+
+    Unless they are checked, those that Coq refuses by the record in `generated` are left out. With
+    `record` what it has as accepted is taken over, and it is kept. Yields what is written before it
+    is checked, too. Raises `PipelineError`.
+    """
+    ledgers = judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
+    refuse_failures(ledgers)
+    known, refused = read_known(generated), read_refused(generated)
+    with name_faults(CheckerError, ForeignFileError, OSError, ValueError):
+        with progress("writing scripts") as tell:
+            scripts = write_row_scripts(dict(zip(locations, ledgers, strict=True)), tell)
+        left = [
+            one for one in scripts if not check and one.text and refused.get(one.id) == one.digest
+        ]
+        write_folder(folder, [one for one in scripts if one not in left])
+        written = sum(bool(one.text) for one in scripts) - len(left)
+        yield (done := Certified(len(scripts), written, len(left)))
+        if not check:
+            return
+        with progress("running Coq") as tell:
+            if record:
+                coverage = check_folder(folder, scripts, tell, known=known, limit=RECORD_LIMIT)
+            else:
+                coverage = check_folder(folder, scripts, tell, one_in=one_in)
+        if record:
+            keep_record(generated, coverage)
+        yield replace(
+            done, coverage=coverage, lost=() if record else tuple(coverage.find_lost(known))
+        )
 
 
 def write_row_scripts(

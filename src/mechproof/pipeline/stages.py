@@ -13,15 +13,14 @@ generated can then be measured.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from mechproof.codegen.forms import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
-from mechproof.derivation import DerivationError, find_systems, packaged_directory
+from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
@@ -29,26 +28,20 @@ from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
 from mechproof.measured import FOLDER, QUICK, find_known, read_records, write_record
 from mechproof.pipeline.certification import certify_derivations
-from mechproof.pipeline.validation import ValidationError, validate_derivations
-from mechproof.pipeline.verification import (
-    LIMIT,
-    VerificationError,
-    judge_derivations,
-    list_failures,
-    name_judging,
+from mechproof.pipeline.judging import (
+    Progress,
+    judge_papers,
+    name_faults,
+    refuse_failures,
+    tell_nobody,
 )
+from mechproof.pipeline.validation import ValidationError, validate_derivations
+from mechproof.pipeline.verification import LIMIT
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.certificate_files import write_certificates
 from mechproof.tools.extras import require_modules
 from mechproof.tools.made import Change, ForeignFileError, Made
 from mechproof.tools.processes import start_executor
-
-# Called with the title of a stage, whose context it is; yields what is told of its progress.
-Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
-
-
-class PipelineError(RuntimeError):
-    """A stage found a fault; the text names what and where."""
 
 
 @dataclass(frozen=True)
@@ -63,20 +56,6 @@ class Regenerated:
         """Return the systems that have kernels."""
         modules = (Path(name) for name in self.files if name != "__init__.py")
         return tuple(m.stem for m in modules if len(m.parts) == 1 and m.suffix == ".py")
-
-
-@contextmanager
-def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
-    """Run a stage without a word."""
-    yield lambda text: None
-
-
-@contextmanager
-def _refuse(*errors: type[Exception], where: str = "") -> Iterator[None]:
-    try:
-        yield
-    except errors as error:
-        raise PipelineError(f"{where}{error}") from error
 
 
 def regenerate(
@@ -97,26 +76,21 @@ def regenerate(
     """
     if not locations:
         raise ValueError("locations: there are none, at least one derivation is needed")
-    with _refuse(ImportError):
+    with name_faults(ImportError):
         require_modules("what is generated", "regenerate", ("ruff",))
-    with (
-        _refuse(DerivationError, VerificationError),
-        progress(name_judging(locations)) as report,
-    ):
-        ledgers = judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
-    if failures := list_failures(ledgers):
-        raise PipelineError("\n".join(failures))
+    ledgers = judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
+    refuse_failures(ledgers)
     papers = [ledger.paper for ledger in ledgers]
-    with _refuse(ValueError, NotImplementedError), progress("bounding the rounding errors"):
+    with name_faults(ValueError, NotImplementedError), progress("bounding the rounding errors"):
         placed = dict(zip(locations, papers, strict=True))
         certificates = certify_derivations(placed, generated, use_cache=use_cache)
-    with _refuse(ValueError, NotImplementedError, where=f"{locations[0].parent}: "):
+    with name_faults(ValueError, NotImplementedError, where=f"{locations[0].parent}: "):
         files = _render(ledgers, certificates, read_checks(generated))
-    with _refuse(ValueError):
+    with name_faults(ValueError):
         files |= _render_tables(generated, certificates)
-    with _refuse(ValidationError), progress("running the emitted kernels") as report:
+    with name_faults(ValidationError), progress("running the emitted kernels") as report:
         validate_derivations(placed, files, use_cache=use_cache, limit=limit, report=report)
-    with _refuse(ForeignFileError, OSError):
+    with name_faults(ForeignFileError, OSError):
         made = Made(generated, LIST)
         return Regenerated(files, tuple(made.compare(files) if check else made.update(files)))
 
@@ -184,7 +158,7 @@ def measure(
         # What a quick run writes is kept apart, and so is what lists it.
         root = target if quick else generated
         lines = list_lines(read_records(target))
-        with _refuse(ForeignFileError, OSError):
+        with name_faults(ForeignFileError, OSError):
             page = {(target / PAGE).relative_to(root).as_posix(): "\n".join(lines)}
             Made(root, LIST).update(page, and_remove=False)
         yield target / PAGE, ""

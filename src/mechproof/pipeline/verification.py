@@ -305,12 +305,6 @@ def _count(papers: Iterable[_Progress]) -> str:
     return ", ".join(at_work) or "all rows judged"
 
 
-def name_judging(locations: Iterable[Path], *, only_kernels: bool = False) -> str:
-    """Say what is judged."""
-    names = ", ".join(location.stem for location in locations)
-    return f"judging the kernels of {names}" if only_kernels else f"judging {names}"
-
-
 def list_failures(ledgers: Sequence[Ledger]) -> list[str]:
     """Name rows that could not be judged, and kernels that are not proved, with what differs where.
 

@@ -1,0 +1,77 @@
+"""Emission: in, the places of derivations; out, the files of a language, in two stages.
+
+1. Judge: what is shipped of each paper has to be PROVED, and to compute what its rows say.
+2. Render: every kernel becomes a function of the language, which is read back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from mechproof.codegen.backends.c99 import render_c, render_c_derivatives, render_makefile
+from mechproof.codegen.backends.scripts import render_scripts
+from mechproof.lab.singles import state_errors
+from mechproof.pipeline.judging import Progress, judge_papers, refuse_failures, tell_nobody
+from mechproof.pipeline.validation import list_unmeant
+from mechproof.record import Paper
+
+
+@dataclass(frozen=True)
+class Emitted:
+    """The text of each file of a system by its name, and what of it is left out and why."""
+
+    files: Mapping[str, str]
+    left_out: Sequence[str] = ()
+
+
+def emit_c(
+    locations: Sequence[Path],
+    *,
+    float32: bool = False,
+    derivatives: bool = False,
+    progress: Progress = tell_nobody,
+) -> Iterator[Emitted]:
+    """Write the kernels of each paper in C, or their derivatives; at the end a Makefile.
+
+    A paper that has no kernels for C has no files, and it is said why. Raises `PipelineError`.
+    """
+    for place, paper in _judge(locations, progress):
+        try:
+            yield Emitted(
+                render_c_derivatives(paper)
+                if derivatives
+                else render_c(paper, errors=_find_errors(paper, place, progress, float32))
+            )
+        except (ValueError, NotImplementedError) as error:
+            yield Emitted({}, (str(error),))
+    yield Emitted({"Makefile": render_makefile()})
+
+
+def emit_scripts(
+    language: str, locations: Sequence[Path], *, progress: Progress = tell_nobody
+) -> Iterator[Emitted]:
+    """Write the kernels of each paper in a language of scripts. Raises `PipelineError`."""
+    for _, paper in _judge(locations, progress):
+        yield Emitted(*render_scripts(paper, language))
+
+
+def _judge(locations: Sequence[Path], progress: Progress) -> Iterator[tuple[Path, Paper]]:
+    """Prove the kernels, unless they have not changed since."""
+    ledgers = judge_papers(locations, only_kernels=True, progress=progress)
+    judged = [(place, one.paper) for place, one in zip(locations, ledgers, strict=True)]
+    refuse_failures(
+        ledgers, [text for place, paper in judged for text in list_unmeant(paper, place)]
+    )
+    yield from judged
+
+
+def _find_errors(
+    paper: Paper, place: Path, progress: Progress, float32: bool
+) -> Mapping[str, str] | None:
+    """Search for what kernels in float are off by."""
+    if not float32:
+        return None
+    with progress(f"{paper.system}: searching for the largest errors in float"):
+        return state_errors(paper, place)

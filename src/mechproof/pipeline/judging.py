@@ -1,0 +1,79 @@
+"""Judging as the first stage of what is made of papers: their ledgers, or a `PipelineError`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
+
+from mechproof.derivation import DerivationError
+from mechproof.ledger.judged import JudgedPaper, Ledger
+from mechproof.pipeline.verification import (
+    LIMIT,
+    VerificationError,
+    find_ledgers,
+    judge_derivations,
+    list_failures,
+)
+
+# Called with the title of a stage, whose context it is; yields what is told of its progress.
+Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
+
+
+class PipelineError(RuntimeError):
+    """A stage found a fault; the text names what and where."""
+
+
+@contextmanager
+def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
+    """Run a stage without a word."""
+    yield lambda text: None
+
+
+@contextmanager
+def name_faults(*errors: type[Exception], where: str = "") -> Iterator[None]:
+    """Make these errors a `PipelineError`."""
+    try:
+        yield
+    except errors as error:
+        raise PipelineError(f"{where}{error}") from error
+
+
+def judge_papers(
+    locations: Sequence[Path],
+    *,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    only_kernels: bool = False,
+    progress: Progress = tell_nobody,
+) -> list[JudgedPaper]:
+    """Judge the papers, or `only_kernels`, on which what is shipped rests."""
+    title = name_judging(locations, "the kernels of " if only_kernels else "")
+    with name_faults(DerivationError, VerificationError), progress(title) as report:
+        return judge_derivations(
+            locations, use_cache=use_cache, only_kernels=only_kernels, limit=limit, report=report
+        )
+
+
+def read_ledgers(
+    locations: Sequence[Path],
+    *,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    progress: Progress = tell_nobody,
+) -> list[Ledger]:
+    """Judge the papers that have changed, and take the ledgers of the others as they are kept."""
+    title = name_judging(locations)
+    with name_faults(DerivationError, VerificationError), progress(title) as report:
+        return find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
+
+
+def name_judging(locations: Sequence[Path], what: str = "") -> str:
+    """Say what is judged."""
+    return f"judging {what}{', '.join(location.stem for location in locations)}"
+
+
+def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
+    """Name rows that could not be judged, kernels not proved, and what else failed."""
+    if failures := [*list_failures(ledgers), *others]:
+        raise PipelineError("\n".join(failures))

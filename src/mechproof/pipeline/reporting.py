@@ -1,0 +1,85 @@
+"""Reporting: in, the places of papers; out, a folder of pages or one file, in three stages.
+
+1. Judge: every row of the papers gets a verdict, unless nothing that its pages show has changed.
+2. Build: a page for each paper and each quantity; what is kept of a paper is taken as it is.
+3. Write: a folder or file that holds anything but a report stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from pathlib import Path
+
+from mechproof.derivation import DerivationError
+from mechproof.ledger.judged import Ledger
+from mechproof.pipeline.judging import (
+    Progress,
+    name_faults,
+    read_ledgers,
+    tell_nobody,
+)
+from mechproof.pipeline.ledger_cache import LedgerCache
+from mechproof.pipeline.verification import (
+    LIMIT,
+    VerificationError,
+    list_failures,
+    restore_papers,
+)
+from mechproof.report import (
+    build_site,
+    join_pages,
+    keep_shares,
+    key_shares,
+    load_shares,
+    write_folder,
+)
+from mechproof.tools.files import write_whole
+from mechproof.tools.made import ForeignFileError
+
+
+def write_report(
+    locations: Sequence[Path],
+    target: Path,
+    *,
+    single: bool = False,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    progress: Progress = tell_nobody,
+) -> tuple[int, list[str]]:
+    """Write the report of papers, in one file if `single`; return how many files, and what failed.
+
+    Raises `PipelineError`, and OSError for what cannot be written.
+    """
+    ledgers = read_ledgers(locations, use_cache=use_cache, limit=limit, progress=progress)
+    reads = [LedgerCache(place).read_sources() if use_cache else {} for place in locations]
+    keys = key_shares(locations, [ledger.system for ledger in ledgers], reads)
+    kept = load_shares(keys)
+    with name_faults(DerivationError, VerificationError, ForeignFileError, ValueError):
+        shown = _load_others(locations, ledgers, kept, limit, progress)
+        with progress("writing the pages") as tell:
+            site = build_site(locations, shown, tell, kept)
+        keep_shares(keys, site)
+        if single:
+            write_whole(target, join_pages(site.files))
+        else:
+            write_folder(target, site.files)
+    return len(site.files), [*list_failures(ledgers), *site.failures]
+
+
+def _load_others(
+    locations: Sequence[Path],
+    ledgers: Sequence[Ledger],
+    kept: Container[Path],
+    limit: float,
+    progress: Progress,
+) -> list[Ledger]:
+    """Load the papers of which no pages are kept; return the ledgers of all."""
+    others = [place for place in locations if place not in kept]
+    found = dict(zip(locations, ledgers, strict=True))
+    if others:
+        with progress("loading what was judged before") as tell:
+            judged = restore_papers(
+                [found[one] for one in others], others, limit=limit, report=tell
+            )
+        found.update(zip(others, judged, strict=True))
+    return list(found.values())
