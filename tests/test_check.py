@@ -9,6 +9,7 @@ import pytest
 from typer.testing import CliRunner, Result
 from weights import first_of
 
+import mechproof
 from mechproof.cli import app
 
 
@@ -245,3 +246,14 @@ def test_what_takes_too_long_fails() -> None:
     done = run(r"\sin x=x", "--limit", "0")
     assert done.exit_code == 1
     assert "no answer within the time limit" in done.output
+
+
+def test_an_equation_is_judged_from_python() -> None:
+    (found,) = mechproof.judge_equation(r"\cos 2x=2\cos^2x-1").judgements
+    assert found.verdict == "PROVED"
+    (found,) = mechproof.judge_equation(r"\cos 2x=2\cos^2x+1", where=["0<x<1"]).judgements
+    assert found.verdict == "REFUTED"
+    with pytest.raises(TypeError, match="where"):
+        mechproof.judge_equation("a=b", where="a<b")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="not declared"):
+        mechproof.judge_equation("a=b+e")

@@ -106,6 +106,8 @@ GIVEN: list[tuple[str, Any, dict[str, dict[str, Any]]]] = [
             | {"relative": False, "rounded_inputs": False, "parts": 9, "report": lambda text: None},
             "check": {"path": "paper.tex", "content": "$$a=1$$", "limit": 9.0}
             | {"report": lambda text: None},
+            "judge_equation": {"latex": "a=a", "where": [], "values": [], "natural": []}
+            | {"names": [], "factors": []},
             "choose": {"quantity": "displacement", "error": 1e-3, "size": 9, "measured": None}
             | {"angles": 0.1},
             "tailor": {"name": "elliptic_planetary.ratio", "error": 1.0, "R1": 66, "R2": 16}

@@ -1,7 +1,7 @@
 """Mechanism formulas from print to proved verdicts and accurate NumPy kernels.
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
-`check` judges the equations of a paper's own source;
+`check` judges the equations of a paper's own source, `judge_equation` a single one;
 `export` writes pitch curves and motions for other programs;
 `formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
 `bound` proves how far rounding moves what a formula computes;
@@ -43,6 +43,7 @@ if TYPE_CHECKING:
         WedgeLinkage,
     )
     from mechproof.pipeline.bounding import bound
+    from mechproof.pipeline.pasted import judge_equation
     from mechproof.report.formula_texts import formula
     from mechproof.tailoring import tailor
 
@@ -61,6 +62,7 @@ __all__ = [
     "choose",
     "export",
     "formula",
+    "judge_equation",
     "tailor",
 ]
 
@@ -73,6 +75,7 @@ HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "choose": "mechproof.choice",
     "export": "mechproof.exports",
     "formula": "mechproof.report.formula_texts",
+    "judge_equation": "mechproof.pipeline.pasted",
     "tailor": "mechproof.tailoring",
 }
 

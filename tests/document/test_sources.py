@@ -13,9 +13,9 @@ from mechproof.document.checking import check
 from mechproof.document.drafts.draft import draft_block
 from mechproof.document.rows import Document
 from mechproof.nomenclature.block import BlockError, read_block
-from mechproof.nomenclature.units import UnitError, read_unit
 from mechproof.proof.verdict import Verdict
 from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
+from mechproof.record.units import UnitError, read_unit
 from mechproof.sources.files import DocumentError, read_source
 
 
@@ -53,9 +53,7 @@ def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     "latex", ["a+b=b+a", r"x=\frac{1}{2}", "x=0.5", "a=b\0", "a+" * 4000 + "a=b"]
 )
 def test_a_pasted_equation_is_told_its_function(latex: str) -> None:
-    with pytest.raises(
-        DocumentError, match=r"judged by judge_pasted\(Pasted\(EQUATION\)\) of mechp"
-    ):
+    with pytest.raises(DocumentError, match=r"judged by mechproof\.judge_equation"):
         check(latex)
 
 

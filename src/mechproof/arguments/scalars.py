@@ -125,6 +125,13 @@ def check_text(name: str, value: Any) -> str:
     return str(value)
 
 
+def check_texts(name: str, value: Any) -> tuple[str, ...]:
+    """Return the texts of a list or a tuple; TypeError for anything else."""
+    are_texts = isinstance(value, list | tuple) and all(isinstance(one, str) for one in value)
+    require(are_texts, name, value, "must be a list of texts", TypeError)
+    return tuple(value)
+
+
 def check_mapping(name: str, value: Any, allowed: str) -> Mapping[Any, Any]:
     """Return a mapping; TypeError for anything else."""
     if not isinstance(value, Mapping):

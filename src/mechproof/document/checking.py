@@ -70,7 +70,7 @@ _EITHER = (
     "which in the block of letters: identity, or constraint"
 )
 # What is no name of a file may be an equation.
-_PASTED = "an equation is judged by judge_pasted(Pasted(EQUATION)) of mechproof.pipeline.pasted"
+_PASTED = "an equation is judged by mechproof.judge_equation"
 
 
 @dataclass(frozen=True)

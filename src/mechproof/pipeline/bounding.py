@@ -17,7 +17,13 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arguments.arrays import check_flag
-from mechproof.arguments.scalars import check_count, check_function, check_number, require
+from mechproof.arguments.scalars import (
+    check_count,
+    check_function,
+    check_number,
+    check_texts,
+    require,
+)
 from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import enclose_ball
@@ -106,8 +112,7 @@ def bound(
     an expression, `ValueError` and `TypeError` for other arguments.
     """
     require(isinstance(source, str | Path), "source", source, "must be a file or LaTeX", TypeError)
-    are_texts = isinstance(where, list | tuple) and all(isinstance(r, str) for r in where)
-    require(are_texts, "where", where, "must be a list of relations", TypeError)
+    where = check_texts("where", where)
     relative, rounded_inputs = (
         check_flag("relative", relative),
         check_flag("rounded_inputs", rounded_inputs),
@@ -121,7 +126,7 @@ def bound(
         require(not where, "where", where, f"a file says it by :pre: {source}")
         found = read_boundings(Path(source))
     else:
-        found = (read_pasted(Pasted(str(source), where=tuple(where))),)
+        found = (read_pasted(Pasted(str(source), where=where)),)
     return tuple(bound_all(found, convention, tolerance, parts, report))
 
 

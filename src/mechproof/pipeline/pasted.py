@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.arguments.scalars import check_text, check_texts
 from mechproof.domains.domain import Domain
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
@@ -88,6 +89,32 @@ def _answer(pasted: Pasted) -> Checked | str:
         return str(error).removeprefix(f"row {NUMBER!r}: ")
     except RecursionError:
         return "it is nested too deeply to be read"
+
+
+def judge_equation(
+    latex: str,
+    *,
+    where: Sequence[str] = (),
+    values: Sequence[str] = (),
+    names: Sequence[str] = (),
+    factors: Sequence[str] = (),
+    natural: Sequence[str] = (),
+) -> Checked:
+    r"""Judge an equation in LaTeX, a chain or a relation.
+
+    Relations `where` say in which it is meant, 0<x<1; `values` are those of letters, k=a/b, `names`
+    prints that are one quantity, `factors` what a bracket behind multiplies, and letters that are
+    `natural` count from 1. Raises `ValueError` for what cannot be read.
+    """
+    pasted = Pasted(
+        check_text("latex", latex),
+        where=check_texts("where", where),
+        values=check_texts("values", values),
+        names=check_texts("names", names),
+        factors=check_texts("factors", factors),
+        natural=check_texts("natural", natural),
+    )
+    return judge_pasted(pasted)
 
 
 def judge_pasted(pasted: Pasted) -> Checked:
