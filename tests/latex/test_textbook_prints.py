@@ -70,6 +70,7 @@ NOT_COLLECTED = [
     (r"x\,\text{drift}", "is not understood here"),
     (r"5\,\mathrm{mm}", "units are not read"),
     (r"0.5\,\mathrm m+x", "units are not read"),
+    (r"p=5\,\mathrm{bar}", "units are not read"),
     ("=x", "no meaning here"),
 ]
 

@@ -16,7 +16,7 @@ from mechproof.document.known import Known, Values
 from mechproof.document.roles import Role, Sign
 from mechproof.nomenclature.inline import Inline, find_inline
 from mechproof.nomenclature.relations import read_relations
-from mechproof.nomenclature.units import ONE
+from mechproof.record.units import ONE
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 

@@ -15,6 +15,7 @@ from mechproof.latex.relations import RELATIONS
 from mechproof.latex.signs import SUFFIXES, Token, find_command
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
+from mechproof.record.units import is_unit
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -29,10 +30,8 @@ UNSURE = {
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
-_UNITS = (
-    *("m", "mm", "cm", "dm", "km", "nm", "s", "ms", "min", "h", "g", "kg", "t", "N", "kN", "Nm"),
-    *("rad", "mrad", "deg", "Hz", "kHz", "rpm", "Pa", "kPa", "MPa", "GPa", "W", "kW", "J", "kJ"),
-)
+# Units that may just as well be letters.
+_LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
@@ -104,7 +103,8 @@ def advise_running(parser: Parser, name: Name | None, by: str) -> str:
 def _refuse_unit(parser: Parser, word: str) -> None:
     """Refuse a unit behind a number: it is no factor of its own."""
     before = parser.tokens[parser.place - 1].text if parser.place else ""
-    if is_digit(before) and word.partition("{")[2].strip("}") in _UNITS:
+    inside = word.partition("{")[2].strip("}")
+    if inside and is_digit(before) and is_unit(inside) and inside not in _LETTERS:
         raise parser.refuse(
             f"{word} behind a number: units are not read",
             "Print the number alone, in the unit of the sizes (mm, rad); 30^\\circ for degrees.",

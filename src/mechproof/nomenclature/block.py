@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from mechproof.nomenclature.units import spell_unit
+from mechproof.record.units import spell_unit
 from mechproof.sources.text import Files, LocatedText, Place
 
 _SHAPE = re.compile(r"\s\[?(\d+)\s*x\s*(\d+)\]?\s*\Z")

@@ -30,8 +30,8 @@ from mechproof.nomenclature.names import (
 )
 from mechproof.nomenclature.relations import narrow, read_relations
 from mechproof.nomenclature.symbols import Symbols
-from mechproof.nomenclature.units import ONE, Unit, UnitError, read_unit, weigh_unit
 from mechproof.record import NUMBER, Notation, Variable
+from mechproof.record.units import ONE, Unit, UnitError, read_unit, weigh_unit
 from mechproof.sources.text import Place
 
 # The unit behind a size.

@@ -13,7 +13,7 @@ import sympy as sp
 
 from mechproof.nomenclature.cells import Numeral, find_unit, name_unit, read_numeral
 from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.units import ONE, Unit, read_unit
+from mechproof.record.units import ONE, Unit, read_unit
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 from mechproof.sources.macros import expand, find_macros

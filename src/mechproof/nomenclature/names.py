@@ -15,8 +15,8 @@ from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.names import to_signs
 from mechproof.nomenclature.block import Declared
 from mechproof.nomenclature.letters import name_symbol, show_letter
-from mechproof.nomenclature.units import read_unit
 from mechproof.record import Variable
+from mechproof.record.units import read_unit
 from mechproof.sources.text import Place
 
 # Derivatives of a letter that have prints of their own.

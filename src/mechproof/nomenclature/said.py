@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from mechproof.nomenclature.cells import name_unit
 from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.units import UnitError, read_unit
+from mechproof.record.units import UnitError, read_unit
 from mechproof.sources.files import Source
 
 _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"

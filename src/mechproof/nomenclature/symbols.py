@@ -12,8 +12,8 @@ import sympy as sp
 from mechproof.latex import Reader
 from mechproof.latex.values import Moving
 from mechproof.nomenclature.letters import REMEDIES, name_symbol
-from mechproof.nomenclature.units import UNITS
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
+from mechproof.record.units import UNITS
 from mechproof.sources.text import Place
 
 

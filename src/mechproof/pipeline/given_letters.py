@@ -13,9 +13,9 @@ from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, s
 from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.relations import read_relations
-from mechproof.nomenclature.units import is_unit
 from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
 from mechproof.record import Variable
+from mechproof.record.units import is_unit
 
 # A number, and behind a blank what may be its unit.
 _WITH_UNIT = re.compile(r"[-+\d.]+(?:\s|~|\\[,:;!])+(?:\\mathrm\s*\{)?([^\W\d_]+)\}?\s*")

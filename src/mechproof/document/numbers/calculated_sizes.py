@@ -19,8 +19,8 @@ from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, exchange, walk
 from mechproof.nomenclature.cells import Numeral
-from mechproof.nomenclature.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 from mechproof.record import FREQUENCY, NUMBER
+from mechproof.record.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 
 _IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
 # In which revolutions are counted.

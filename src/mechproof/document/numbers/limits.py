@@ -13,8 +13,8 @@ from mechproof.document.known import Known
 from mechproof.document.numbers.scales import Scales, may_turn_units
 from mechproof.document.roles import Sign
 from mechproof.domains.dimensions import DimensionError, infer
-from mechproof.nomenclature.units import UNITS, Unit, read_unit, weigh
 from mechproof.record import FREQUENCY, NUMBER, Holds, Row
+from mechproof.record.units import UNITS, Unit, read_unit, weigh
 
 _BARE = "a unit, {}, but none is declared for {}"
 _MISFIT = "the unit {} has dimension {}, the other side {}"

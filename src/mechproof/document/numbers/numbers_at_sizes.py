@@ -24,8 +24,8 @@ from mechproof.document.numbers.scales import RoundedSize, Scales, agrees, is_ne
 from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.roles import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral
-from mechproof.nomenclature.units import Unit, read_unit
 from mechproof.record import NUMBER, Equality, PrintedNumber
+from mechproof.record.units import Unit, read_unit
 from mechproof.sources.displays import Printed
 
 # One digit, or zeros of which nobody knows whether they are digits.

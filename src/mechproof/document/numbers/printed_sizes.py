@@ -11,8 +11,8 @@ from mechproof.document.known import Known
 from mechproof.document.numbers.scales import RoundedSize, Scales
 from mechproof.document.roles import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral
-from mechproof.nomenclature.units import read_unit
 from mechproof.record import find_last_place
+from mechproof.record.units import read_unit
 from mechproof.sources.displays import Printed
 
 

@@ -20,8 +20,8 @@ from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, spread
 from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.roles import Sign
 from mechproof.nomenclature.cells import Numeral
-from mechproof.nomenclature.units import Unit, is_share, read_unit
 from mechproof.record import Equality, PrintedNumber
+from mechproof.record.units import Unit, is_share, read_unit
 from mechproof.sources.displays import Printed
 
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"

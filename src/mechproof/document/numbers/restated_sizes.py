@@ -15,7 +15,7 @@ from mechproof.document.numbers.scales import Scales
 from mechproof.nomenclature.cells import Head, Numeral, find_unit
 from mechproof.nomenclature.inline import Inline, SaidQuantity, find_inline, find_quantities
 from mechproof.nomenclature.symbols import Symbols
-from mechproof.nomenclature.units import Unit
+from mechproof.record.units import Unit
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source
 

@@ -8,7 +8,7 @@ that is another one only if the sizes of its line are no rounded ones is not acc
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -29,9 +29,9 @@ from mechproof.nomenclature.cells import (
     read_head,
     read_numeral,
 )
-from mechproof.nomenclature.units import Unit
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Equation, Paper
+from mechproof.record.units import Unit
 from mechproof.sources.tabulars import TableCell, Tabular
 from mechproof.sources.text import Files, Place
 
@@ -39,7 +39,6 @@ from mechproof.sources.text import Files, Place
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
 _NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
-_NEEDED = "the formula needs "
 _NEAR = "it differs from the recomputed number, but by no more than rounded sizes explain"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
@@ -66,8 +65,16 @@ class _Formulas:
     lacks: str = ""
 
 
+@dataclass
+class _Met:
+    """What is met in a table: the letters that formulas use, and columns that may be inputs."""
+
+    used: set[sp.Basic] = field(default_factory=set)
+    inputs: list[tuple[sp.Basic, Left]] = field(default_factory=list)
+
+
 def _tell_lack(letters: str) -> str:
-    return f"{_NEEDED}{letters}: neither in the table nor among the declared sizes"
+    return f"the formula needs {letters}: neither in the table nor among the declared sizes"
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
@@ -154,7 +161,7 @@ class SizeTables:
             {n: read_numeral(line[n].string, decimal_comma=bool(comma)) for n in grid.heads}
             for line in grid.lines
         ]
-        used, inputs = set[sp.Basic](), list[tuple[sp.Basic, Task | Left]]()
+        met = _Met()
         for column, head in grid.heads.items():
             is_result = head.symbol in self.known.values or not head.is_letter
             if not is_result or not any(line[column] for line in numbers):
@@ -163,14 +170,9 @@ class SizeTables:
                 name = f"{grid.name}, {head.printed}"
                 yield self._leave(name, grid.lines[0][column], reason)
                 continue
-            for row in self._read_column(grid, column, numbers, used):
-                is_lacking = isinstance(row, Left) and row.reason.startswith(_NEEDED)
-                if is_lacking and self.known.printed.get(head.symbol) == BLOCK:
-                    inputs.append((head.symbol, row))
-                else:
-                    yield row
+            yield from self._read_column(grid, column, numbers, met)
         # What others are computed from, and no equation prints, is taken as it stands.
-        yield from (row for symbol, row in inputs if symbol not in used)
+        yield from (row for symbol, row in met.inputs if symbol not in met.used)
 
     def _refuse(self, head: Head, grid: Grid) -> str:
         """Say why a column is not compared, nothing if it is."""
@@ -192,12 +194,9 @@ class SizeTables:
         return ""
 
     def _read_column(
-        self, grid: Grid, column: int, numbers: Numbers, used_here: set[sp.Basic]
+        self, grid: Grid, column: int, numbers: Numbers, met: _Met
     ) -> Iterator[Task | Left]:
-        """Yield the rows of the results of one letter, grouped by the formula that gives them.
-
-        The letters of these are noted.
-        """
+        """Yield the rows of the results of one letter, grouped by the formula that gives them."""
         head, groups = grid.heads[column], dict[_Formulas, list[Result]]()
         missing: dict[str, TableCell] = {}
         for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
@@ -220,7 +219,7 @@ class SizeTables:
             factor = number.factor * scales.convert(self._find_own(head, unit), unit)
             usual = {s: RoundedSize(v) for s, v in self.known.symbols.usual.items()}
             letters = set().union(*(formula.free_symbols for formula in formulas.values))
-            used_here |= letters
+            met.used |= letters
             used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
             result = Result(name, line[column].offset, head, number, factor, used)
             groups.setdefault(formulas, []).append(result)
@@ -231,7 +230,11 @@ class SizeTables:
             if not head.is_letter:
                 self._tell(cell.offset, f"the column {head.printed} is not compared: {reason}")
                 continue
-            yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
+            row = self._leave(f"{grid.name}, {head.printed}", cell, reason)
+            if self.known.printed.get(head.symbol) == BLOCK:
+                met.inputs.append((head.symbol, row))
+            else:
+                yield row
 
     def _find_formulas(self, symbol: sp.Basic, sizes: Mapping[sp.Basic, RoundedSize]) -> _Formulas:
         """Return what gives a letter by the sizes of a line, or which letters it lacks.

@@ -18,9 +18,9 @@ from mechproof.document.numbers.restated_sizes import RestatedSizes
 from mechproof.document.numbers.scales import RoundedSize, Scales, may_turn_units
 from mechproof.document.roles import Role, Sign
 from mechproof.domains.dimensions import DimensionError, infer
-from mechproof.nomenclature.units import Unit
 from mechproof.proof.verdict import Left
 from mechproof.record import Dimension
+from mechproof.record.units import Unit
 from mechproof.sources.displays import Printed
 
 

@@ -9,7 +9,8 @@ from fractions import Fraction
 
 import sympy as sp
 
-from mechproof.record import ANGLE, LENGTH, NUMBER, Dimension, Variable
+from mechproof.record.dimensions import ANGLE, LENGTH, NUMBER, Dimension
+from mechproof.record.variables import Variable
 
 
 @dataclass(frozen=True)
