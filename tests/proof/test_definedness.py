@@ -7,12 +7,7 @@ import sympy as sp
 from twins import ACCEPTED, judge
 
 from mechproof.domains.domain import Domain
-from mechproof.proof.definedness import (
-    list_unshown,
-    list_unshown_inside,
-    need_the_same,
-    tell,
-)
+from mechproof.proof.definedness import list_unshown, list_unshown_inside, need_the_same, tell
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper, Variable
 

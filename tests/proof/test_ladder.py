@@ -5,7 +5,8 @@ import sympy as sp
 
 from mechproof.domains.domain import Domain
 from mechproof.proof import equalities, relations
-from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.ladder import decide
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Completion,

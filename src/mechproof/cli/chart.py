@@ -11,14 +11,7 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.console import refuse, say
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.measured import (
-    MADE_BY,
-    Record,
-    find_all_files,
-    find_files,
-    goes_by,
-    read_record,
-)
+from mechproof.measured import MADE_BY, Record, find_all_files, find_files, goes_by, read_record
 
 # What was generated from derivations of one's own, where commands find these, too.
 OWN = Path("generated")

@@ -9,7 +9,7 @@ from pathlib import Path
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
 from mechproof.document.constraints.consequences import GIVEN, ROOT
-from mechproof.document.context.accused_rows import find_misprints
+from mechproof.document.context.accused_rows import doubt_by_proved, find_misprints
 from mechproof.document.context.constrained_rows import (
     doubt_by_premises,
     excuse_by_constraints,
@@ -19,7 +19,7 @@ from mechproof.document.context.constrained_rows import (
 )
 from mechproof.document.context.doubted_definitions import doubt_by_letters
 from mechproof.document.context.doubted_examples import doubt_by_examples
-from mechproof.document.context.doubted_matrices import doubt_by_matrices
+from mechproof.document.context.doubted_matrices import doubt_by_matrices, doubt_by_rounded
 from mechproof.document.context.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
@@ -32,14 +32,12 @@ from mechproof.document.context.doubts import (
     find_other_solutions,
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
-from mechproof.document.context.proved_prints import doubt_by_proved
 from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.restated_prints import (
     compare_restated,
     doubt_by_restated,
     tell_unlike,
 )
-from mechproof.document.context.rounded_definitions import doubt_by_rounded
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging import (

@@ -11,11 +11,7 @@ import sympy as sp
 
 from mechproof.document.constraints.consequences import GIVEN
 from mechproof.document.constraints.following import judge_following
-from mechproof.document.constraints.solutions import (
-    are_exchanged,
-    judge_angles,
-    judge_signs,
-)
+from mechproof.document.constraints.solutions import are_exchanged, judge_angles, judge_signs
 from mechproof.document.constraints.unsaid_relations import find_relations
 from mechproof.document.never_true import tell_never_true
 from mechproof.document.numbers.rounded_factors import judge_factor
@@ -26,14 +22,10 @@ from mechproof.document.slips import find_slip
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import AGREE, BOUND_AGREE, ContradictionError
+from mechproof.proof.ladder import AGREE, BOUND_AGREE
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import (
-    Equality,
-    Holds,
-    PrintedNumber,
-    RecordError,
-)
+from mechproof.record import Equality, Holds, PrintedNumber, RecordError
 from mechproof.sources.files import read_source
 
 # How the row of one sign of a chain is called.

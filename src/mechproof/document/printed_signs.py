@@ -17,8 +17,7 @@ from mechproof.document.letters_alone import (
     has_place,
     is_bare,
 )
-from mechproof.document.numbers.calculated_sizes import find_span
-from mechproof.document.numbers.calculations import add_calculations
+from mechproof.document.numbers.calculated_sizes import add_calculations, find_span
 from mechproof.document.roles import EQUAL, Role, Sign, Varied
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal

@@ -21,12 +21,7 @@ from mechproof.latex.values import (
     settle_all,
     split_tangents,
 )
-from mechproof.record import (
-    DerivativeWhere,
-    IntegralWithoutDifferential,
-    NthDerivative,
-    ValueWhere,
-)
+from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, NthDerivative, ValueWhere
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.proof.exact_values import RECOMPUTATION
 from mechproof.proof.numbers import describe_number
-from mechproof.proof.printed_number import RUNG
 from mechproof.proof.verdict import Evidence, Judgement
 from mechproof.proof.witness_text import show_plainly
 
@@ -46,7 +46,7 @@ def show_witness(row: Judgement) -> Iterator[LedgerCost]:
         sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
         if at:
             yield LedgerCost(f"at {at}", {name: value for name, value in sides if value})
-        elif row.rung == RUNG and item.rebuilt:
+        elif row.rung == RECOMPUTATION and item.rebuilt:
             yield _show_number(row, item)
 
 

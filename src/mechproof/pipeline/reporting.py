@@ -12,19 +12,9 @@ from pathlib import Path
 
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import Ledger
-from mechproof.pipeline.judging import (
-    Progress,
-    name_faults,
-    read_ledgers,
-    tell_nobody,
-)
+from mechproof.pipeline.judging import Progress, name_faults, read_ledgers, tell_nobody
 from mechproof.pipeline.ledger_cache import LedgerCache
-from mechproof.pipeline.verification import (
-    LIMIT,
-    VerificationError,
-    list_failures,
-    restore_papers,
-)
+from mechproof.pipeline.verification import LIMIT, VerificationError, list_failures, restore_papers
 from mechproof.report import (
     build_site,
     join_pages,

@@ -1,6 +1,8 @@
-"""Where a divisor of counts is zero: there one side of an equation may have no value.
+"""Where a divisor is zero: there a side may have no value, or has one since SymPy cancelled u/u.
 
-Few whole numbers are tried elsewhere, and 17 is seldom among them: the zeros are solved for.
+Of counts few whole numbers are tried elsewhere, and 17 is seldom among them: the zeros are solved
+for. A factorial has no value where its reciprocal is zero. Where a divisor is zero at single points
+of a line nothing is said: a quotient is meant where it has values.
 """
 
 from __future__ import annotations
@@ -10,17 +12,22 @@ from itertools import islice
 
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain, Point
-from mechproof.proof.counts import is_count
-from mechproof.proof.refutation import find_unlike_at, name_point, points_for
+from mechproof.proof.counts import has_steps, is_count
+from mechproof.proof.refutation import find_unlike_at, name_point, points_for, put_exactly
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors
 from mechproof.record.parts import find_free, find_parts
 
-# At so many values of the other letters.
-_TRIED = 3
+# At so many values of the other letters zeros are solved for.
+_SOLVED = 3
 # Work limit: steps in which the number of a factorial comes to be negative.
 _MOST_STEPS = 12
+# Points that are tried; at so many of them zero is no single point of a line.
+_TRIED = 8
+_MANY = 2
+_BITS = (64, 512)
 
 
 def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
@@ -69,7 +76,7 @@ def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
     """Yield zeros in one count after the other, at a few values of the other letters."""
     counts = sorted((s for s in find_free(divisor) if is_count(s, domain)), key=str)
-    for point in islice(points_for((divisor,), domain, _TRIED), _TRIED):
+    for point in islice(points_for((divisor,), domain, _SOLVED), _SOLVED):
         for count in counts:
             others = {s: value for s, value in point.items() if s != count}
             equation = divisor.xreplace(others).as_poly(count)
@@ -79,3 +86,31 @@ def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
                 there = {**others, count: root}
                 if root.is_integer and domain.allows(there):
                     yield there
+
+
+def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
+    """Say which divisor that is cancelled is zero, at a count or at more than single points.
+
+    Empty for none.
+    """
+    for divisor in divisors:
+        resolved = domain.resolve(divisor)
+        points = list(islice(points_for((resolved,), domain, _TRIED), _TRIED))
+        zeros = [point for point in points if _is_zero(resolved, point)]
+        factorial = 1 / divisor if isinstance(1 / divisor, sp.factorial) else None
+        solved = map(domain.resolve, list_ends(factorial)) if factorial else [resolved]
+        zeros += islice((zero for one in solved for zero in list_zeros(one, domain)), 1)
+        needed = 1 if has_steps(resolved, domain) else min(_MANY, len(points))
+        if len(zeros) >= needed:
+            at = name_point(zeros[0], domain)
+            told = f"it divides by {divisor}, which is zero"
+            told = f"{factorial} in it has no value" if factorial else told
+            return told + (f" at {at}" if at else "")
+    return ""
+
+
+def _is_zero(divisor: sp.Expr, point: Point) -> bool:
+    """Tell whether a number cannot be told from zero."""
+    exact = put_exactly(divisor, point)
+    found = (balls.evaluate(exact, point, bits) for bits in _BITS)
+    return all(ball.is_finite() and ball.contains(0) for ball in found)

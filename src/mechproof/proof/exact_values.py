@@ -1,4 +1,7 @@
-"""Rung: exact numbers, which balls compare, and what has no value or is infinite."""
+"""Rungs: exact numbers, which balls compare, and what has no value or is infinite.
+
+A printed number is recomputed with the rounding that the print implies.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +12,13 @@ from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip, show_plainly
+from mechproof.record import PrintedNumber
 from mechproof.record.parts import find_free
 
-RUNG = "evaluation"
+RUNG, RECOMPUTATION = "evaluation", "recomputation"
 _SIGNS = {"==": "=", "!=": "differs from"}
+# Beside those of the digits that are printed.
+_GUARD_BITS = 64
 
 
 def resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
@@ -58,3 +64,28 @@ def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
         return None
     what = f"one side is {printed}, the other {rebuilt}"
     return Answer(Verdict.REFUTED, RUNG, what, (Evidence(what),))
+
+
+def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
+    """Compare the exact value with the closed interval of half a last place around the print."""
+    printed = sp.Rational(statement.printed)
+    half_place = statement.half_place
+    bits = int(printed / half_place).bit_length() + _GUARD_BITS
+    ball = balls.evaluate_until(value, {}, bits)
+    with balls.working_precision(2 * bits):
+        given, allowed = balls.to_ball(printed), balls.to_ball(half_place)
+        distance = abs(ball - given)
+    if value.is_Rational:
+        distance, allowed = abs(value - printed), half_place
+    evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
+    if distance <= allowed:
+        return Answer(
+            Verdict.PROVED, RECOMPUTATION, f"recomputed {show_plainly(ball)[0]}", (evidence,)
+        )
+    if distance > allowed:
+        recomputed, _ = show_plainly(ball, given)
+        reason = f"recomputed {recomputed}, printed {statement.printed}"
+        return Answer(Verdict.REFUTED, RECOMPUTATION, reason, (evidence,))
+    return Answer(
+        Verdict.UNDECIDED, RECOMPUTATION, "the ball meets the rounding boundary", (evidence,)
+    )

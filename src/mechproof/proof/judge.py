@@ -10,11 +10,12 @@ import sympy as sp
 from mechproof.domains.dimensions import dimensions_of
 from mechproof.domains.domain import Domain
 from mechproof.domains.set_values import COUNTS
-from mechproof.proof.cancelled import tell_division_by_zero
 from mechproof.proof.comparison_latex import write_compared
-from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.count_zeros import tell_division_by_zero
+from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.restatements import check_restatements
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.statement_checks import check_statement
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults

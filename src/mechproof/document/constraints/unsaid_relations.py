@@ -14,7 +14,8 @@ from mechproof.document.constraints.consequences import list_letters
 from mechproof.document.slips import TURNING
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
-from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.ladder import decide
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Holds, Part, RecordError
 

@@ -1,4 +1,7 @@
-"""Rows that may be misprints beside the constraints of their paper, and what contradicts them."""
+"""Rows that may be misprints beside the constraints of their paper, and what contradicts them.
+
+So are constraints that are false wherever those hold from which further rows follow.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ from mechproof.document.context.constrained_rows import (
 )
 from mechproof.document.context.doubted_definitions import leaves_free
 from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
-from mechproof.document.context.judging_beside import judge_beside, judge_misprint
+from mechproof.document.context.judging_beside import judge_beside, judge_misprint, tell_misprint
 from mechproof.document.judging import Key
 from mechproof.document.roles import Role
 from mechproof.document.slips import WITHIN
@@ -192,3 +195,27 @@ def may_be_misprint(task: Task, row: CheckedRow) -> bool:
     is_one_of_two = task.is_solution or (task.is_excused and not task.asserts)
     is_one_of_two |= task.sign.role is Role.SOLUTIONS
     return is_open and is_equation and not (task.is_rounded or is_one_of_two)
+
+
+def doubt_by_proved(
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Take no row as given that is one with a slip, false beside what others follow from.
+
+    Several such rows hide one another, so those are left out from which nothing follows.
+    """
+    proved = tuple(n for n, row in rows.items() if row.outcome == Verdict.PROVED.value)
+    given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
+    given = [n for n in given if any(m in proved for m in list_following(n, tasks, rows))]
+    asked = []
+    for n, task in enumerate(tasks):
+        found = rows[n].judgement
+        is_open = found is not None and found.rung == GIVEN and may_be_misprint(task, rows[n])
+        beside = [g for g in given if g < n and may_hold_for(tasks[g], task)]
+        beside = [*connect(n, beside, tasks)]
+        if is_open and beside and n not in given and not task.is_case:
+            asked.append((key, n, tuple(beside), tuple(m for m in proved if m < n)))
+    for place, said in run_tasks(tell_misprint, asked, limit=limit):
+        if isinstance(said, str) and said:
+            number = asked[place][1]
+            yield number, make_row(tasks[number], said)

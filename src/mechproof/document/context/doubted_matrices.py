@@ -1,18 +1,22 @@
-"""Verdicts that rest on letters that nobody declared and that may be matrices.
+"""Verdicts of what may be matrices, and of matrices with rounded decimals.
 
-Taken as numbers, they commute and have no other inverse than one over them.
+Letters that nobody declared and that may be matrices commute if they are taken as numbers, and have
+no other inverse than one over them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.context.doubts import list_compared
+from mechproof.document.context.doubts import ROUNDING, defines, list_compared, list_used
 from mechproof.document.tasks import Task
+from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality
 
 
 def doubt_by_matrices(
@@ -36,3 +40,37 @@ def _ask(letter: sp.Basic, shown: Mapping[sp.Basic, str]) -> str:
         f"{asked} Say in the block of letters what it is, {letter} 3x3 : its meaning, or "
         f"{letter} : number"
     )
+
+
+def doubt_by_rounded(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Accuse no matrix that differs little from what letters with rounded decimals give."""
+    rounded = [one for one in tasks if one.is_rounded or one.sign.is_calculated]
+    for n, task in enumerate(tasks):
+        if rows[n].outcome != Verdict.REFUTED.value or not rounded:
+            continue
+        used = list_used(task, tasks)
+        names = [one.row.number for one in rounded if one is not task and defines(one, used)]
+        if names and _differ_little(task):
+            reason = f"it differs by no more than the decimals of {', '.join(names)} may explain"
+            yield n, make_row(task, reason)
+
+
+def _differ_little(task: Task) -> bool:
+    """Return whether the factors in what differs are small beside those of what is compared."""
+    says = task.row.says
+    if not isinstance(says, Equality):
+        return False
+    domain = Domain.of(task.paper, task.row.on)
+    one, other = (domain.resolve(side) for side in (says.printed, says.rebuilt))
+    one, other = (x.doit() if isinstance(x, sp.MatrixExpr) else x for x in (one, other))
+    if not all(isinstance(x, sp.MatrixBase) for x in (one, other)) or one.shape != other.shape:
+        return False
+    return bool(_find_largest(one - other) < ROUNDING * _find_largest(other))
+
+
+def _find_largest(matrix: sp.MatrixBase) -> Any:
+    """Return the largest factor of a term of an entry."""
+    terms = (sp.expand(entry).as_coefficients_dict() for entry in matrix)
+    return max((abs(factor) for one in terms for factor in one.values()), default=0)

@@ -19,19 +19,13 @@ from mechproof.document.constraints.solutions import (
     write_sign,
 )
 from mechproof.document.judging import Key, open_tasks
-from mechproof.document.misprints import (
-    RUNG,
-    Misprint,
-    find_failure,
-    find_misprint,
-    holds_at_rest,
-)
+from mechproof.document.misprints import RUNG, Misprint, find_failure, find_misprint, holds_at_rest
 from mechproof.document.slips import Entry
 from mechproof.document.tasks import Task
 from mechproof.domains.domain import Domain
 from mechproof.latex.values import settle_all
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Conjunction, Definition, Equality, RecordError
 

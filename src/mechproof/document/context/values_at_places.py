@@ -21,7 +21,7 @@ from mechproof.domains.domain import Domain
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.judge import judge
-from mechproof.proof.ladder import ContradictionError
+from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve

@@ -12,13 +12,7 @@ from mechproof.document.rows import Document
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.block import BlockError
 from mechproof.nomenclature.counting_letters import find_counted, find_counts
-from mechproof.nomenclature.letters import (
-    INDICES,
-    Collected,
-    is_vector,
-    name_symbol,
-    print_member,
-)
+from mechproof.nomenclature.letters import INDICES, Collected, is_vector, name_symbol, print_member
 from mechproof.nomenclature.said import Said
 from mechproof.sources.displays import Printed
 from mechproof.sources.files import Source

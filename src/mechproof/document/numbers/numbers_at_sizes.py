@@ -19,9 +19,8 @@ from mechproof.document.numbers.conversions import (
     differs_by_unit,
     round_irrational,
 )
-from mechproof.document.numbers.printed_sizes import PrintedSize
 from mechproof.document.numbers.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.numbers.sizes import Sizes, show
+from mechproof.document.numbers.sizes import PrintedSize, Sizes, show
 from mechproof.document.roles import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.record import NUMBER, Equality, PrintedNumber

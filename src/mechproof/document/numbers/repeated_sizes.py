@@ -6,8 +6,7 @@ import re
 
 import sympy as sp
 
-from mechproof.document.numbers.printed_sizes import PrintedSize, read_size
-from mechproof.document.numbers.sizes import Sizes
+from mechproof.document.numbers.sizes import PrintedSize, Sizes, read_size
 from mechproof.document.roles import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.sources.displays import Printed

@@ -12,7 +12,7 @@ from mechproof.arithmetic import balls
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.nomenclature.symbols import Symbols
-from mechproof.proof.printed_number import decide_number
+from mechproof.proof.exact_values import decide_number
 from mechproof.proof.verdict import Verdict
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 from mechproof.record.units import REVOLUTIONS, Unit
