@@ -146,10 +146,7 @@ def interval_of_errors(
 
 
 def if_u_is_s(
-    table: str,
-    readings: Mapping[int, Readings],
-    halves: Sequence[str],
-    distances: Sequence[str],
+    table: str, readings: Mapping[int, Readings], halves: Sequence[str], distances: Sequence[str]
 ) -> Claim:
     """State the intervals of the means if u is s, and how many uncertainties the means are off."""
     printed = tuple(zip(readings.values(), halves, distances, strict=True))

@@ -87,18 +87,12 @@ WRONGLY_ACCEPTED = over_window(
 )
 DEFINITIONS = {
     "rightly_accepted": over_window(
-        mu,
-        sigma**2,
-        normal_between(m + bias, s**2, low, high),
-        (beyond(mu), beyond(MEASURED)),
+        mu, sigma**2, normal_between(m + bias, s**2, low, high), (beyond(mu), beyond(MEASURED))
     ),
     "wrongly_accepted": WRONGLY_ACCEPTED,
     "rightly_rejected": normal_outside(mu, sigma**2, low, high) - WRONGLY_ACCEPTED,
     "wrongly_rejected": over_window(
-        mu,
-        sigma**2,
-        normal_outside(m + bias, s**2, low, high),
-        (beyond(mu), within(MEASURED)),
+        mu, sigma**2, normal_outside(m + bias, s**2, low, high), (beyond(mu), within(MEASURED))
     ),
 }
 

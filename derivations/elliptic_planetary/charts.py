@@ -36,10 +36,7 @@ RADII = {R1: RADIUS, R2: INVERSE * RADIUS}
 SIZES = {**RADII, phi1: INVERSE * ANGLE_X}
 FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
 PLAIN_CHART = Chart(
-    "|x| <= 2**26",
-    {**SIZES, e: e},
-    {**FREE, ANGLE_X: Interval(0, 2**26), e: UP_TO_HALF},
-    ANGLE_X,
+    "|x| <= 2**26", {**SIZES, e: e}, {**FREE, ANGLE_X: Interval(0, 2**26), e: UP_TO_HALF}, ANGLE_X
 )
 
 
@@ -64,11 +61,7 @@ def far(rest: Expr, there: Expr, within: Ranges) -> Chart:
 # The peaks of the ratio are as wide as d: there x is a multiple of d, elsewhere d one of x.
 FAR_FROM_PEAK = {Z: Interval(Rational(1, 2**7), Rational(22, 7)), W: Interval(0, Rational(1, 8))}
 PEAKS = (
-    far(
-        D * Y,
-        1 - D,
-        {D: Interval(Rational(1, 2**10), Rational(3, 8)), Y: Interval(-8, 8)},
-    ),
+    far(D * Y, 1 - D, {D: Interval(Rational(1, 2**10), Rational(3, 8)), Y: Interval(-8, 8)}),
     far(Z, 1 - Z * W, FAR_FROM_PEAK),
     far(-Z, 1 - Z * W, FAR_FROM_PEAK),
 )

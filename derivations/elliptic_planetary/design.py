@@ -49,10 +49,7 @@ REACHED_LARGEST = Part("largest >= 1 + R1/R2", where=((largest_wanted - 1) * R2 
 REACHED_SMALLEST = Part("smallest <= 1 + R1/R2", where=((smallest_wanted - 1) * R2 <= R1,))
 REACHED_BOTH = Part(
     "smallest <= largest and R1 > R2",
-    where=(
-        smallest_wanted <= largest_wanted,
-        (largest_wanted - 1) * (smallest_wanted - 1) > 1,
-    ),
+    where=(smallest_wanted <= largest_wanted, (largest_wanted - 1) * (smallest_wanted - 1) > 1),
 )
 
 

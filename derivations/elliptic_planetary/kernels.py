@@ -52,11 +52,7 @@ RATIO = 1 + k * (1 - e**2) / (1 + e**2 - 2 * e * cos(x))
 ACCELERATION = diff(RATIO, x) * k
 
 ENDS_OF_E = (Singular(Eq(e, 1)), Singular(Eq(e, 0)))
-SINGULAR = (
-    Singular(Eq(x, 2 * pi * turns)),
-    Singular(Eq(x, pi + 2 * pi * turns)),
-    *ENDS_OF_E,
-)
+SINGULAR = (Singular(Eq(x, 2 * pi * turns)), Singular(Eq(x, pi + 2 * pi * turns)), *ENDS_OF_E)
 
 # Accuracy. With the low word, x is known to eps**2 relative, and what is left are the roundings of
 # some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
@@ -190,11 +186,7 @@ QUANTITIES = (
                 key="printed",
                 source=f"{SOURCE}, equation (8)",
             ),
-            Form(
-                "half-angle sine",
-                1 + k * (1 - e) * (1 + e) / HALF_ANGLE,
-                key="half_angle",
-            ),
+            Form("half-angle sine", 1 + k * (1 - e) * (1 + e) / HALF_ANGLE, key="half_angle"),
         ),
         f"{SOURCE}, equation (8)",
         accuracy=Accuracy(10, RATIO_SCALE, LOW_WORD),

@@ -46,12 +46,7 @@ SPREAD = 1 + e**2 - 2 * e * sp.cos(x)
 # 2 e c**2 + square*c - 4 e = 0.
 BOTH = square + root_acceleration
 SMALLEST_ACCELERATION = (
-    2
-    * sp.atan2(
-        (1 - e) * sp.sqrt(peak_acceleration),
-        sp.sqrt(BOTH + 8 * e),
-    )
-    / k
+    2 * sp.atan2((1 - e) * sp.sqrt(peak_acceleration), sp.sqrt(BOTH + 8 * e)) / k
 )
 LARGEST_ACCELERATION = (
     2

@@ -33,5 +33,5 @@ PEERS: Mapping[str, tuple[Peer, ...]] = {
         Peer("evaluate_type_a", centred_twice, ours=True, note="centred twice"),
         Peer("one pass", one_pass, note="two nearly equal sums are subtracted"),
         Peer("np.std", two_pass),
-    ),
+    )
 }

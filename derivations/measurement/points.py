@@ -44,8 +44,8 @@ POINTS: Mapping[str, Mapping[str, Draw]] = {
         "offset 0 to 1e12": readings,
         "offset 1e8 to 1e15, scatter its last digits": far_readings,
         "squares that underflow": tiny_readings,
-    },
+    }
 }
 WORKLOADS: Mapping[str, Mapping[str, Callable[[int], Arguments]]] = {
-    "standard_deviation": {"one series of N readings": one_series},
+    "standard_deviation": {"one series of N readings": one_series}
 }

@@ -32,14 +32,7 @@ class Wheels(NamedTuple):
     inverse: Expr
     within: Mapping[Symbol, Interval]
 
-    def chart(
-        self,
-        text: str,
-        x: Expr,
-        e: Expr,
-        within: Ranges,
-        rest: Expr | None = None,
-    ) -> Chart:
+    def chart(self, text: str, x: Expr, e: Expr, within: Ranges, rest: Expr | None = None) -> Chart:
         """Make the chart of x and e2, or of x by what is left of it after whole turns."""
         arguments = {**self.radii, phi1: x * self.inverse / 2, e2: e}
         ranges = {**self.within, RADIUS: Interval(0, oo), **within}

@@ -52,10 +52,7 @@ EQUATION_ROWS = (
                 marks=("rebuilt", "inferred"),
             ),
             3: ChainLink(
-                derived={
-                    VC: omega_satellite * (sC - sB),
-                    VD: -omega_satellite * (sD - sB),
-                },
+                derived={VC: omega_satellite * (sC - sB), VD: -omega_satellite * (sD - sB)},
                 note="Velocities of the satellite are proportional to the distance from B. Here BD "
                 "and v_D are both counted against the carrier, as in (7); with both counted the "
                 "other way it holds as well.",
@@ -172,8 +169,7 @@ EQUATION_ROWS = (
         defines=(EC,),
         links={
             1: ChainLink(
-                note="E lies on the axis of A: another name for AC.",
-                marks=("rebuilt", "inferred"),
+                note="E lies on the axis of A: another name for AC.", marks=("rebuilt", "inferred")
             ),
             2: ChainLink(
                 derived={EC: mechanics.focal_radius.subs(theta, 2 * phi) + mate},

@@ -79,11 +79,7 @@ FINDINGS = (
             "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E (1 "
             "- E²)/(1 + E²)² = {0}; between 44.5° and 45.5° the ratio 1 - (1 - E²)/(1 + E² - 2 E "
             "cos 2 φ_1) changes by {1}, which is {2} per radian.",
-            (
-                sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE),
-                SECANT,
-                SECANT / DEGREE,
-            ),
+            (sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE), SECANT, SECANT / DEGREE),
             6,
         ),
     ),
@@ -107,11 +103,7 @@ FINDINGS = (
         check=Check(
             "A wheel of R_5 = 20 mm that rolls on R_4 = 30 mm turns {0} times as far as the "
             "carrier, one of 18 mm on 32 mm {1} times; by (5) with e_1 = 0 it would be {2}.",
-            (
-                (R4 / R5).subs(VARIANTS[3]),
-                (R4 / R5).subs(VARIANTS[4]),
-                sp.S.One,
-            ),
+            ((R4 / R5).subs(VARIANTS[3]), (R4 / R5).subs(VARIANTS[4]), sp.S.One),
         ),
     ),
     Finding(

@@ -101,10 +101,7 @@ def position_by_map(code: EmittedForm) -> Statement:
 
 
 # The double angle of wheel 6, by which the row on any mount puts the two pairs in series.
-WHEEL_6 = (
-    Equality(sp.cos(2 * phi6_closed), cos_6),
-    Equality(sp.sin(2 * phi6_closed), sin_6),
-)
+WHEEL_6 = (Equality(sp.cos(2 * phi6_closed), cos_6), Equality(sp.sin(2 * phi6_closed), sin_6))
 
 
 def through_pairs(code: EmittedForm) -> Statement:
@@ -206,9 +203,7 @@ ACCELERATION_SCALE = Scale(
 # their digits.
 NO_UNDERFLOW = (
     sp.Or(
-        sp.Eq(phi1, 0),
-        sp.Eq(e1 + e2, 0),
-        sp.Ge(sp.Abs(phi1) * (e1 + e2), sp.Rational(1, 2**960)),
+        sp.Eq(phi1, 0), sp.Eq(e1 + e2, 0), sp.Ge(sp.Abs(phi1) * (e1 + e2), sp.Rational(1, 2**960))
     ),
     sp.Or(sp.Eq(mount, 0), sp.Eq(e2, 0), sp.Ge(sp.Abs(mount) * e2, sp.Rational(1, 2**830))),
 )

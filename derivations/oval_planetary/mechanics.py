@@ -136,9 +136,7 @@ VARIABLES = (
         given=(1 - e1) * ((1 - e2) ** 2 * sp.cos(mount) ** 2 + (1 + e2) ** 2 * sp.sin(mount) ** 2),
     ),
     Variable(
-        gamma,
-        "coefficient of tan(chi)",
-        given=4 * (1 + e1) * e2 * sp.sin(mount) * sp.cos(mount),
+        gamma, "coefficient of tan(chi)", given=4 * (1 + e1) * e2 * sp.sin(mount) * sp.cos(mount)
     ),
     Variable(
         delta,

@@ -37,10 +37,7 @@ OVAL_PAIR_ROWS = (
         r"\frac{1+E}{1-E}=\frac{1+e_1}{1-e_1}\cdot\frac{1+e_2}{1-e_2},\ "
         r"E=\frac{e_1+e_2}{1+e_1e_2}",
         all_of(
-            Equality(
-                (1 + E_SERIES) / (1 - E_SERIES),
-                (1 + e1) / (1 - e1) * (1 + e2) / (1 - e2),
-            ),
+            Equality((1 + E_SERIES) / (1 - E_SERIES), (1 + e1) / (1 - e1) * (1 + e2) / (1 - e2)),
             Equality(ratio_of_one(E_SERIES), 1 - wheel_3_rate.subs(mount, 0)),
         ),
         note="Two oval pairs in series act as one; their eccentricities add as velocities do in "
@@ -118,9 +115,7 @@ cos_beside = -(1 - width**2) / (1 + width**2)
 ratio_beside = limit_ratio.subs(sp.cos(theta), cos_beside)
 edge = (1 + e2) * sp.sqrt(eta / (4 * e2 - eta * (1 - e2) ** 2))
 REACHED = Part(
-    "e2 > 0 and eta below the largest ratio",
-    {e2: OVAL},
-    (eta < 4 * e2 / (1 - e2) ** 2,),
+    "e2 > 0 and eta below the largest ratio", {e2: OVAL}, (eta < 4 * e2 / (1 - e2) ** 2,)
 )
 
 CYLINDRICAL_PAIR_ROWS = (
@@ -168,8 +163,7 @@ CYLINDRICAL_PAIR_ROWS = (
         r"\varphi_3'=-\frac{2e_2(1+\cos x)}{1+e_2^2-2e_2\cos x}\le0",
         all_of(
             Equality(
-                limit_ratio,
-                -2 * e2 * (1 + sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta)),
+                limit_ratio, -2 * e2 * (1 + sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta))
             ),
             Holds(limit_ratio <= 0),
             Holds(sp.diff(limit_ratio, theta, 2).subs(theta, sp.pi) < 0),
@@ -185,8 +179,7 @@ CYLINDRICAL_PAIR_ROWS = (
         r"|\varphi_3'|\le\eta\iff|x-\pi|\le2\,\mathrm{arctg}\,T,\ "
         r"T^2=\frac{\eta(1+e_2)^2}{4e_2-\eta(1-e_2)^2}",
         all_of(
-            Equality(ratio_beside.subs(width, edge), -eta),
-            Holds(sp.diff(ratio_beside, width) < 0),
+            Equality(ratio_beside.subs(width, edge), -eta), Holds(sp.diff(ratio_beside, width) < 0)
         ),
         note="For R4/R5 = (1 + e2)/(1 - e2), where the ratio falls on both sides of x = pi; in the "
         "carrier's angle the dwell is 2 (R5/R4) arctan(T) wide.",
@@ -201,10 +194,7 @@ CYLINDRICAL_PAIR_ROWS = (
 
 BRANCH = Part("|x| < pi", {x: sp.Interval.open(-sp.pi, sp.pi)})
 PROPER = Part("0 < e2 < 1", {e2: OVAL})
-RETURNS = Part(
-    "q k < 1 < k/q, where the ratio changes its sign",
-    where=(q * k < 1, q < k),
-)
+RETURNS = Part("q k < 1 < k/q, where the ratio changes its sign", where=(q * k < 1, q < k))
 HALF = sp.tan(x / 2)
 OF_E = (1 - e2) / (1 + e2)
 QUARTER = sp.pi * R5 / (2 * R4)
@@ -287,10 +277,7 @@ DWELL_ROWS = (
         r"1-\varphi_3'\gtrless u\iff-(u+k)e_2^2+2u\cos x\,e_2+k-u\gtrless0",
         all_of(
             Equality((1 - RATIO_CYLINDRICAL - theta) * (1 + e2**2 - 2 * e2 * sp.cos(x)), against),
-            Equality(
-                against,
-                -(theta + k) * e2**2 + 2 * theta * sp.cos(x) * e2 + k - theta,
-            ),
+            Equality(against, -(theta + k) * e2**2 + 2 * theta * sp.cos(x) * e2 + k - theta),
         ),
         note="u written theta. At an angle x from a place this is of the second degree in e2.",
         quantities=("ratio_cylindrical",),
@@ -306,7 +293,7 @@ DWELL_ROWS = (
                     sp.S.Zero,
                 )
                 for sign in (1, -1)
-            ),
+            )
         ),
         quantities=("ratio_cylindrical",),
     ),
@@ -314,8 +301,7 @@ DWELL_ROWS = (
         "dwells, equal circles",
         r"R_4=R_5:\ \sin\varphi_3=-e_2\sin(2\varphi_1-\varphi_3)",
         Equality(
-            sp.sin(position_45).subs(R4, R5),
-            -e2 * sp.sin(2 * phi1 - position_45).subs(R4, R5),
+            sp.sin(position_45).subs(R4, R5), -e2 * sp.sin(2 * phi1 - position_45).subs(R4, R5)
         ),
         note="By 2 phi1 - phi3 the output swings like a sine: it stays in the band of width 2 b "
         "below its largest value M, sin(M) = e2, while the carrier turns by L, "

@@ -138,10 +138,7 @@ ALGORITHM_ROWS = (
                 Equality(e_tip + dh_gauge, height_deviation),
             ),
         ),
-        corrected=Correction(
-            r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}",
-            HALF_OF_THE_DEVIATION,
-        ),
+        corrected=Correction(r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}", HALF_OF_THE_DEVIATION),
         note="The gauge stands on the tip circle, so that half the deviation of the diameter "
         "counts, whichever way heights are counted, which the text at hand does not say: the "
         "step fails with heights counted towards the tip (plus) and towards the centre "

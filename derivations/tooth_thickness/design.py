@@ -90,10 +90,7 @@ DESIGN_ROWS = (
     ours(
         "height to the constant chord",
         r"\bar h_c=m\left(1-\frac\pi8\sin2\alpha\right)",
-        all_of(
-            Equality(chord_height, rack_height),
-            Equality(rack_height, nominal_height),
-        ),
+        all_of(Equality(chord_height, rack_height), Equality(rack_height, nominal_height)),
         note="By the rack and by the involute, with an addendum of one module.",
         quantities=("chord_height",),
     ),

@@ -63,10 +63,7 @@ INFLUENCE_ROWS = (
     ours(
         "(1), exact derivative",
         r"\frac{dS}{dh}=2\,\mathrm{tg}\,\delta,\quad\delta=\alpha\text{ at the constant chord}",
-        all_of(
-            Equality(slope_of_thickness, 2 * tan(delta)),
-            Equality(K_m, influence),
-        ),
+        all_of(Equality(slope_of_thickness, 2 * tan(delta)), Equality(K_m, influence)),
         note="On the involute itself; delta is the angle between the tangent of the flank and the "
         "axis of the tooth. On the rack the derivative is 2 tan(alpha) at every height.",
         quantities=("thickness_change_linear",),
@@ -103,14 +100,8 @@ INFLUENCE_ROWS = (
         r"\Delta h(\varepsilon)=y(\alpha)-y(\alpha+\varepsilon),\ "
         r"\Delta S(\varepsilon)=S(\alpha+\varepsilon)-S(\alpha)",
         all_of(
-            Equality(
-                height_change,
-                involute_distance - chord_distance(alpha + tilt, half_tooth),
-            ),
-            Equality(
-                thickness_change,
-                2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
-            ),
+            Equality(height_change, involute_distance - chord_distance(alpha + tilt, half_tooth)),
+            Equality(thickness_change, 2 * chord_half(alpha + tilt, half_tooth) - involute_chord),
         ),
         note="The closed forms of the kernels, compared with the involute.",
         quantities=("height_change", "thickness_change"),

@@ -93,8 +93,7 @@ VARIABLES = (
 )
 # Letters printed twice: Delta S_c of (1) is the thickness that follows from the height.
 NOTATION = Notation(
-    factors=("m", "mz", "t_c"),
-    scopes=(Scope(rows=("(1)",), names={r"\Delta S_c": ds_height}),),
+    factors=("m", "mz", "t_c"), scopes=(Scope(rows=("(1)",), names={r"\Delta S_c": ds_height}),)
 )
 read = PRINT.reader(VARIABLES, NOTATION)
 

@@ -65,10 +65,7 @@ IN_PLANE = Part(
 )
 IN_SPACE = Part(
     "e <= Delta^XYZ, the tilt up to a right angle",
-    where=(
-        spatial_error >= eccentricity,
-        2 * REACH + 2 * eccentricity * thickness >= OVER_SPACE,
-    ),
+    where=(spatial_error >= eccentricity, 2 * REACH + 2 * eccentricity * thickness >= OVER_SPACE),
 )
 # Accuracy, in eps: a rounding of g moves the tilt by itself over the root, and so do those of the
 # terms under the root, of which none is larger than g allows.

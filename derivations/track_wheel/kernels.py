@@ -66,11 +66,7 @@ CIRCLE = (
 HEIGHT = Argument("H", (thickness,), "thickness of the part", "mm", usual=(1, 100))
 # Between these sizes (R - A)*(R + A) is a normal double, down to R - A = eps*R. The scale is of
 # first order in eps*z*phi: up to here its square is no more than eps.
-IN_RANGE = (
-    radius >= sp.Rational(1, 10**140),
-    radius <= 10**150,
-    sp.Abs(THETA) <= 2**26,
-)
+IN_RANGE = (radius >= sp.Rational(1, 10**140), radius <= 10**150, sp.Abs(THETA) <= 2**26)
 LOADS = (("N angles, one wheel", ("phi",)),)
 TRACK_SOURCE = f"{SOURCE}, equation (16)"
 
@@ -139,12 +135,7 @@ CONDITIONED = Scale(
 )
 
 SUMMANDS = (
-    Argument(
-        "tolerances",
-        (tolerances,),
-        "tolerances of the elementary errors",
-        "mm",
-    ),
+    Argument("tolerances", (tolerances,), "tolerances of the elementary errors", "mm"),
     Argument("sensitivities", (influences,), "sensitivity of the total to each error"),
     Argument("scatters", (scatters,), "relative-scatter coefficient of each error"),
 )
@@ -156,9 +147,7 @@ CORRELATION = Argument(
 TOTAL = Argument("total_scatter", (scatter,), "relative-scatter coefficient of the total")
 SHARE = Argument("thermal_share", (share,), "temperature error over total error")
 THERMAL_SCATTER = Argument(
-    "thermal_scatter",
-    (k_thermal,),
-    "relative-scatter coefficient of the temperature error",
+    "thermal_scatter", (k_thermal,), "relative-scatter coefficient of the temperature error"
 )
 
 QUANTITIES = (

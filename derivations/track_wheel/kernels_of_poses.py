@@ -131,11 +131,7 @@ POSE = (
     Argument("shift", (a, b, c), "shift of the part along X0, Y0 and Z0", "mm", usual=(0, 1)),
 )
 ERRORS = Argument(
-    "displacement",
-    POSITION_ERROR,
-    "position errors along X0, Y0 and Z0",
-    "mm",
-    usual=(0, 1e-3, 1),
+    "displacement", POSITION_ERROR, "position errors along X0, Y0 and Z0", "mm", usual=(0, 1e-3, 1)
 )
 SOURCE = "Kapitonov, Yakubovsky 2022"
 

@@ -86,10 +86,7 @@ TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
         scatters_t: ("relative-scatter coefficients of the inputs at time t", "K_#(t)"),
         k_form: ("relative-scatter coefficient of the form error", r"K_\phi"),
         k_mounting: ("relative-scatter coefficients of the mounting errors", "K_{y,#}"),
-        k_elastic: (
-            "relative-scatter coefficients of the elastic deformations",
-            r"K_{\delta,#}",
-        ),
+        k_elastic: ("relative-scatter coefficients of the elastic deformations", r"K_{\delta,#}"),
         k_setting: ("relative-scatter coefficient of the machine setting", "K_n"),
         k_wear: ("relative-scatter coefficient of the tool wear", "K_u"),
         k_thermal: ("relative-scatter coefficient of the temperature deformation", "K_T"),

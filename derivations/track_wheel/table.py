@@ -133,10 +133,7 @@ HALF = sp.Rational(1, 2)
 
 
 def gain(
-    error: sp.Symbol,
-    left: sp.Expr = sp.S.Zero,
-    own: sp.Expr = sp.S.One,
-    others: sp.Expr = sp.S.One,
+    error: sp.Symbol, left: sp.Expr = sp.S.Zero, own: sp.Expr = sp.S.One, others: sp.Expr = sp.S.One
 ) -> sp.Expr:
     """Fall of the total, in %, when this part of an error is left; K squared of it and the rest.
 

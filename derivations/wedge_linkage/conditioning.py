@@ -57,10 +57,7 @@ def condition(value: sp.Expr, inputs: Iterable[sp.Symbol], *, tidy: bool = True)
 
 
 def conditioned(
-    ulp: float,
-    value: sp.Expr,
-    inputs: Iterable[sp.Symbol],
-    within: tuple[sp.Basic, ...] = (),
+    ulp: float, value: sp.Expr, inputs: Iterable[sp.Symbol], within: tuple[sp.Basic, ...] = ()
 ) -> Accuracy:
     """Bound the error by the conditioning of a value."""
     return Accuracy(ulp, Scale(CONDITION, condition(value, inputs)), within)

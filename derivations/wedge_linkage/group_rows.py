@@ -35,10 +35,7 @@ GROUP_ROWS = (
         "Assur groups, zero mobility",
         all_of(
             Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
-            Equality(
-                sp.S.One,
-                mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
-            ),
+            Equality(sp.S.One, mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP)),
         ),
         note="Two links with three lower pairs: W = 3*2 - 2*3 = 0; with the pusher in its guide, "
         "four such groups have one input.",
@@ -101,9 +98,7 @@ GROUP_ROWS = (
         quantities=("lever_angle",),
     ),
     PRINT.equation(
-        "group 2",
-        defines=(DG,),
-        note="See group 1; DG, from the fixed D to the guide of the rod.",
+        "group 2", defines=(DG,), note="See group 1; DG, from the fixed D to the guide of the rod."
     ),
     PRINT.equation("(2), Ox", residual=mechanics.group_2[0]),
     PRINT.equation("(2), Oy", residual=mechanics.group_2[1]),

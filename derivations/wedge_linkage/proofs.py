@@ -46,12 +46,7 @@ excess = sp.Symbol("excess", nonnegative=True)
 lack = sp.Symbol("lack", positive=True)
 wedge_slope = sp.Symbol("dy9/dx5", real=True)
 # The angles of a chain in contact, each by itself.
-ANGLES = {
-    MEANT.lever: phi3,
-    MEANT.roller: phi7,
-    MEANT.engaged: sp.S.One,
-    extended: reach,
-}
+ANGLES = {MEANT.lever: phi3, MEANT.roller: phi7, MEANT.engaged: sp.S.One, extended: reach}
 # cos(turn_3) by its half-angle, in x1 and the present length of BC.
 COS_LEVER = ((l_BC + reach) ** 2 - x1**2) / ((l_BC + reach) ** 2 + x1**2)
 SLOPE = (sp.diff(print_10, phi7) * roller_slopes[x5]).subs(phi7, MEANT.roller)

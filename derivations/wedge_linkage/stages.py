@@ -44,10 +44,7 @@ HEIGHT_EDGE = f"{CONDITIONING}: height_condition of height_square = l_KL**2 - ro
 
 def singular_arm(turned: sp.Symbol, direction: sp.Symbol) -> tuple[Singular, ...]:
     """List where an arm has not turned, and where its end is back or farthest from its start."""
-    return (
-        Singular(Eq(turned, 0)),
-        Singular(Eq(direction + turned / 2, pi / 2 * turns)),
-    )
+    return (Singular(Eq(turned, 0)), Singular(Eq(direction + turned / 2, pi / 2 * turns)))
 
 
 # Accuracy, in eps.
@@ -143,9 +140,7 @@ STAGES = (
         print_3,
         (
             Form(
-                "product",
-                -2 * l_DE * sin(phi3 / 2) * sin(alpha_DE + phi3 / 2),
-                charts=charts.ROD,
+                "product", -2 * l_DE * sin(phi3 / 2) * sin(alpha_DE + phi3 / 2), charts=charts.ROD
             ),
             Form("printed (3)", print_3, key="printed", source=f"{BAZUEV} (3)"),
         ),
@@ -242,9 +237,7 @@ STAGES = (
         print_10,
         (
             Form(
-                "product",
-                2 * l_LM * sin(phi7 / 2) * cos(alpha_LM + phi7 / 2),
-                charts=charts.WEDGE,
+                "product", 2 * l_LM * sin(phi7 / 2) * cos(alpha_LM + phi7 / 2), charts=charts.WEDGE
             ),
             Form("printed (10)", print_10, key="printed", source=f"{BAZUEV} (10)"),
         ),

@@ -80,8 +80,7 @@ SUBSTITUTION_ROWS = (
             less(sp.S.Zero, cosine_of_tau),
         ),
         corrected=Correction(
-            ONE_FORM,
-            Equality(upright(2 * sp.atan(half_7)), 2 * sp.atan(tau) - 2 * sp.atan(kappa)),
+            ONE_FORM, Equality(upright(2 * sp.atan(half_7)), 2 * sp.atan(tau) - 2 * sp.atan(kappa))
         ),
         note="What is stated: each stage, compared with its group, and that R is not 0, since the "
         "arctangents of (7) and (8) divide by it. The corrected form replaces both.",

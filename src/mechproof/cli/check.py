@@ -66,8 +66,7 @@ def check(
         str, typer.Option("--from", help="Where integrals without limits start: 0.")
     ] = "",
     draft: Annotated[
-        bool,
-        typer.Option("--draft", help="Print a block of letters for a paper; judge nothing."),
+        bool, typer.Option("--draft", help="Print a block of letters for a paper; judge nothing.")
     ] = False,
     show_all: Annotated[
         bool, typer.Option("--all", help="Show the details of every row of a paper.")

@@ -176,8 +176,7 @@ def regenerate(
 def measure(
     quantities: options.Quantities = None,
     quick: Annotated[
-        bool,
-        typer.Option("--quick", help="Few points, short times: seconds for a quantity."),
+        bool, typer.Option("--quick", help="Few points, short times: seconds for a quantity.")
     ] = False,
     processes: Annotated[
         int,

@@ -43,11 +43,7 @@ def show_progress(title: str) -> Iterator[Callable[[str], None]]:
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     errors.print(title, markup=False, soft_wrap=True)
     progress = Progress(
-        *columns,
-        console=errors,
-        transient=True,
-        auto_refresh=False,
-        disable=not errors.is_terminal,
+        *columns, console=errors, transient=True, auto_refresh=False, disable=not errors.is_terminal
     )
     with progress:
         task = progress.add_task(escape(title), total=None)

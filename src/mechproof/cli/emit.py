@@ -160,12 +160,7 @@ def _find_folder(names: list[str], places: Places) -> Path | None:
 
 
 def _emit_tailored(
-    names: list[str],
-    error: float,
-    sizes: Sizes,
-    out: Path,
-    called: str | None,
-    folder: Path | None,
+    names: list[str], error: float, sizes: Sizes, out: Path, called: str | None, folder: Path | None
 ) -> None:
     from mechproof.tailoring import tailor
 

@@ -15,8 +15,7 @@ from mechproof.derivation import DerivationError
 
 def figures(
     systems: Annotated[
-        list[str] | None,
-        typer.Argument(help="Systems, or folders of derivations; all if none."),
+        list[str] | None, typer.Argument(help="Systems, or folders of derivations; all if none.")
     ] = None,
     out: options.Pictures = Path("figures"),
     derivations: options.Derivations = None,

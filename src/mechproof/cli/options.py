@@ -28,8 +28,7 @@ Papers = Annotated[
     ),
 ]
 Systems = Annotated[
-    Texts,
-    typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
+    Texts, typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none.")
 ]
 Quantities = Annotated[
     Texts, typer.Argument(help="Quantities, systems or system.quantity; all if none.")

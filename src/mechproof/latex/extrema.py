@@ -69,10 +69,7 @@ def give_term(meaning: Meaning, node: Extremum) -> Any:
 
 
 def state_extremum(
-    node: Extremum,
-    sides: tuple[Any, Any],
-    values: Mapping[sp.Basic, sp.Basic],
-    within: sp.Set,
+    node: Extremum, sides: tuple[Any, Any], values: Mapping[sp.Basic, sp.Basic], within: sp.Set
 ) -> Conjunction | None:
     """State that a term lies on one side of a bound, and that it reaches it.
 

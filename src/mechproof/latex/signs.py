@@ -29,10 +29,7 @@ GAPS = {
     ),
 }
 # Types that hold in a group, and the commands of today whose argument it is.
-_TYPES = {
-    **{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf"},
-    r"\cal": r"\mathcal",
-}
+_TYPES = {**{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf"}, r"\cal": r"\mathcal"}
 # A command, a group, and one for which a type holds.
 _COMMAND = re.compile(rf"\\[A-Za-z]+\*?|\{{(?:({'|'.join(map(re.escape, _TYPES))})(?![A-Za-z]))?")
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")

@@ -119,11 +119,7 @@ class Collected:
 
 
 def collect_letters(
-    printed: Iterable[str],
-    *,
-    guess: bool = False,
-    imaginary: str = "",
-    said: Collection[str] = (),
+    printed: Iterable[str], *, guess: bool = False, imaginary: str = "", said: Collection[str] = ()
 ) -> Collected:
     """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
 

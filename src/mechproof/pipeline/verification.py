@@ -205,11 +205,7 @@ class _Progress:
     """The judgements of a paper while they come in."""
 
     def __init__(
-        self,
-        opened: Opened,
-        whole: LedgerCache | None,
-        only_kernels: bool,
-        read: Mapping[str, str],
+        self, opened: Opened, whole: LedgerCache | None, only_kernels: bool, read: Mapping[str, str]
     ) -> None:
         """Take what is kept of its tasks, if ledgers are kept (`whole`)."""
         self.opened = opened

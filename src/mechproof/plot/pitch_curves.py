@@ -187,12 +187,7 @@ def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) ->
     """Draw the carrier from A to C, and the contacts B of 4 and 5, D of 6 and 3."""
     sun, satellite, _, output = wheels
     ray = np.array([np.cos(angle), np.sin(angle)])
-    places = {
-        "A": sun.axis,
-        "C": satellite.axis,
-        "B": sun.point(angle),
-        "D": output.point(angle),
-    }
+    places = {"A": sun.axis, "C": satellite.axis, "B": sun.point(angle), "D": output.point(angle)}
     panel.plot(*np.stack([places["A"], places["C"]]).T, **LineStyle.GUIDE)
     # The curves cross the line A-C at right angles: names of contacts stand away from each other
     # near it, those of the axes beside it.

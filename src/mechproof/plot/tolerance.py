@@ -90,12 +90,7 @@ def tolerance(
 
 
 def _draw_ends(
-    panel: Axes,
-    points: NDArray[np.float64],
-    lower: Any,
-    upper: Any,
-    look: Any,
-    label: str,
+    panel: Axes, points: NDArray[np.float64], lower: Any, upper: Any, look: Any, label: str
 ) -> None:
     for values, name in ((upper, label), (lower, None)):
         panel.plot(points, np.where(np.isfinite(values), values, np.nan), **look, label=name)

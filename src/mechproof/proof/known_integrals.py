@@ -116,10 +116,7 @@ KNOWN = (
         sp.exp(-_A * X**2) * sp.cos(_B * X), (0, _OO), _ROOT * sp.exp(-(_B**2) / (4 * _A)), (_A,)
     ),
     KnownIntegral(
-        sp.exp(-_A * X**2 - _B / X**2),
-        (0, _OO),
-        _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)),
-        (_A, _B),
+        sp.exp(-_A * X**2 - _B / X**2), (0, _OO), _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)), (_A, _B)
     ),
     KnownIntegral(sp.exp(-_B * X) * sp.sin(_A * X) / X, (0, _OO), sp.atan(_A / _B), (_B,)),
     # Powers and exponentials (3.241, 3.411).

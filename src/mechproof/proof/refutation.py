@@ -155,10 +155,7 @@ def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> s
 
 
 def _find_point(
-    sides: Sequence[sp.Basic],
-    domain: Domain,
-    count: int,
-    is_wanted: Callable[[list[bool]], bool],
+    sides: Sequence[sp.Basic], domain: Domain, count: int, is_wanted: Callable[[list[bool]], bool]
 ) -> str:
     for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
         have_values = [has_value(side, point) for side in sides]

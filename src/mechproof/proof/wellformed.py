@@ -125,11 +125,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
 
 
 def _find_mixture(
-    printed: sp.Basic,
-    statement: Statement,
-    known: Dimensions,
-    domain: Domain,
-    mended: bool = False,
+    printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
 ) -> Fault | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
     if has_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):

@@ -122,10 +122,7 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
             "\\1\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}",
         ),
         # A line does not begin with the sign of a relation, a sum or a product, nor with an index.
-        (
-            r"(?<=[\w)\]|²³°]) (?=(?:[=<>≤≥≈+·±]|\N{MINUS SIGN}) )",
-            "\N{NO-BREAK SPACE}",
-        ),
+        (r"(?<=[\w)\]|²³°]) (?=(?:[=<>≤≥≈+·±]|\N{MINUS SIGN}) )", "\N{NO-BREAK SPACE}"),
         (r"(?<=_\w) (?=[^\W\d_]+_\w)", "\N{NO-BREAK SPACE}"),
         (r"(?<=[ (]\d) (?=[^\W\d_Aa]\b)", "\N{NO-BREAK SPACE}"),
         # A line does not begin with the unit of its number, nor with what a function is of.

@@ -75,8 +75,7 @@ class PictureTask:
 
 
 def draw_pictures(
-    tasks: Mapping[str, PictureTask],
-    report: Callable[[str], None] = lambda text: None,
+    tasks: Mapping[str, PictureTask], report: Callable[[str], None] = lambda text: None
 ) -> dict[str, Picture]:
     """Draw on all processors what is not kept; what fails is a picture with its failure."""
     kept = KEPT.read()

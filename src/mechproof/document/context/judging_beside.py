@@ -35,9 +35,7 @@ def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     return judge_freed((*which, frozenset()))
 
 
-def judge_freed(
-    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]],
-) -> Judgement | None:
+def judge_freed(which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]]) -> Judgement | None:
     """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
     key, number, others, letters = which
     tasks = open_tasks(key)

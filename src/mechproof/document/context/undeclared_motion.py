@@ -30,11 +30,7 @@ _FREE = 1e-9
 
 
 def doubt_by_motion(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    symbols: Symbols,
-    limit: float,
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Leave open what has derivatives and a letter that has to move and is not said to."""
     groups = [(group, _list_angles(group, tasks, symbols)) for group in _join(tasks, rows, symbols)]

@@ -33,11 +33,7 @@ _BESIDE = "constraints may change a letter that stands beside the value: is it m
 
 
 def compare_at_places(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    symbols: Symbols,
-    limit: float,
+    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
 ) -> Iterator[tuple[int, CheckedRow]]:
     """Judge values at a place with what constraints say of tied letters there, or say why not.
 

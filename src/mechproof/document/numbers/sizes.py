@@ -89,10 +89,7 @@ class Sizes:
         return self.tell_used(self.known.settle(sign.value).free_symbols, {}, printed)
 
     def tell_used(
-        self,
-        letters: Iterable[sp.Basic],
-        numbers: Mapping[sp.Basic, PrintedSize],
-        printed: Printed,
+        self, letters: Iterable[sp.Basic], numbers: Mapping[sp.Basic, PrintedSize], printed: Printed
     ) -> str:
         """Say at which printed sizes letters are taken, of some the `numbers` of equations."""
         used = {**self.list_used(letters), **{s: numbers[s] for s in letters if s in numbers}}
