@@ -12,7 +12,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
-from mechproof.document.constraints.solutions import SIGN, read_signs
+from mechproof.document.double_signs import find_double_signs, find_following
 from mechproof.document.example_values import collect_values, lend_values
 from mechproof.document.known import CHAIN_RULE, Known
 from mechproof.document.later_matrices import Later, define_later, find_later
@@ -32,7 +32,7 @@ from mechproof.document.numbers.size_tables import SizeTables, find_head_units
 from mechproof.document.numbers.sizes import collect_sizes
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
-from mechproof.document.roles import Role, Sign
+from mechproof.document.roles import Sign
 from mechproof.document.seams import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Task
@@ -50,7 +50,7 @@ from mechproof.nomenclature.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.nomenclature.pairs import add_pairs, leave_pairs
+from mechproof.nomenclature.pairs import DOUBLE, add_pairs, leave_pairs
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.scopes import add_scopes
@@ -65,15 +65,9 @@ from mechproof.sources.text import Place
 from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")
-_DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _MEMBER = ", a member of a family: declare it as a letter of its own"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
-_MATRICES = (sp.MatrixBase, sp.MatrixExpr)
-# What a print with a double sign may do.
-_SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
-# What says which number a letter has.
-_COUNTED = ("letter", "number", "value", "unit")
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -260,32 +254,11 @@ class Document:
         refuse_units(read)
         refuse_powers_of_zero(read)
         refuse_pi(read, self.pi)
-        double = _DOUBLE.search(latex) if branch is None else None
-        follows = is_listed(printed, [*self.block.follows])
-        if double is None and not follows:
-            return find_roles(printed.name, read, self.known)
-        # What has two signs, or follows, defines no letter.
-        known = self.known.copy()
-        signs = find_roles(printed.name, read, known)
-        if double is None and len(signs) > 1 and signs[0].role is Role.DEFINITION:
-            # The further members of a chain follow.
-            return find_roles(printed.name, read, self.known)
-        if double is None:
-            return [
-                replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs
-            ]
-        if solved := self._find_solutions(printed, reader):
-            if known.has_either_sign(signs[0].letter):
-                upper = {name: getattr(signs[0], name) for name in _COUNTED}
-                solved[0] = replace(solved[0], **upper)
-            return solved
-        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
-            raise read.source.refuse(
-                double.start(),
-                "a double sign in the definition of a letter: both signs, or either?",
-                r"Say branch \sigma=\pm1 in the block of letters.",
-            )
-        return signs
+        if branch is None and DOUBLE.search(latex):
+            return find_double_signs(printed, read, reader, self.known, self.pairs)
+        if is_listed(printed, [*self.block.follows]):
+            return find_following(printed.name, read, self.known)
+        return find_roles(printed.name, read, self.known)
 
     def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
         """Yield the letters that are said to be zero behind an equation in its line."""
@@ -297,32 +270,6 @@ class Document:
                 return
             if said and (letter := names.get(name_symbol(said[1]))):
                 yield letter
-
-    def _find_solutions(self, printed: Printed, reader: Reader) -> list[Sign]:
-        """Return the signs of what has a double sign on one side, read as a letter; or none."""
-        read = read_signs(reader).parse(printed.latex.string)
-        known = self.known.copy()
-        sign, *steps = find_roles(printed.name, read, known)
-        if sign.role not in _SOLVED or any(step.role is not Role.STEP for step in steps):
-            return []
-        if sign.role is Role.DEFINITION:
-            sign = replace(sign, sides=(sign.letter, known.values[sign.letter]))
-        sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
-        is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
-        if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
-            return []
-        halves = self._find_halves(*sides)
-        # Rows of the two letters are about what is printed of both.
-        self.known.met.update(halves)
-        solved = replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="", halves=halves)
-        return [solved, *steps]
-
-    def _find_halves(self, left: sp.Expr, value: sp.Expr) -> tuple[sp.Basic, ...]:
-        """Return x_1 and x_2 of what is printed of both, unless the index is one of any other."""
-        letter = name_symbol(str(left.as_base_exp()[0]))
-        is_any = any(name_symbol(str(s)) in self.pairs for s in value.free_symbols)
-        names = self.symbols.names
-        return () if is_any else tuple(names[x] for x in self.pairs.get(letter, ()))
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
         """Do something with an equation; what it cannot be done with is left."""

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.letters import name_symbol
 
-_DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
+# A double sign.
+DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 _PAIR = re.compile(r"(.+)_\{?(\d)\s*(?:[,/]|\{,\}|\\,)+\s*(\d)\}?")
 _PRINT = re.compile(
     r"(?:\\[A-Za-z]+|[A-Za-z])\s*_\s*\{\s*\d\s*(?:[,/]|\{,\}|\\,)+\s*\d\s*\}", re.DOTALL
@@ -30,7 +31,7 @@ def list_halves(letter: str) -> tuple[str, ...]:
 def find_pairs(prints: Iterable[str]) -> Iterator[str]:
     """Yield the names of two letters that stand beside double signs."""
     for latex in prints:
-        if _DOUBLE.search(latex):
+        if DOUBLE.search(latex):
             yield from _PRINT.findall(latex)
 
 

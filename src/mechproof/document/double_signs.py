@@ -1,0 +1,83 @@
+"""What prints do that define no letter: those with a double sign, and those that follow."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.constraints.solutions import SIGN, read_signs
+from mechproof.document.known import Known
+from mechproof.document.printed_signs import find_roles
+from mechproof.document.roles import Role, Sign
+from mechproof.latex import Reader
+from mechproof.latex.reader import Print
+from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.pairs import DOUBLE
+from mechproof.sources.displays import Printed
+
+_MATRICES = (sp.MatrixBase, sp.MatrixExpr)
+# What a print with a double sign may do.
+_SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
+# What says which number a letter has.
+_COUNTED = ("letter", "number", "value", "unit")
+# Both letters, by the name of what is printed of both.
+Pairs = Mapping[str, Sequence[str]]
+
+
+def find_following(name: str, read: Print, known: Known) -> list[Sign]:
+    """Return the signs of what follows; of a chain that defines a letter its further members do."""
+    signs = find_roles(name, read, known.copy())
+    if len(signs) > 1 and signs[0].role is Role.DEFINITION:
+        return find_roles(name, read, known)
+    return [replace(s, role=Role.CONSTRAINT) if s.role is Role.DEFINITION else s for s in signs]
+
+
+def find_double_signs(
+    printed: Printed, read: Print, reader: Reader, known: Known, pairs: Pairs
+) -> list[Sign]:
+    """Return the signs of what has a double sign; `ReadingError` where it defines a letter."""
+    own = known.copy()
+    signs = find_roles(printed.name, read, own)
+    if solved := _find_solutions(printed, reader, known, pairs):
+        if own.has_either_sign(signs[0].letter):
+            upper = {name: getattr(signs[0], name) for name in _COUNTED}
+            solved[0] = replace(solved[0], **upper)
+        return solved
+    double = DOUBLE.search(printed.latex.string)
+    if double and any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
+        raise read.source.refuse(
+            double.start(),
+            "a double sign in the definition of a letter: both signs, or either?",
+            r"Say branch \sigma=\pm1 in the block of letters.",
+        )
+    return signs
+
+
+def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs) -> list[Sign]:
+    """Return the signs of what has a double sign on one side, read as a letter; or none."""
+    read = read_signs(reader).parse(printed.latex.string)
+    own = known.copy()
+    sign, *steps = find_roles(printed.name, read, own)
+    if sign.role not in _SOLVED or any(step.role is not Role.STEP for step in steps):
+        return []
+    if sign.role is Role.DEFINITION:
+        sign = replace(sign, sides=(sign.letter, own.values[sign.letter]))
+    sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
+    is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
+    if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
+        return []
+    halves = _find_halves(sides[0], sides[1], known, pairs)
+    # Rows of the two letters are about what is printed of both.
+    known.met.update(halves)
+    solved = replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="", halves=halves)
+    return [solved, *steps]
+
+
+def _find_halves(left: sp.Expr, value: sp.Expr, known: Known, pairs: Pairs) -> tuple[sp.Basic, ...]:
+    """Return x_1 and x_2 of what is printed of both, unless the index is one of any other."""
+    letter = name_symbol(str(left.as_base_exp()[0]))
+    is_any = any(name_symbol(str(s)) in pairs for s in value.free_symbols)
+    names = known.symbols.names
+    return () if is_any else tuple(names[x] for x in pairs.get(letter, ()))
