@@ -7,7 +7,7 @@ from small_papers import ROD, outcomes, paper, run
 
 from mechproof.document.checked_rows import show_left
 from mechproof.document.checking import check
-from mechproof.document.roles import Role
+from mechproof.document.tasks import Role
 from mechproof.proof.verdict import Left, State
 from mechproof.sources.text import Place
 

@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.document.printed_signs import name_member
-from mechproof.document.roles import Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.proof.witness_text import name_bound
 from mechproof.record import Row

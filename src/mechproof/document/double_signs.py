@@ -10,7 +10,7 @@ import sympy as sp
 from mechproof.document.constraints.solutions import SIGN, read_signs
 from mechproof.document.known import Known
 from mechproof.document.printed_signs import find_roles
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.latex import Reader
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.letters import name_symbol

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.known import Known, Values
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.nomenclature.inline import Inline, find_inline
 from mechproof.nomenclature.relations import read_relations
 from mechproof.record.units import ONE

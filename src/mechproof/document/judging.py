@@ -15,11 +15,10 @@ from mechproof.document.constraints.solutions import are_exchanged, judge_angles
 from mechproof.document.constraints.unsaid_relations import find_relations
 from mechproof.document.never_true import tell_never_true
 from mechproof.document.numbers.rounded_factors import judge_factor
-from mechproof.document.roles import Role
 from mechproof.document.rows import Document
 from mechproof.document.sides import have_same_letters
 from mechproof.document.slips import find_slip
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import AGREE, BOUND_AGREE

@@ -9,7 +9,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document.known import Known
-from mechproof.document.roles import EQUAL
+from mechproof.document.tasks import EQUAL
 from mechproof.latex.characters import write_plain
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print

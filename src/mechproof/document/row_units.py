@@ -14,8 +14,8 @@ from sympy.functions.elementary.trigonometric import (
 )
 
 from mechproof.document.known import Known
-from mechproof.document.roles import Role, Sign
 from mechproof.document.sides import list_related, list_stated, raises_by_letter
+from mechproof.document.tasks import Role, Sign
 from mechproof.domains.dimensions import DimensionError, dimensions_of, infer_common
 from mechproof.record import Definition, Equality, Paper, Row, ValueWhere
 

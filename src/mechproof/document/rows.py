@@ -32,10 +32,9 @@ from mechproof.document.numbers.size_tables import SizeTables, find_head_units
 from mechproof.document.numbers.sizes import collect_sizes
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
-from mechproof.document.roles import Sign
 from mechproof.document.seams import make_seams
 from mechproof.document.task_maker import TaskMaker
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Sign, Task
 from mechproof.document.told_characters import tell_characters
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk

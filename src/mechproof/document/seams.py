@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.document.known import Known
 from mechproof.document.laws import find_seams
-from mechproof.document.roles import Role, Sign
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Sign, Task
 from mechproof.record import Equality, Equation, Paper
 from mechproof.sources.displays import Printed
 from mechproof.sources.text import Files

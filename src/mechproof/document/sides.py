@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.known import Known
-from mechproof.document.roles import Sign
+from mechproof.document.tasks import Sign
 from mechproof.record import Conjunction, Definition, Equality, Holds, Row, Statement, ValueWhere
 
 # What has no value, or another formula, in places.

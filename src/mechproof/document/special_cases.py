@@ -11,7 +11,7 @@ from sympy.core.relational import Relational
 
 from mechproof.document.known import Known
 from mechproof.document.laws import read_piece
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
 from mechproof.nomenclature.names import ORDERS

@@ -17,7 +17,6 @@ from mechproof.document.numbers.limits import state_limit
 from mechproof.document.numbers.numerical_values import turn_units
 from mechproof.document.numbers.sizes import list_zeros
 from mechproof.document.numbers.stated_numbers import StatedNumbers
-from mechproof.document.roles import CONSTRAINING, Role, Sign
 from mechproof.document.row_units import find_units
 from mechproof.document.sides import (
     gives_entries,
@@ -39,7 +38,7 @@ from mechproof.document.special_cases import (
     state_modulo,
     stay_within_pieces,
 )
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import CONSTRAINING, Role, Sign, Task
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.nomenclature.block import Block

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.known import Known
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.record import Definition, Equality, Row, ValueWhere
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")

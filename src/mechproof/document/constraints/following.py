@@ -17,8 +17,7 @@ import sympy as sp
 from mechproof.document.constraints.applicable_constraints import state_at
 from mechproof.document.constraints.combinations import list_factors
 from mechproof.document.constraints.consequences import find_consequence
-from mechproof.document.roles import Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero

@@ -13,10 +13,9 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.misprints import Misprint, find_misprint
-from mechproof.document.roles import Role, Sign
 from mechproof.document.slips import Entry, Sides
 from mechproof.document.special_cases import state_angles
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Sign, Task
 from mechproof.domains.dimensions import Dimensions, is_angle
 from mechproof.domains.domain import Domain
 from mechproof.latex import Reader

@@ -26,9 +26,8 @@ from mechproof.document.context.doubted_definitions import leaves_free
 from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
 from mechproof.document.context.judging_beside import judge_beside, judge_misprint, tell_misprint
 from mechproof.document.judging import Key
-from mechproof.document.roles import Role
 from mechproof.document.slips import WITHIN
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
 from mechproof.tools.processes import WorkerError, run_tasks

@@ -19,8 +19,7 @@ from mechproof.document.context.judging_beside import (
     judge_roots,
 )
 from mechproof.document.judging import Key
-from mechproof.document.roles import CONSTRAINING, Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
 from mechproof.tools.processes import run_tasks

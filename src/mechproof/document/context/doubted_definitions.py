@@ -14,8 +14,7 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import holds_elsewhere
 from mechproof.document.context.doubts import defines, list_printed, list_used, reach
 from mechproof.document.judging import COMPARED, Key, judge_without
-from mechproof.document.roles import CONSTRAINING, Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.tools.processes import run_tasks

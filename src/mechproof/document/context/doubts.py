@@ -10,8 +10,7 @@ import sympy as sp
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_left, is_turned
 from mechproof.document.never_true import WITH_DEFINITIONS, holds_alone
-from mechproof.document.roles import CONSTRAINING, Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.latex.characters import write_plain
 from mechproof.nomenclature.letters import name_symbol

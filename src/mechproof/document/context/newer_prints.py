@@ -24,8 +24,7 @@ from mechproof.document.context.doubts import (
     list_used,
 )
 from mechproof.document.judging import COMPARED, Key, open_tasks
-from mechproof.document.roles import Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.judge import judge

@@ -13,8 +13,7 @@ from dataclasses import replace
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judging import Key, open_tasks
-from mechproof.document.roles import Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality

@@ -16,9 +16,8 @@ from mechproof.document.constraints.applicable_constraints import is_plain
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.context.constrained_rows import binds
 from mechproof.document.judging import Key, judge_row, name_equation
-from mechproof.document.roles import Role
 from mechproof.document.sides import have_same_letters
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.latex.values import differentiate
 from mechproof.nomenclature.symbols import Symbols

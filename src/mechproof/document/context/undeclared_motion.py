@@ -17,8 +17,7 @@ from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.context.doubts import list_compared, list_printed, reach
 from mechproof.document.judging import Key, open_tasks
-from mechproof.document.roles import Role
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict

@@ -14,9 +14,8 @@ from mechproof.document.constraints.solved_places import solve_at_place
 from mechproof.document.context.constrained_rows import connect, is_constraint
 from mechproof.document.context.undeclared_motion import find_ties
 from mechproof.document.judging import Key, open_tasks
-from mechproof.document.roles import Role
 from mechproof.document.sides import have_same_letters
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols

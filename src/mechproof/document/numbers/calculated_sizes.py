@@ -17,7 +17,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.numbers.scales import RoundedSize, has_sixty, spread
-from mechproof.document.roles import Sign
+from mechproof.document.tasks import Sign
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number

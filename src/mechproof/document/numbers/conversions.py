@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, is_near
-from mechproof.document.roles import Sign
 from mechproof.document.slips import TURNING
+from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.numbers.scales import Scales, may_turn_units
-from mechproof.document.roles import Sign
+from mechproof.document.tasks import Sign
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.record import FREQUENCY, NUMBER, Holds, Row
 from mechproof.record.units import UNITS, Unit, read_unit, weigh

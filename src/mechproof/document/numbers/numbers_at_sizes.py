@@ -21,7 +21,7 @@ from mechproof.document.numbers.conversions import (
 )
 from mechproof.document.numbers.scales import RoundedSize, Scales, agrees, is_near
 from mechproof.document.numbers.sizes import PrintedSize, Sizes, show
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.record import NUMBER, Equality, PrintedNumber
 from mechproof.record.units import Unit, read_unit

@@ -12,8 +12,8 @@ import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.numbers.scales import Scales
-from mechproof.document.roles import Role, Sign
 from mechproof.document.sides import SLOW
+from mechproof.document.tasks import Role, Sign
 from mechproof.record import Equality, Row
 
 _NOTE = "Compared as numbers in the units of their letters."

@@ -18,7 +18,7 @@ from mechproof.document.numbers.numbers_at_sizes import (
 from mechproof.document.numbers.numerical_values import OPEN, is_of_units
 from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, spread
 from mechproof.document.numbers.sizes import Sizes, show
-from mechproof.document.roles import Sign
+from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber
 from mechproof.record.units import Unit, is_share, read_unit

@@ -7,7 +7,7 @@ import re
 import sympy as sp
 
 from mechproof.document.numbers.sizes import PrintedSize, Sizes, read_size
-from mechproof.document.roles import Sign
+from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.sources.displays import Printed
 

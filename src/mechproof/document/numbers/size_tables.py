@@ -14,8 +14,7 @@ import sympy as sp
 
 from mechproof.document.known import BLOCK, Known
 from mechproof.document.numbers.scales import Result, RoundedSize, Scales
-from mechproof.document.roles import Role, Sign
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Sign, Task
 from mechproof.latex import Reader
 from mechproof.nomenclature.cells import (
     MATH,

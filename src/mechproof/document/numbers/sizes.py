@@ -16,7 +16,7 @@ from mechproof.document.known import Known
 from mechproof.document.numbers.conversions import may_count
 from mechproof.document.numbers.restated_sizes import RestatedSizes
 from mechproof.document.numbers.scales import RoundedSize, Scales, may_turn_units
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.proof.verdict import Left

@@ -16,7 +16,7 @@ from mechproof.document.numbers.repeated_sizes import doubt_size
 from mechproof.document.numbers.rounded_factors import is_far
 from mechproof.document.numbers.scales import agrees, is_near
 from mechproof.document.numbers.sizes import Sizes
-from mechproof.document.roles import Role, Sign
+from mechproof.document.tasks import Role, Sign
 from mechproof.latex.values import settle_all
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row
