@@ -239,6 +239,21 @@ def costs_of_interval(
     )
 
 
+def costs_of_mean(readings: Mapping[int, Readings], variants: Sequence[int]) -> tuple[Cost, ...]:
+    """Return how far mean errors are from zero, beside what the interval for them allows."""
+    return tuple(
+        Cost(
+            f"variant {variant}",
+            "°",
+            decimals=2,
+            printed=abs(readings[variant].mean) * pi / 180,
+            right=2 * readings[variant].uncertainty * pi / 180,
+            names=("mean error", "2u"),
+        )
+        for variant in variants
+    )
+
+
 def check_of_interval(line: Readings) -> Check:
     """Return how many per cent of a normal law are so near its mean."""
     return Check(

@@ -4,7 +4,7 @@ from sympy import Expr, Rational, S, Symbol, diff, pi
 
 from mechproof.record import Check, Cost, Finding, Weight
 
-from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval
+from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
 from .readings import HALF_WIDTHS, LIMITS, READINGS
 from .rows import DX_SUPPLIED, print_8, print_12
 from .symbols import R1, R2, READER, VARIANTS, a1, b1, e, phi1, phi5
@@ -68,14 +68,7 @@ FINDINGS = (
         "allow; or u is not an uncertainty of the mean, but then all four means are far from "
         "zero.",
         costs=(
-            Cost(
-                "variant 3",
-                "°",
-                decimals=2,
-                printed=READINGS[3].mean * DEGREE,
-                right=2 * READINGS[3].uncertainty * DEGREE,
-                names=("mean error", "2u"),
-            ),
+            *costs_of_mean(READINGS, (3,)),
             *(
                 Cost(
                     f"variant {variant}",

@@ -4,26 +4,17 @@ import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, Weight
 
-from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval
+from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
 from .equations import print_10
-from .mechanics import (
-    AXES_45,
-    E_SERIES,
-    integrate,
-    oval_radius,
-    position_45,
-    position_of_one,
-    ratio_of_one,
-)
+from .mechanics import AXES_45, E_SERIES, integrate, oval_radius, position_45, position_of_one
 from .readings import READINGS
 from .symbols import R4, R5, a, e2, phi1, rho5, rho6
-from .variants import VARIANTS
+from .variants import VARIANTS, ratio_1
 
 DEGREE = sp.pi / 180
 WITH_THE_CARRIER = position_of_one(E_SERIES)
-RATIO_1 = ratio_of_one(E_SERIES).subs(VARIANTS[1])
 HALF_DEGREE = DEGREE / 2
-SECANT = RATIO_1.subs(phi1, sp.pi / 4 + HALF_DEGREE) - RATIO_1.subs(phi1, sp.pi / 4 - HALF_DEGREE)
+SECANT = ratio_1.subs(phi1, sp.pi / 4 + HALF_DEGREE) - ratio_1.subs(phi1, sp.pi / 4 - HALF_DEGREE)
 # The output if (5) turns wheel 6 as far as the carrier, with the sign of the mechanics.
 AS_PRINTED = -integrate(
     print_10.subs(AXES_45).subs(rho6, oval_radius(e2, sp.cos(2 * phi1)).subs(AXES_45))
@@ -50,17 +41,7 @@ FINDINGS = (
         ADEQUACY,
         "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
         "own numbers the intervals of variants 1, 3 and 4 exclude a mean error of zero.",
-        costs=tuple(
-            Cost(
-                f"variant {variant}",
-                "°",
-                decimals=2,
-                printed=abs(READINGS[variant].mean) * DEGREE,
-                right=2 * READINGS[variant].uncertainty * DEGREE,
-                names=("mean error", "2u"),
-            )
-            for variant in (1, 3, 4)
-        ),
+        costs=costs_of_mean(READINGS, (1, 3, 4)),
         weight=Weight.CONCLUSION,
         check=Check(
             "Mean error over u in variants 1, 3 and 4: 0.777/0.18 = {0}, 1.280/0.11 = {1}, "
@@ -79,7 +60,7 @@ FINDINGS = (
             "Variant 1, 45° of the carrier: with E = 5/13 the acceleration by the model is 4 E (1 "
             "- E²)/(1 + E²)² = {0}; between 44.5° and 45.5° the ratio 1 - (1 - E²)/(1 + E² - 2 E "
             "cos 2 φ_1) changes by {1}, which is {2} per radian.",
-            (sp.diff(RATIO_1, phi1).subs(phi1, 45 * DEGREE), SECANT, SECANT / DEGREE),
+            (sp.diff(ratio_1, phi1).subs(phi1, 45 * DEGREE), SECANT, SECANT / DEGREE),
             6,
         ),
     ),
@@ -128,7 +109,7 @@ FINDINGS = (
             "sun held 1 - 2.25 = {1} times as far as the carrier.",
             (
                 print_10.subs({rho6: sp.Rational("1.2") * a, rho5: sp.Rational("0.8") * a}),
-                RATIO_1.subs(phi1, 0),
+                ratio_1.subs(phi1, 0),
             ),
             2,
         ),

@@ -30,7 +30,6 @@ from mechproof.proof import (
     monotonicity,
     newton,
     powers,
-    printed_number,
     separation,
     taylor,
     telescoping,
@@ -38,6 +37,7 @@ from mechproof.proof import (
     wave_sums,
 )
 from mechproof.proof.equalities import IDENTICAL
+from mechproof.proof.exact_values import RECOMPUTATION
 from mechproof.proof.ladder import UNCOMPARED
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Verdict
@@ -48,7 +48,7 @@ EXPECTED = [
     for file in sorted((ROOT / "tests" / "expected").glob("*.tsv"))
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
-NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, printed_number.RUNG, IDENTICAL]
+NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, RECOMPUTATION, IDENTICAL]
 NAMED += [
     MULTIPLE,
     taylor.RUNG,

@@ -11,10 +11,8 @@ import sympy as sp
 from mechproof.document.numbers.scales import agrees
 from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
+from mechproof.record.parts import ARCS, TURNING
 
-# Functions of angles.
-TURNING = (sp.sin, sp.cos, sp.tan)
-_ARCS = (sp.asin, sp.acos, sp.atan)
 _EXPONENTS = {
     **{sp.Integer(2): (1, 3), sp.Integer(3): (2,), sp.Integer(4): (2, 3)},
     **{sp.Integer(-1): (1, -2, -sp.Rational(1, 2)), sp.Integer(-2): (-1,), sp.Rational(1, 2): (1,)},
@@ -131,8 +129,8 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
         is_difference = len({term.could_extract_minus_sign() for term in terms}) > 1
         signs = (1, -1) if is_difference else (1,)
         yield from (sign * other(*part.args) for other in TURNING for sign in signs)
-    elif isinstance(part, _ARCS):
-        yield from (other(*part.args) for other in _ARCS)
+    elif isinstance(part, ARCS):
+        yield from (other(*part.args) for other in ARCS)
     elif isinstance(part, sp.atan2):
         yield sp.atan2(*reversed(part.args))
     elif isinstance(part, sp.Pow):

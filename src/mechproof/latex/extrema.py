@@ -13,13 +13,13 @@ from mechproof.latex.pieces import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
 from mechproof.latex.values import settle_all
 from mechproof.record import Conjunction, Equality, Holds, ValueWhere
+from mechproof.record.parts import TURNING
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
     from mechproof.latex.parser import Parser
 
 _SIGNS = {"max": sp.Le, "min": sp.Ge}
-_TURNING = (sp.sin, sp.cos, sp.tan)
 # Where functions of angles are steady, and how close a value must be there to be looked at.
 _TURNS = (sp.S.Zero, sp.pi, sp.pi / 2, -sp.pi / 2, 3 * sp.pi / 2)
 _CLOSE = 1e-12
@@ -154,7 +154,7 @@ def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def _list_places(term: sp.Expr, by: sp.Basic, within: sp.Set) -> list[sp.Expr]:
-    arguments = (part.args[0] for part in term.atoms(*_TURNING))
+    arguments = (part.args[0] for part in term.atoms(*TURNING))
     turns = [find_zero(argument - turn, by) for argument in arguments for turn in _TURNS]
     slope = sp.Poly(term.diff(by), by) if term.is_polynomial(by) else None
     roots = sp.roots(slope) if slope is not None and slope.degree() in (1, 2) else {}

@@ -8,9 +8,9 @@ import sympy as sp
 
 from mechproof.latex.tree import Add, Call, Constant, Degrees, Letter, Measure, Node, Power, Radical
 from mechproof.record import NUMBER, Dimension, Notation
+from mechproof.record.parts import ANGLES
 
 TIME = Dimension(time=1)
-_ANGLES = (sp.asin, sp.acos, sp.atan, sp.atan2)
 _VALUES = (Constant, Degrees, Measure, Letter)
 
 
@@ -63,7 +63,7 @@ def _list_letters(term: Collection[Node]) -> set[sp.Basic]:
 def _has_function(term: Collection[Node]) -> bool:
     """Return whether a term has a function whose value is no angle, or an exponential."""
     return any(
-        n.function.make not in _ANGLES
+        n.function.make not in ANGLES
         if isinstance(n, Call)
         else isinstance(n, Power) and bool(_list_letters(_walk_outside_calls(n.exponent)))
         for n in term

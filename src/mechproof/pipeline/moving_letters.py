@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.latex.left_scripts import VECTORS, begins_letter
+from mechproof.latex.left_scripts import DOTTED, VECTORS, begins_letter
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING
@@ -31,7 +31,6 @@ _RATE = re.compile(
 )
 # What is done to a derivative as to a constant, although it is none.
 OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
-_DOTS = (r"\dot", r"\ddot", r"\dddot")
 # Of a letter so many derivatives have symbols; so many are printed of one that depends on another.
 _ORDERS = range(1, 6)
 _FEWEST = 2
@@ -81,13 +80,13 @@ def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
     """Yield a letter, with primes and dots too, as it is printed."""
     for texts in map(_split, prints):
         for place in (place for place, text in enumerate(texts) if text == letter):
-            start = place - 2 * (place > 1 and texts[place - 2] in _DOTS)
+            start = place - 2 * (place > 1 and texts[place - 2] in DOTTED)
             yield "".join(texts[start : find_end(texts, place)])
 
 
 def find_end(texts: Sequence[str], place: int) -> int:
     """Return the place behind a letter, the dots above it and its primes."""
-    is_dotted = place > 1 and texts[place - 2] in _DOTS and texts[place + 1 : place + 2] == ["}"]
+    is_dotted = place > 1 and texts[place - 2] in DOTTED and texts[place + 1 : place + 2] == ["}"]
     end = place + 1 + is_dotted
     while texts[end : end + 1] == ["'"]:
         end += 1

@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.arithmetic.polynomials import reduce_polynomial, split
 from mechproof.domains.set_values import COUNTS
-from mechproof.record.parts import replace_parts
+from mechproof.record.parts import TURNING, replace_parts
 
 # Functions of an angle by its sine and its cosine.
 BY_SINES: Mapping[type[sp.Expr], Callable[[sp.Expr, sp.Expr], sp.Expr]] = MappingProxyType(
@@ -156,7 +156,7 @@ def _lower(polynomial: sp.Expr, squares: dict[sp.Pow, sp.Expr]) -> sp.Expr:
 
 def list_angles(expression: sp.Expr) -> list[sp.Expr]:
     """List the arguments of sines, cosines and tangents."""
-    found = {node.args[0] for node in expression.atoms(sp.sin, sp.cos, sp.tan)}
+    found = {node.args[0] for node in expression.atoms(*TURNING)}
     return sorted(found, key=sp.default_sort_key)
 
 

@@ -23,11 +23,10 @@ from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivati
 from mechproof.proof.refutation import FEW, has_value, points_for
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import list_needs, list_partial
-from mechproof.record.parts import find_parts, has_parts
+from mechproof.record.parts import ENDLESS, find_parts, has_parts
 from mechproof.record.substitution import substitute
 
 RUNG = "divergence"
-_ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 _NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}
 # Of these letters whole numbers may be meant, also where that is not said.
 _WHOLE = (*"ijklmnN",)
@@ -41,11 +40,11 @@ _ALL = Domain({}, (), {})
 
 def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
     """Say why a side has no value, the other being a number; empty where it is not shown."""
-    endless = [side for side in sides if has_parts(side, *_ENDLESS)]
+    endless = [side for side in sides if has_parts(side, *ENDLESS)]
     has_others = any(side.has(sp.oo, sp.nan, sp.zoo) for side in sides if side not in endless)
     if len(endless) != 1 or has_others or not isinstance(endless[0], sp.Expr):
         return ""
-    nodes = find_parts(endless[0], *_ENDLESS)
+    nodes = find_parts(endless[0], *ENDLESS)
     node = min(nodes, key=sp.default_sort_key)
     if len(nodes) > 1 or not _is_term(node, endless[0], domain):
         return ""

@@ -20,7 +20,7 @@ from mechproof.proof.inequalities import isolate_root, show_sign
 from mechproof.proof.polynomial_signs import sign_of_number
 from mechproof.proof.signs import find_sign, is_positive, is_shown
 from mechproof.record import Slack
-from mechproof.record.parts import has_parts
+from mechproof.record.parts import ARCS, has_parts
 
 INVERSE = "inverse function: value and range"
 ROOT = "square of a root and its sign"
@@ -34,7 +34,6 @@ _MOST_ROOTS = 4
 _LARGEST = 150
 _TURN = 2 * sp.pi
 
-_ANGLES = (sp.asin, sp.acos, sp.atan)
 _AREAS: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
     sp.asinh: lambda u: sp.log(u + sp.sqrt(u**2 + 1)),
     sp.acosh: lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
@@ -174,7 +173,7 @@ def _exponentiate(argument: sp.Expr) -> sp.Expr:
 
 def _adds_to_nothing(difference: sp.Expr, domain: Domain) -> bool:
     terms = list_terms(difference)
-    factors = [factor for node, factor in terms if isinstance(node, _ANGLES)]
+    factors = [factor for node, factor in terms if isinstance(node, ARCS)]
     times = lcm(*(int(factor.q) for factor in factors))
     if not factors or len(terms) > _MOST_TERMS or max(map(abs, factors)) * times > _MOST_TIMES:
         return False

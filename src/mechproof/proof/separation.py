@@ -17,6 +17,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.domains.domain import Domain
+from mechproof.record.parts import CIRCULAR
 
 RUNG = "separation bound"
 # Work limit: bits of a bound.
@@ -25,7 +26,6 @@ _MOST_BITS = 2**14
 _MOST_TERMS = 100
 # Of what is computed beside the bound.
 _GUARD_BITS = 64
-_TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 
 class _NotAlgebraicError(ValueError):
@@ -86,7 +86,7 @@ class _Extension:
                 self.roots[number.base, degree] = None
                 base = base.extract(degree)
             return base.raise_to(int(number.exp.p))
-        if isinstance(number, _TURNING) and (part := number.args[0] / sp.pi).is_Rational:
+        if isinstance(number, CIRCULAR) and (part := number.args[0] / sp.pi).is_Rational:
             # A sine is a cosine of the quarter turn less its angle.
             self.turn = lcm(self.turn, 4, 2 * int(part.q))
             return _Bits(1, 1)

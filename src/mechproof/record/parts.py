@@ -12,6 +12,13 @@ from typing import Any
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+# Functions of angles, those that give one, and what has more terms than it shows.
+TURNING = (sp.sin, sp.cos, sp.tan)
+CIRCULAR = (*TURNING, sp.cot, sp.sec, sp.csc)
+ARCS = (sp.asin, sp.acos, sp.atan)
+ANGLES = (*ARCS, sp.atan2)
+ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
+
 
 # Statements are asked one after another: few are at work at once.
 @lru_cache(maxsize=256)

@@ -21,6 +21,7 @@ from mechproof.document.tasks import Role, Task
 from mechproof.domains.domain import Domain
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict
+from mechproof.record.parts import TURNING
 from mechproof.tools.processes import WorkerError, run_tasks
 
 _COUNT = 4
@@ -111,7 +112,7 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
     They are said to move, are angles, or stand alone on a side.
     """
     residual = sp.sympify(task.residual)
-    turning = {s for call in residual.atoms(sp.sin, sp.cos, sp.tan) for s in call.free_symbols}
+    turning = {s for call in residual.atoms(*TURNING) for s in call.free_symbols}
     sides = [side.free_symbols for side in task.sign.sides if side is not None]
     alone = [letters for letters in sides if len(letters) == 1]
 

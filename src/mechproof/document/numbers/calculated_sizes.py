@@ -25,12 +25,12 @@ from mechproof.latex.reader import Print
 from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Number, exchange, walk
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import FREQUENCY, NUMBER
+from mechproof.record.parts import ENDLESS
 from mechproof.record.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 
 _IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
 # In which revolutions are counted.
 _MINUTE = "1/min"
-_SLOW = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 Span = tuple[float, float] | None
 
 
@@ -183,7 +183,7 @@ def _find_spans(
 
 def _is_calculated(side: Any) -> bool:
     """Return whether a side is a number that is worked out at once."""
-    if not isinstance(side, sp.Expr) or side.is_Matrix or side.free_symbols or side.has(*_SLOW):
+    if not isinstance(side, sp.Expr) or side.is_Matrix or side.free_symbols or side.has(*ENDLESS):
         return False
     with suppress(NotImplementedError):
         return bool(balls.evaluate(side, {}).is_finite())

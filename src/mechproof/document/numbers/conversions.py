@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, is_near
-from mechproof.document.slips import TURNING
+from mechproof.document.numbers.scales import RoundedSize, agrees, is_near
 from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
+from mechproof.record.parts import ANGLES, TURNING
 from mechproof.record.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
 
 UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
@@ -87,7 +87,7 @@ def counts_in_degrees(sign: Sign) -> bool:
     turned = sign.value.replace(
         lambda part: isinstance(part, TURNING) and part.args[0].is_rational,
         lambda part: part.func(part.args[0] * sp.pi / 180),
-    ).replace(lambda part: isinstance(part, ARCS), lambda part: part * 180 / sp.pi)
+    ).replace(lambda part: isinstance(part, ANGLES), lambda part: part * 180 / sp.pi)
     return turned != sign.value and agrees(PrintedNumber(sign.number, turned))
 
 

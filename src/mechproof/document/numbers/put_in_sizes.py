@@ -16,11 +16,12 @@ from mechproof.document.numbers.numbers_at_sizes import (
     tell_missing,
 )
 from mechproof.document.numbers.numerical_values import OPEN, is_of_units
-from mechproof.document.numbers.scales import ARCS, RoundedSize, agrees, spread
+from mechproof.document.numbers.scales import RoundedSize, agrees, spread
 from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber
+from mechproof.record.parts import ANGLES
 from mechproof.record.units import Unit, is_share, read_unit
 from mechproof.sources.displays import Printed
 
@@ -113,7 +114,7 @@ def state_result(
     if may_be_rounded(plain, sign):
         return NEAR
     is_own = own is not None and sizes.known.symbols.scales.get(own) == unit.scale
-    is_arc = unit.dimension.is_angle and sign.value.has(*ARCS)
+    is_arc = unit.dimension.is_angle and sign.value.has(*ANGLES)
     if not is_right or sign.given[1] or is_arc or (is_own and not values):
         return plain
     return _UNSHOWN.format(show(plain.value), sign.unit)

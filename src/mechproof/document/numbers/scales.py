@@ -15,6 +15,7 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.exact_values import decide_number
 from mechproof.proof.verdict import Verdict
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
+from mechproof.record.parts import ANGLES, CIRCULAR
 from mechproof.record.units import REVOLUTIONS, Unit
 
 _DEGREE = sp.pi / 180
@@ -23,8 +24,6 @@ _TURN = 2 * sp.pi
 _COUNTED = re.compile(r"[nN](?![A-Za-z])")
 # No count of parts, halves or quarters: 60 seconds, 1000 mm.
 _FACTOR = 10
-ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
-_TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 
 @dataclass(frozen=True)
@@ -246,7 +245,7 @@ class Scales:
     def _list_turns(self, formula: sp.Expr, own: sp.Basic | None) -> list[sp.Expr]:
         """Return by how many radians an angle may differ: turns, half ones by an arc tangent."""
         dimension = None if own is None else self.symbols.find_dimension(own)
-        if dimension is None or not dimension.is_angle or not formula.has(*ARCS):
+        if dimension is None or not dimension.is_angle or not formula.has(*ANGLES):
             return [sp.S.Zero]
         step = sp.pi if formula.has(sp.atan) else 2 * sp.pi
         return [sp.S.Zero, *(sign * n * step for n in (1, 2) for sign in (1, -1))]
@@ -258,9 +257,9 @@ class Scales:
 
         The second is the unit of the angle that it gives.
         """
-        turning = {s for f in formula.atoms(*_TURNING) for s in f.free_symbols}
+        turning = {s for f in formula.atoms(*CIRCULAR) for s in f.free_symbols}
         angles = {s: s * _DEGREE for s in formula.free_symbols if self._may_turn(s, s in turning)}
-        is_angle = self._may_turn(own, formula.has(*ARCS))
+        is_angle = self._may_turn(own, formula.has(*ANGLES))
         for values in ({}, angles) if angles else ({},):
             turned = formula.xreplace(values)
             yield turned, sp.S.One
