@@ -95,14 +95,9 @@ def bound(
     options.clear_json(json_file)
     try:
         convention = Convention(rounded_inputs, relative, ulps)
-        pasted = Pasted(
-            sources[0],
-            names=tuple(names or ()),
-            factors=tuple(factors or ()),
-            where=tuple(where or ()),
-            values=tuple(values or ()),
-        )
-        boundings = _read(sources, pasted, any((where, values, names, factors)))
+        said = {"where": where, "values": values, "names": names, "factors": factors}
+        pasted = options.paste(sources[0], said)
+        boundings = _read(sources, pasted, any(said.values()))
         if not 0 < tolerance < 1:
             refuse(f"--tolerance {tolerance}: must be above 0 and below 1")
         if table:

@@ -89,25 +89,17 @@ def check(
     or a pasted equation cannot be read without a guess.
     """
     outcomes = options.read_outcomes(fail_on, DEFAULT)
-    said = (names, factors, where, values, natural, start)
+    said = {"where": where, "values": values, "names": names, "factors": factors}
+    said |= {"natural": natural}
     options.clear_json(json_file)
     if files := _find_files(equations):
-        if any(said):
+        if start or any(said.values()):
             refuse("what is said of the letters of a paper stands in its block of letters")
         met = _check_files(files, draft=draft, show_all=show_all, json_file=json_file, limit=limit)
     elif draft:
         refuse("--draft needs a paper")
     else:
-        pasted = Pasted(
-            equations[0],
-            names=tuple(names or ()),
-            factors=tuple(factors or ()),
-            where=tuple(where or ()),
-            values=tuple(values or ()),
-            natural=tuple(natural or ()),
-            lower_limit=start,
-        )
-        met = _check_equation(pasted, json_file, limit)
+        met = _check_equation(options.paste(equations[0], said, start), json_file, limit)
     if met & outcomes:
         raise typer.Exit(1)
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from mechproof.cli.console import fail, refuse
 from mechproof.cli.paths import read_out
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import State, Verdict
 from mechproof.tools.files import write_whole
 
@@ -78,6 +79,12 @@ OUTCOMES = {
 }
 # What would be lost if an option had its value forgotten.
 PAPERS = (".tex", ".md", ".py")
+
+
+def paste(latex: str, said: Mapping[str, Texts], lower_limit: str = "") -> Pasted:
+    """Return what is pasted, with what options say of its letters."""
+    texts: dict[str, Any] = {name: tuple(one or ()) for name, one in said.items()}
+    return Pasted(latex, lower_limit=lower_limit, **texts)
 
 
 def read_outcomes(words: list[str] | None, default: Iterable[str]) -> frozenset[str]:
