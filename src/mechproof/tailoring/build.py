@@ -15,7 +15,7 @@ from mechproof.arguments.scalars import refuse
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import list_terms, working
 from mechproof.arithmetic.series_rules import Series
-from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.formats import DOUBLE, take_middle
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
 from mechproof.tailoring.enclosure import (
     Bound,
@@ -242,8 +242,8 @@ def _reduce(
     task: Approximand, repetition: Repetition, farthest: float, error: float
 ) -> PeriodReduction:
     """Return a reduction that takes whole periods off, by one word of the period if that does."""
-    rate = DOUBLE.round(_to_number(repetition.rate))
-    period = _to_number(repetition.period)
+    rate = DOUBLE.round(take_middle(repetition.rate))
+    period = take_middle(repetition.period)
     short = replace(DOUBLE, bits=BITS - 1 - math.ceil(farthest / float(period) + 1).bit_length())
     first = short.round(period)
     with mp.workprec(4 * BITS):
@@ -255,8 +255,3 @@ def _reduce(
     still = replace(repetition, rate=arb(0))
     is_enough = bound_outside(plain, still, farthest, task.slope) <= ONE_WORD * error
     return one if is_enough else two
-
-
-def _to_number(ball: Ball) -> mp.mpf:
-    with mp.workprec(4 * BITS):
-        return mp.mpf(ball.mid().str(BITS, radius=False))

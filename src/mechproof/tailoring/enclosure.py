@@ -14,6 +14,7 @@ from itertools import pairwise
 
 from flint import arb, arb_series
 
+from mechproof.arithmetic.approximation import bound_terms
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import is_finite, list_terms, working
 from mechproof.arithmetic.series_rules import Series
@@ -237,16 +238,17 @@ def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _W
         return None
     point = start(low, high)
     true = TaylorModel(exact(point.middle), exact(point.whole), arb(0))
-    near = list_terms(found.middle - true.middle)
-    far = list_terms(found.whole - true.whole)
+    near, far = found.middle - true.middle, found.whole - true.whole
+    terms = bound_terms(near, far)
+    whole = list_terms(far)
     slope = abs(list_terms(true.whole)[1]) / ((arb(high) - low) / 2)
     # Of the whole cell every term counts: what is undefined may leave the last one zero.
-    if is_finite([*near[:-1], *far]):
-        bound = sum(map(abs, [*near[:-1], far[-1]]), arb(0)).upper()
-        met = abs(near[0]).lower() - found.off
+    if is_finite([*terms, *whole]):
+        bound = sum(terms, arb(0)).upper()
+        met = terms[0].lower() - found.off
     else:
         # A corner within the cell: the values alone.
-        bound, met = abs(far[0]).upper(), arb(0)
+        bound, met = abs(whole[0]).upper(), arb(0)
         slope = arb("inf")
     if not bound.is_finite():
         return None

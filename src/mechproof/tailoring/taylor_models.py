@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from flint import arb, arb_series
 
+from mechproof.arithmetic.approximation import expand_about
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import list_terms
 from mechproof.arithmetic.series_rules import Series
@@ -71,10 +72,7 @@ def track(program: Program, low: float, high: float) -> TaylorModel:
 def start(low: float, high: float) -> TaylorModel:
     """Return the input: a double, exact."""
     middle, half = (arb(low) + high) / 2, (arb(high) - low) / 2
-    ball = arb(middle, half.upper())
-    return TaylorModel(
-        arb_series([middle, half]), arb_series([ball, half]), arb(0), (arb(low), arb(high))
-    )
+    return TaylorModel(*expand_about(middle, half), arb(0), (arb(low), arb(high)))
 
 
 def _number(number: float) -> TaylorModel:

@@ -1,9 +1,9 @@
 """Rational approximations: in, a function and an interval; out, coefficients and their bound.
 
-Interpolation at Chebyshev nodes in 60 digits: within a small factor of the best approximation of
-its degrees, and the same numbers on every machine. What they are off by is enclosed over the whole
-interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison, Joldes and Lauter 2011)
-certifies the supremum norm of an error in the same way, with intervals for coefficients.
+Coefficients are interpolated in balls, and are the same numbers on every machine. What they are off
+by is enclosed over the whole interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison,
+Joldes and Lauter 2011) certifies the supremum norm of an error in the same way, with intervals for
+coefficients.
 """
 
 from __future__ import annotations
@@ -14,11 +14,13 @@ from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
 
-import mpmath as mp
 from flint import arb, arb_series
 
-from mechproof.arithmetic.series import working
-from mechproof.programs.elementary.formats import DIGITS, DOUBLE, Format
+from mechproof.arithmetic import approximation
+from mechproof.arithmetic.approximation import bound_terms, expand_about, interpolate
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import list_terms, working
+from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 
 # Beyond the ends, for the rounding of what is reduced to an interval.
 MARGIN = 2.0**-20
@@ -44,19 +46,25 @@ class Rational:
 class Target:
     """A function to be approximated in the square of its argument, from 0 to `last`.
 
-    `value` is what the quotient approximates; `sides` are the whole function by the quotient and
-    the true one, both multiplied by what makes them polynomials and entire or analytic. What has a
-    `first` is approximated in its argument, from there.
+    `sides` are the whole function by a quotient and the true one, both multiplied by what makes
+    them polynomials and entire or analytic. What has a `first` is approximated in its argument,
+    from there.
     """
 
     meaning: str
-    value: Callable[[mp.mpf], mp.mpf]
-    last: Callable[[], mp.mpf]
+    last: Callable[[], Ball]
     sides: Callable[[Rational, arb_series], tuple[arb_series, arb_series]]
     first: float | None = None
 
+    def value(self, place: Ball) -> Ball:
+        """Return what the quotient is to be for both sides to be equal."""
+        argument = arb_series([place if self.first is not None else place.sqrt()])
+        zero, true = self.sides(Rational((0.0,), (1.0,)), argument)
+        one, _ = self.sides(Rational((1.0,), (1.0,)), argument)
+        return list_terms((true - zero) / (one - zero))[0]
 
-def _beyond(end: mp.mpf) -> mp.mpf:
+
+def _beyond(end: Ball) -> Ball:
     return ((1 + MARGIN) * end) ** 2
 
 
@@ -83,61 +91,44 @@ def _tail_sides(fit: Rational, t: arb_series) -> tuple[arb_series, arb_series]:
     return _put(fit.above, t), (1 + x) * (x * x / 2).exp() * (x / arb(2).sqrt()).erfc() / 2
 
 
-def _scale_tail(t: mp.mpf) -> mp.mpf:
-    x = TAIL * (1 + t) / (1 - t)
-    return (1 + x) * mp.exp(x * x / 2) * mp.erfc(x / mp.sqrt(2)) / 2
-
-
-def _of_root(function: Callable[[mp.mpf], mp.mpf]) -> Callable[[mp.mpf], mp.mpf]:
-    return lambda z: function(mp.sqrt(z))
-
-
 TANGENT = Target(
     "tan(r)/r in powers of r**2, |r| <= pi/4",
-    _of_root(lambda r: mp.tan(r) / r),
-    lambda: _beyond(mp.pi / 4),
+    lambda: _beyond(arb.pi() / 4),
     lambda fit, r: (r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()),
 )
 SINE = Target(
     "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
-    _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
-    lambda: _beyond(mp.pi / 4),
+    lambda: _beyond(arb.pi() / 4),
     lambda fit, r: (r + r * r * r * _put(fit.above, r * r), r.sin()),
 )
 COSINE = Target(
     "(cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4",
-    _of_root(lambda r: (mp.cos(r) - 1 + r**2 / 2) / r**4),
-    lambda: _beyond(mp.pi / 4),
+    lambda: _beyond(arb.pi() / 4),
     _cosine_sides,
 )
 ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1",
-    _of_root(lambda y: (mp.atan(y) / y - 1) / y**2),
-    lambda: _beyond(mp.mpf(1)),
+    lambda: _beyond(arb(1)),
     _arctangent_sides,
 )
 SMALL_ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2",
-    ARCTANGENT.value,
-    lambda: mp.mpf(1) / 3 * (1 + MARGIN),
+    lambda: arb(1) / 3 * (1 + MARGIN),
     _arctangent_sides,
 )
 ODD_EXPONENTIAL = Target(
     "(sinh(r)/r - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
-    _of_root(lambda r: (mp.sinh(r) / r - 1) / r**2),
-    lambda: _beyond(mp.log(2) / 2),
+    lambda: _beyond(arb(2).log() / 2),
     lambda fit, r: (r + r * r * r * _put(fit.above, r * r), (r.exp() - (-r).exp()) / 2),
 )
 EVEN_EXPONENTIAL = Target(
     "(cosh(r) - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
-    _of_root(lambda r: (mp.cosh(r) - 1) / r**2),
-    lambda: _beyond(mp.log(2) / 2),
+    lambda: _beyond(arb(2).log() / 2),
     lambda fit, r: (1 + r * r * _put(fit.above, r * r), (r.exp() + (-r).exp()) / 2),
 )
 NORMAL_TAIL = Target(
     f"(1 + x)*exp(x**2/2)*tail by (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
-    _scale_tail,
-    lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
+    lambda: arb(TAIL_END - TAIL) / (TAIL_END + TAIL),
     _tail_sides,
     first=-1.0,
 )
@@ -146,28 +137,22 @@ NORMAL_TAIL = Target(
 @cache
 def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
     """Interpolate by a quotient of polynomials of degrees `above` and `below`."""
-    with mp.workdps(DIGITS):
-        first, count = mp.mpf(target.first or 0), above + below + 1
+    with working(1, approximation.BITS):
+        first = arb(target.first or 0)
         half = (target.last() - first) / 2
-        places = (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count)) for i in range(count))
-        nodes = [first + half * place for place in places]
-        values = [target.value(z) for z in nodes]
-        rows = [
-            [z**j for j in range(above + 1)] + [-v * z**j for j in range(1, below + 1)]
-            for z, v in zip(nodes, values, strict=True)
-        ]
-        found = [form.round(c) for c in mp.lu_solve(mp.matrix(rows), mp.matrix(values))]
-    return Rational(tuple(found[: above + 1]), (1.0, *found[above + 1 :]))
+        degrees = range(above + 1), range(1, below + 1)
+        found = [*map(take_middle, interpolate(target.value, first + half, half, *degrees))]
+    rounded = tuple(map(form.round, found))
+    return Rational(rounded[: above + 1], (1.0, *rounded[above + 1 :]))
 
 
 @cache
 def enclose(target: Target, fitted: Rational) -> float:
     """Bound the relative error of the function, from 0 to the end of its interval."""
-    with mp.workdps(DIGITS):
-        last = str(mp.sqrt(target.last()) if target.first is None else target.last())
-    with working(ORDER + 2, BITS):
+    with working(ORDER + 1, BITS):
+        last = target.last().sqrt() if target.first is None else target.last()
         first = arb(target.first or 0)
-        step = (arb(last) - first) / PIECES
+        step = (last - first) / PIECES
         ends = [first + step * i for i in range(PIECES + 1)]
     return max(enclose_pieces(partial(target.sides, fitted), pairwise(ends)))
 
@@ -178,7 +163,7 @@ def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[floa
     Both may vanish with their argument at 0, where an interval begins.
     """
     bounds = []
-    with working(ORDER + 2, BITS):
+    with working(ORDER + 1, BITS):
         for low, high in pieces:
             half = (high - low) / 2
             # From 0 both are expanded there.
@@ -188,22 +173,15 @@ def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[floa
 
 
 def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
-    near = sides(arb_series([middle, 1]))
-    around = sides(arb_series([arb(middle.mid(), reach), 1]))
+    near, far = map(sides, expand_about(middle, reach))
     vanishes = [bool(side[0] == 0) for side in near]
     if vanishes[1] and not vanishes[0]:
         return math.inf
-    lowest = 1 if vanishes[1] else 0
-    powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
-
-    def bound(at_middle: arb_series, in_piece: arb_series) -> list[arb]:
-        """Bound the terms of a Taylor polynomial, and last its rest."""
-        terms = [*(at_middle[k] for k in range(lowest, ORDER)), in_piece[ORDER]]
-        return [abs(c) * power for c, power in zip(terms, powers, strict=True)]
-
-    off = bound(near[0] - near[1], around[0] - around[1])
-    first, *others = bound(near[1], around[1])
-    least = first - sum(others, arb(0))
+    # Of what vanishes the second term is the first that counts.
+    first = 1 if vanishes[1] else 0
+    off = bound_terms(near[0] - near[1], far[0] - far[1])[first:]
+    leading, *others = bound_terms(near[1], far[1])[first:]
+    least = leading - sum(others, arb(0))
     if not off[-1] < least * REST:
         halves = (middle - reach / 2, middle + reach / 2)
         return max(_enclose_piece(sides, side, reach / 2) for side in halves)

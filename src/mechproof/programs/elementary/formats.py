@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import mpmath as mp
 
+from mechproof.arithmetic.balls import Ball
+
 DIGITS = 60
 
 
@@ -55,3 +57,9 @@ class Format:
 
 DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 4, 22, 500, 600, 1024)
 SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 2, 12, 50, 90, 128)
+
+
+def take_middle(ball: Ball) -> mp.mpf:
+    """Return the middle of a ball with all its bits."""
+    number, power = ball.mid().man_exp()
+    return mp.make_mpf(mp.libmp.from_man_exp(int(number), int(power)))
