@@ -24,14 +24,13 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.scalar import list_scalars
 from mechproof.record import Paper
 from mechproof.roundoff.climb import (
+    BY_BALLS,
     JUDGED,
     Measure,
     Schedule,
     climb,
+    climb_and_judge,
     gather,
-    judge_best,
-    select,
-    weigh,
 )
 from mechproof.roundoff.extended import IN_EXTENDED
 from mechproof.roundoff.singles import FORMAT, Singles
@@ -72,12 +71,13 @@ def find_worst_singles(subject: Subject, kernel: Kernel) -> WorstInput:
 
     sets = [*draw_sets(subject, TUNE, SHARE)]
     few = join(*(tuple(c[choose_evenly(len(c), MOST)] for c in drawn) for drawn in sets))
-    population = select(weigh(judge, few), JUDGED)
+    rng = np.random.default_rng(TUNE)
+    population = climb(judge, few, BY_BALLS, 0, rng)
     if extended is not None:
-        many = climb(estimate, join(*sets), SCHEDULE, ROUNDS, np.random.default_rng(TUNE))
-        population = select(gather(population, judge_best(judge, many)), JUDGED)
-    worst = tuple(column[0] for column in round_singly(population.points))
-    return WorstInput(worst, float(population.heights[0]), population.tried)
+        found = climb_and_judge(judge, estimate, join(*sets), SCHEDULE, ROUNDS, rng)
+        population = gather(population, found, JUDGED)
+    point, scaled = population.worst
+    return WorstInput(round_singly(point), scaled, population.tried)
 
 
 def state_errors(paper: Paper, place: Path) -> Mapping[str, str]:

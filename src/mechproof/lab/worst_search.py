@@ -21,7 +21,7 @@ from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.sampling.points import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
-from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, gather, judge_best, select
+from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, climb_and_judge, gather
 
 BY_LONG_DOUBLES = Schedule(3000, 6)
 # So many rounds by long doubles for one by balls; after so many a population has met, and begins
@@ -64,10 +64,9 @@ def find_worst(
 
         start = join(population.points, *sets)
         for length in _divide(ROUNDS * rounds):
-            many = climb(estimate, start, BY_LONG_DOUBLES, length, rng)
-            population = select(gather(population, judge_best(judge, many)), JUDGED)
-    worst = tuple(column[0] for column in population.points)
-    return WorstInput(worst, float(population.heights[0]), population.tried)
+            found = climb_and_judge(judge, estimate, start, BY_LONG_DOUBLES, length, rng)
+            population = gather(population, found, JUDGED)
+    return WorstInput(*population.worst, population.tried)
 
 
 def _divide(rounds: int) -> Iterator[int]:

@@ -18,14 +18,14 @@ from flint import arb
 from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import LEAST_NORMAL, Array
-from mechproof.roundoff import climb
 from mechproof.roundoff.boxed import BoxedProgram
+from mechproof.roundoff.climb import Points, Schedule, climb_and_judge
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, look_up, run, run_steps
 
 BITS = 256
 DRAWN, SEED = 400, 1
-BY_LONG_DOUBLES, ROUNDS = climb.Schedule(300, 4), 100
+BY_LONG_DOUBLES, ROUNDS = Schedule(300, 4), 100
 # Nearer to where the next double begins a real number may be rounded there.
 NEAREST = 1 - 2.0**-20
 
@@ -48,22 +48,17 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
         columns += [*(rng.choice((-1.0, 1.0), size) * rng.uniform(0.5, 1.0, size))]
     start = tuple(columns)
 
-    estimate = partial(_estimate, program)
+    estimate = partial(_estimate, program) if IS_LONGER else None
 
-    def judge(points: climb.Points) -> Array:
+    def judge(points: Points) -> Array:
         return np.array([_judge(program, point) for point in zip(*points, strict=True)])
 
-    if IS_LONGER:
-        found = climb.climb(estimate, start, BY_LONG_DOUBLES, ROUNDS, rng)
-        found = climb.judge_best(judge, found)
-    else:
-        found = climb.climb(judge, start, climb.BY_BALLS, ROUNDS, rng)
+    found = climb_and_judge(judge, estimate, start, BY_LONG_DOUBLES, ROUNDS, rng)
     if not len(found.heights) or found.heights.max() < 0:
         return None
-    worst = int(np.argmax(found.heights))
-    point = [float(column[worst]) for column in found.points]
-    at = dict(zip(program.straight.inputs, _take_exactly(point, count), strict=True))
-    return WorstInput(float(found.heights[worst]), at)
+    point, error = found.worst
+    exact = _take_exactly([*map(float, point)], count)
+    return WorstInput(error, dict(zip(program.straight.inputs, exact, strict=True)))
 
 
 def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
@@ -111,7 +106,7 @@ def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:
         yield Fraction(double) + abs(Fraction(share)) * gap / 2
 
 
-def _estimate(program: BoxedProgram, points: climb.Points) -> Array:
+def _estimate(program: BoxedProgram, points: Points) -> Array:
     """Measure in long doubles, nearly; -1 outside the box."""
     count = len(program.box)
     doubles = points[:count]

@@ -38,11 +38,17 @@ BY_BALLS = Schedule(24, 1)
 
 @dataclass(frozen=True)
 class Population:
-    """Points with their errors, the worst first, and how many were tried for them."""
+    """Points with their errors, and how many were tried for them; after a climb the worst first."""
 
     points: Points
     heights: Column
     tried: int
+
+    @property
+    def worst(self) -> tuple[Points, float]:
+        """Return the worst point and its error; IndexError or ValueError where there is none."""
+        place = int(np.argmax(self.heights))
+        return tuple(column[place] for column in self.points), float(self.heights[place])
 
 
 def climb(
@@ -54,37 +60,48 @@ def climb(
     inside: Measure | None = None,
 ) -> Population:
     """Return the worst after so many rounds; no child is outside, if that is told."""
-    population = select(weigh(measure, start), schedule.survivors)
+    population = _select(_weigh(measure, start), schedule.survivors)
     for _ in range(rounds):
         parents = tuple(np.repeat(c, schedule.children, axis=0) for c in population.points)
         moved = tuple(_move(column, rng) for column in parents)
         if inside is not None:
             kept = inside(moved)
             moved = tuple(_choose(kept, *pair) for pair in zip(moved, parents, strict=True))
-        population = select(gather(population, weigh(measure, moved)), schedule.survivors)
+        population = gather(population, _weigh(measure, moved), schedule.survivors)
     return population
 
 
-def judge_best(judge: Measure, population: Population) -> Population:
-    """Measure the worst of a population anew."""
+def climb_and_judge(
+    judge: Measure,
+    estimate: Measure | None,
+    start: Points,
+    schedule: Schedule,
+    rounds: int,
+    rng: np.random.Generator,
+) -> Population:
+    """Climb by estimates and judge the worst by balls; by these all the way without estimates."""
+    if estimate is None:
+        return climb(judge, start, BY_BALLS, rounds, rng)
+    found = climb(estimate, start, schedule, rounds, rng)
     # What is left of a population of few may lie beyond the domain.
-    known = np.flatnonzero(population.heights >= 0)[:JUDGED]
-    return replace(weigh(judge, tuple(c[known] for c in population.points)), tried=population.tried)
+    known = np.flatnonzero(found.heights >= 0)[:JUDGED]
+    return replace(_weigh(judge, tuple(c[known] for c in found.points)), tried=found.tried)
 
 
-def weigh(measure: Measure, points: Points) -> Population:
+def _weigh(measure: Measure, points: Points) -> Population:
     """Return points with their errors."""
     return Population(points, measure(points), len(points[0]))
 
 
-def gather(one: Population, other: Population) -> Population:
-    """Put two crowds together."""
+def gather(one: Population, other: Population, most: int) -> Population:
+    """Put two crowds together and keep the worst."""
     pairs = zip(one.points, other.points, strict=True)
     heights = np.concatenate([one.heights, other.heights])
-    return Population(tuple(map(np.concatenate, pairs)), heights, one.tried + other.tried)
+    tried = one.tried + other.tried
+    return _select(Population(tuple(map(np.concatenate, pairs)), heights, tried), most)
 
 
-def select(population: Population, most: int) -> Population:
+def _select(population: Population, most: int) -> Population:
     """Keep the worst, each place once."""
     order = np.argsort(-population.heights, kind="stable")[: 2 * most]
     rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in population.points])

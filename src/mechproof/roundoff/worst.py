@@ -18,7 +18,7 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
-from mechproof.roundoff import climb
+from mechproof.roundoff.climb import Points as Columns, Schedule, climb_and_judge
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.regions import ChartRegion
@@ -28,7 +28,7 @@ Points = Mapping[str, Array]
 BITS = 200
 DRAWN = 1000
 # Crowds meet soon, in one place or another: many rounds of few, and again.
-BY_LONG_DOUBLES, ROUNDS, CLIMBS = climb.Schedule(1000, 6), 300, 2
+BY_LONG_DOUBLES, ROUNDS, CLIMBS = Schedule(1000, 6), 300, 2
 # Free coordinates are drawn from so many octaves.
 OCTAVES = 16.0
 
@@ -57,20 +57,16 @@ def _climb(
     names = tuple(drawn[0])
     start = tuple(np.concatenate([points[name] for points in drawn]) for name in names)
 
-    def judge_columns(columns: climb.Points) -> Array:
+    def judge_columns(columns: Columns) -> Array:
         return judge(subject, dict(zip(names, columns, strict=True)))
 
-    def estimate_columns(columns: climb.Points) -> Array:
+    def estimate_columns(columns: Columns) -> Array:
         return estimate(subject, dict(zip(names, columns, strict=True)))
 
-    if IS_LONGER:
-        many = climb.climb(estimate_columns, start, BY_LONG_DOUBLES, ROUNDS, rng)
-        population = climb.judge_best(judge_columns, many)
-    else:
-        population = climb.climb(judge_columns, start, climb.BY_BALLS, ROUNDS, rng)
-    worst = np.argmax(population.heights)
-    at = {name: float(column[worst]) for name, column in zip(names, population.points, strict=True)}
-    return WorstRounding(float(population.heights[worst]), at)
+    leading = estimate_columns if IS_LONGER else None
+    found = climb_and_judge(judge_columns, leading, start, BY_LONG_DOUBLES, ROUNDS, rng)
+    point, eps = found.worst
+    return WorstRounding(eps, dict(zip(names, map(float, point), strict=True)))
 
 
 def judge(subject: ComputedStage, points: Points) -> Array:
