@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -164,16 +164,10 @@ def _measure_cell(
     return Cell(named, len(truth.high), truth.undecided), errors, spans
 
 
-# The points of the sets that were drawn last: all cells of a subject look for theirs among them.
-_drawn: list[tuple[Subject, float, tuple[Arguments, ...]]] = []
-
-
+# All cells of a subject look for theirs among the points of its sets.
+@lru_cache(maxsize=1)
 def _draw_once(subject: Subject, share: float) -> tuple[Arguments, ...]:
-    for known, part, sets in _drawn:
-        if known is subject and part == share:
-            return sets
-    _drawn[:] = [(subject, share, tuple(draw_sets(subject, REPORT, share)))]
-    return _drawn[0][2]
+    return tuple(draw_sets(subject, REPORT, share))
 
 
 def _take_inside(sizes: Sequence[Span], arguments: Arguments) -> Arguments:

@@ -60,7 +60,7 @@ class ByHand:
         )
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Subject:
     """A quantity with its paper, the ledger's rows of its forms, its code and its peers."""
 
