@@ -110,6 +110,12 @@ def load_paper(location: Path) -> Paper:
     return _run(place)
 
 
+def load_packaged(system: str) -> Paper:
+    """Return the paper of a system of the package, its module imported once, prints not read."""
+    paper: Paper = importlib.import_module(f"{PACKAGE}.{system}").PAPER
+    return paper
+
+
 def _run(place: Path) -> Paper:
     name = _name_module(place)
     _modules[place] = name

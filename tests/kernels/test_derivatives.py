@@ -57,7 +57,7 @@ def subjects() -> Mapping[str, Subject]:
         for s in find_subjects()
         if s.paper.derivatives
         and s.quantity.slopes is not None
-        and derivatives.is_scalar(s.quantity)
+        and derivatives.is_exact_scalar(s.quantity)
     }
 
 

@@ -7,7 +7,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from sympy import IndexedBase
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import ALL_BITS, Errors, find_errors
@@ -113,5 +112,4 @@ class Candidate:
 
 def can_be_searched(quantity: Quantity) -> bool:
     """Say whether a quantity is computed point by point; sums over axes are not rewritten."""
-    symbols = [s for argument in quantity.arguments for s in argument.symbols]
-    return bool(quantity.forms) and not any(isinstance(s, IndexedBase) for s in symbols)
+    return bool(quantity.forms) and not quantity.has_families

@@ -45,7 +45,7 @@ def _is_true(subject: Subject, relation: sp.Basic, values: Mapping[sp.Basic, Any
 
 def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Array:
     """Decide a relation in doubles."""
-    symbols = [s for argument in subject.quantity.arguments for s in argument.symbols]
+    symbols = subject.quantity.symbols
     plain = {s: sp.Symbol(str(s)) for s in symbols if isinstance(s, sp.IndexedBase)}
     elements = {item: plain[item.base] for item in relation.atoms(sp.Indexed)}
     test = sp.lambdify([plain.get(s, s) for s in symbols], relation.xreplace(elements), "numpy")

@@ -128,7 +128,7 @@ def mark_judged(subject: Subject, singles: Singles, points: Arguments) -> Array:
     Of sums floats themselves decide what is inside at the limits.
     """
     judged = singles.mark_inside(points, IN_EXTENDED, np.longdouble) & ~singles.run(points)[1]
-    if subject.facts.has_families:
+    if subject.quantity.has_families:
         return judged & singles.mark_inside(points)
     columns = subject.facts.unpack(points)
     near: Array = subject.facts.region.mark_near(columns, MARGIN * WIDER)

@@ -171,8 +171,7 @@ def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Way]:
 
 
 def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:
-    symbols = [s for argument in quantity.arguments for s in argument.symbols]
-    function = sp.lambdify(symbols, list(entries(definition)), "numpy", cse=cse)
+    function = sp.lambdify(quantity.symbols, list(entries(definition)), "numpy", cse=cse)
     shape = result_shape(definition)
 
     def compute(*arguments: Array) -> Array:

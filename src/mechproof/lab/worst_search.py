@@ -106,7 +106,7 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
 
 def _mark_inside(subject: Subject, points: Arguments) -> Array:
     """Mark the points of the domain; of sums a kernel alone knows it, which is NaN elsewhere."""
-    if subject.facts.has_families:
+    if subject.quantity.has_families:
         known: Array = ~np.isnan(subject.kernel(*points))
         return known
     return subject.facts.region.mark_inside(subject.facts.unpack(points))

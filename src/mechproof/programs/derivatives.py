@@ -48,7 +48,7 @@ def select_wanted(paper: Paper) -> tuple[Quantity, ...]:
     The definition of each is what the derivatives are those of, its form what they are computed by.
     """
     quantities = paper.quantities if paper.derivatives else ()
-    return tuple(_strip(q) for q in quantities if q.slopes and is_scalar(q))
+    return tuple(_strip(q) for q in quantities if q.slopes and is_exact_scalar(q))
 
 
 def _strip(quantity: Quantity) -> Quantity:
@@ -61,16 +61,9 @@ def _strip(quantity: Quantity) -> Quantity:
     )
 
 
-def is_scalar(quantity: Quantity) -> bool:
+def is_exact_scalar(quantity: Quantity) -> bool:
     """Return whether it is one number, computed without approximation from single numbers."""
-    symbols = [s for argument in quantity.arguments for s in argument.symbols]
-    return (
-        bool(quantity.forms)
-        and len(symbols) == len(quantity.arguments)
-        and not any(isinstance(s, sp.IndexedBase) for s in symbols)
-        and not isinstance(quantity.definition, sp.MatrixBase)
-        and quantity.shipped[-1].bound is None
-    )
+    return bool(quantity.forms) and quantity.is_scalar and quantity.shipped[-1].bound is None
 
 
 def _differentiate(quantity: Quantity, paper: Paper) -> Quantity:

@@ -130,6 +130,25 @@ class Quantity:
     call: str = ""
 
     @property
+    def symbols(self) -> tuple[sp.Symbol | sp.IndexedBase, ...]:
+        """Return the symbols of all arguments, in order."""
+        return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
+
+    @property
+    def has_families(self) -> bool:
+        """Say whether an argument is a family, of any number of members."""
+        return any(isinstance(symbol, sp.IndexedBase) for symbol in self.symbols)
+
+    @property
+    def is_scalar(self) -> bool:
+        """Say whether it is one number of single numbers."""
+        return (
+            len(self.symbols) == len(self.arguments)
+            and not self.has_families
+            and not isinstance(self.definition, sp.MatrixBase)
+        )
+
+    @property
     def shipped(self) -> tuple[Form, ...]:
         """Return the forms of the kernel, in the order in which they are tried."""
         conditional = [form.when is not None for form in self.forms]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType, ModuleType
 from typing import Any
@@ -20,6 +19,7 @@ from mechproof.derivation import (
     check_folder,
     find_systems,
     load_kernels,
+    load_packaged,
     load_paper,
     packaged_directory,
 )
@@ -213,24 +213,11 @@ def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
     if system not in systems:
         others = "" if folder else "; derivations=FOLDER has papers of your own"
         refuse("name", name, f"the system must be one of {', '.join(systems)}{others}")
-    paper: Paper = (
-        load_paper(systems[system])
-        if folder
-        else import_module(f"mechproof.derivations.{system}").PAPER
-    )
-    possible = {q.name: q for q in paper.quantities if _is_possible(q)}
+    paper = load_paper(systems[system]) if folder else load_packaged(system)
+    possible = {q.name: q for q in paper.quantities if q.forms and q.is_scalar}
     if wanted not in possible:
         allowed = ", ".join(possible) or "none can be tailored"
         refuse("name", name, f"the quantity of {system} must be one of {allowed}")
     if resolve(possible[wanted].definition, paper.given).has(Root):
         refuse("name", name, "a root of an equation is not tailored: call its kernel")
     return paper, possible[wanted]
-
-
-def _is_possible(quantity: Quantity) -> bool:
-    """Say whether a quantity is a number that depends on numbers alone."""
-    symbols = [s for argument in quantity.arguments for s in argument.symbols]
-    plain = len(symbols) == len(quantity.arguments) and all(
-        isinstance(s, sp.Symbol) for s in symbols
-    )
-    return plain and bool(quantity.forms) and not isinstance(quantity.definition, sp.MatrixBase)

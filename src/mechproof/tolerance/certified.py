@@ -37,9 +37,6 @@ from mechproof.tools.extras import tell_missing
 if TYPE_CHECKING:
     from mechproof.record import Paper
 
-# Derivations already loaded; a derivation takes seconds.
-_LOADED: dict[str, Paper] = {}
-
 # Inputs that a worker takes at a time.
 INPUTS = 4
 
@@ -186,15 +183,13 @@ def _load(system: str | Paper) -> Paper:
     try:
         import flint  # noqa: F401
 
-        from mechproof.derivation import find_systems, load_paper, packaged_directory
+        from mechproof.derivation import find_systems, load_packaged, packaged_directory
         from mechproof.record import Paper
     except ImportError as error:
         raise ImportError(tell_missing("certified_range", "derive", error.name)) from error
     if not isinstance(system, str):
         require(isinstance(system, Paper), "system", system, "must be a name or a Paper", TypeError)
         return system
-    if system not in _LOADED:
-        places = find_systems(packaged_directory())
-        require(system in places, "system", system, f"must be one of {sorted(places)}")
-        _LOADED[system] = load_paper(places[system])
-    return _LOADED[system]
+    systems = find_systems(packaged_directory())
+    require(system in systems, "system", system, f"must be one of {sorted(systems)}")
+    return load_packaged(system)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from mechproof.arguments.scalars import refuse, require
+from mechproof.arguments.scalars import require
 from mechproof.tolerance.boxes import Box, to_values
 from mechproof.tolerance.conditions import (
     BoxCondition,
@@ -126,15 +126,10 @@ class Problem:
 
 
 def _find_quantity(paper: Paper, name: str) -> Quantity:
-    import sympy as sp
-
     found = {q.name: q for q in paper.quantities}
     require(name in found, "quantity", name, f"must be one of {sorted(found)}")
     quantity = found[name]
-    single = all(len(a.symbols) == 1 for a in quantity.arguments)
-    indexed = any(isinstance(s, sp.IndexedBase) for a in quantity.arguments for s in a.symbols)
-    if not single or indexed or isinstance(quantity.definition, sp.MatrixBase):
-        refuse("quantity", name, "must be a scalar function of scalars")
+    require(quantity.is_scalar, "quantity", name, "must be a scalar function of scalars")
     return quantity
 
 

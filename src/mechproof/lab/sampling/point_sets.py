@@ -28,7 +28,7 @@ def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
     """
     by_hand = subject.by_hand.sets
     facts = replace(subject.facts, share=share)
-    can_be_made = not facts.has_families
+    can_be_made = not subject.quantity.has_families
     wanted = subject.quantity.singular or not by_hand
     made = list_point_sets(facts) if can_be_made and wanted else ()
     return (*made, *by_hand, *list_sweeps(subject))

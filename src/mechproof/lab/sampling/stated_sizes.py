@@ -122,11 +122,6 @@ class Facts:
         inside: Array = (np.abs(values) >= least) & (np.abs(values) <= most)
         return inside
 
-    @property
-    def has_families(self) -> bool:
-        """Tell whether an argument is a family, of whose domain a kernel alone knows."""
-        return any(isinstance(symbol, sp.IndexedBase) for symbol in self.symbols)
-
     def unpack(self, arguments: Arguments) -> Columns:
         """Return the values of every symbol, an axis of points to each: the inverse of `pack`."""
         columns = [part for a in arguments for part in (a.T if a.ndim > 1 else [a])]
