@@ -15,8 +15,9 @@ from math import isfinite
 from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
-from types import MappingProxyType
 
+from mechproof.comparison.spelling import spell
+from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step
@@ -27,14 +28,7 @@ OPTIONS = {
     **{"opt": "bb", "opt-approx": "false", "opt-exact": "true", "find-bounds": "false"},
     **{"fp-power2-model": "true", "const-approx-real-vars": "false", "rel-error": "false"},
 }
-_TEXTS: Mapping[str, str] = MappingProxyType(
-    {
-        **{"add": "{} + {}", "subtract": "{} - {}", "multiply": "{} * {}", "divide": "{} / {}"},
-        **{"negate": "-({})", "absolute": "abs({})", "sqrt": "sqrt({})", "fma": "{} * {} + {}"},
-        **{"sin": "sin({})", "cos": "cos({})", "tan": "tan({})", "arctan": "atan({})"},
-        **{"exp": "exp({})", "log": "log({})", "copy": "{}"},
-    }
-)
+_WRITTEN = frozenset({CONSTANT, *(kind for kind, row in KINDS.items() if row.fptaylor)})
 _FOUND = re.compile(r"Absolute error \(exact\): (\S+)")
 _PI = Fraction("3.14159265358979323846264338327950288419716939937511")
 _NUMBERS = {"#pi": f"{_PI.numerator} / {_PI.denominator}"}
@@ -47,8 +41,8 @@ def is_installed() -> bool:
 
 def find_bound(program: BoxedProgram) -> float | None:
     """Return the bound that FPTaylor finds; None where it finds none in time."""
-    kinds = {step.kind for step in program.straight.steps} - {CONSTANT}
-    if program.convention.relative or not kinds <= _TEXTS.keys():
+    kinds = {step.kind for step in program.straight.steps}
+    if program.convention.relative or not kinds <= _WRITTEN:
         return None
     with TemporaryDirectory() as folder:
         (Path(folder) / "task.txt").write_text(write_task(program), encoding="utf-8")
@@ -90,7 +84,7 @@ def write_task(program: BoxedProgram) -> str:
 def _fill(step: Step, names: Mapping[str, str]) -> str:
     if step.kind == CONSTANT:
         return _NUMBERS.get(str(step.operands[0]), str(step.operands[0]))
-    return _TEXTS[step.kind].format(*(_find(o, names) for o in step.operands))
+    return spell(KINDS[step.kind].fptaylor, (_find(o, names) for o in step.operands))
 
 
 def _round(step: Step, text: str) -> str:

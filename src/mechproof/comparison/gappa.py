@@ -12,8 +12,9 @@ import subprocess
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from shutil import which
-from types import MappingProxyType
 
+from mechproof.comparison.spelling import spell
+from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram
 from mechproof.roundoff.running import IN_DOUBLES
@@ -22,13 +23,7 @@ from mechproof.roundoff.steps import CONSTANT, EXACT, Step
 COMMAND = "gappa"
 # Seconds for a script, and into how many parts all sides together are cut.
 LIMIT, PARTS = 600.0, 256
-_TEXTS: Mapping[str, str] = MappingProxyType(
-    {
-        **{"add": "{} + {}", "subtract": "{} - {}", "multiply": "{} * {}", "divide": "{} / {}"},
-        **{"negate": "-{}", "absolute": "|{}|", "sqrt": "sqrt({})", "fma": "{} * {} + {}"},
-        "copy": "{}",
-    }
-)
+_WRITTEN = frozenset({CONSTANT, *(kind for kind, row in KINDS.items() if row.gappa)})
 _FOUND = re.compile(r" in \[(?:0|[^,\]]*), ([0-9]+)(?:b(-?[0-9]+))?[^\]]*\]")
 
 
@@ -39,8 +34,8 @@ def is_installed() -> bool:
 
 def can_write(program: BoxedProgram) -> bool:
     """Say whether Gappa has all operations of a program, and an absolute error is meant."""
-    kinds = {step.kind for step in program.straight.steps} - {CONSTANT}
-    return not program.convention.relative and kinds <= _TEXTS.keys()
+    kinds = {step.kind for step in program.straight.steps}
+    return not program.convention.relative and kinds <= _WRITTEN
 
 
 def find_bound(program: BoxedProgram) -> float | None:
@@ -105,7 +100,7 @@ def _write_steps(program: BoxedProgram, names: Mapping[str, str]) -> Iterator[st
 
 
 def _fill(step: Step, names: Mapping[str, str]) -> str:
-    return _TEXTS[step.kind].format(*(_find(operand, names) for operand in step.operands))
+    return spell(KINDS[step.kind].gappa, (_find(operand, names) for operand in step.operands))
 
 
 def _find(operand: Operand, names: Mapping[str, str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from inspect import signature
 from types import MappingProxyType
 
 from mechproof.fpcore.boxes import Range, read_box
@@ -16,17 +17,19 @@ from mechproof.fpcore.expressions import (
     read_expressions,
     read_number,
 )
+from mechproof.programs.operations import KINDS, Kind
 from mechproof.programs.program import Operand, Operation
 from mechproof.roundoff.steps import CONSTANT, StraightLineProgram, make_step, name_constant
 
-# The operations of FPCore by their operands, and what they are called here.
+
+def _count_operands(row: Kind) -> int:
+    """Count what a kind is put together of; the functions that are read have one operand."""
+    return len(signature(row.meaning).parameters) - 1 if row.meaning else 1
+
+
+# The operations of FPCore by the number of their operands, and what they are called here.
 OPERATIONS: Mapping[tuple[str, int], str] = MappingProxyType(
-    {
-        **{("+", 2): "add", ("-", 2): "subtract", ("*", 2): "multiply", ("/", 2): "divide"},
-        **{("-", 1): "negate", ("fabs", 1): "absolute", ("sqrt", 1): "sqrt", ("fma", 3): "fma"},
-        **{("sin", 1): "sin", ("cos", 1): "cos", ("tan", 1): "tan", ("atan", 1): "arctan"},
-        **{("exp", 1): "exp", ("log", 1): "log"},
-    }
+    {(row.fpcore, _count_operands(row)): kind for kind, row in KINDS.items() if row.fpcore}
 )
 CONSTANTS: Mapping[str, str] = MappingProxyType({"PI": "#pi", "E": "#e"})
 _FORMATS: Mapping[str, str] = MappingProxyType({":precision": "binary64", ":round": "nearestEven"})

@@ -78,7 +78,8 @@ class Kind:
     Languages that have no spelling take the function of `elementary`, formulas what it means.
     Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads,
     too, `javascript`, `structured_text` of IEC 61131-3 and `array_api`, by that standard (as
-    `python`, where its name follows from NumPy's).
+    `python`, where its name follows from NumPy's). Programs of `fpcore` are read and bounded, by
+    `fptaylor` and `gappa`, too, as far as these have the operation.
     """
 
     name: str
@@ -94,6 +95,9 @@ class Kind:
     javascript: Spelling | None = None
     structured_text: Spelling | None = None
     array_api: Spelling | None = None
+    fpcore: str = ""
+    fptaylor: Spelling | None = None
+    gappa: Spelling | None = None
 
     @property
     def is_composed(self) -> bool:
@@ -152,17 +156,20 @@ def _sinc(on: Arithmetic, a: Any) -> Any:
     return on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a)
 
 
-def _function(name: str, sympy: Callable[..., sp.Basic], short: str) -> Kind:
+def _function(name: str, sympy: Callable[..., sp.Basic], short: str, fpcore: str = "") -> Kind:
     """Return a function that libraries have and that is compiled from arithmetic."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}",
                 octave=short, javascript=f"Math.{short}",
-                structured_text=short.upper())  # fmt: skip
+                structured_text=short.upper(), fpcore=fpcore, fptaylor=fpcore or None)  # fmt: skip
 
 
-def _library(name: str, sympy: Callable[..., sp.Basic], c: str, text: str | None = None) -> Kind:
+def _library(
+    name: str, sympy: Callable[..., sp.Basic], c: str, text: str | None = None, fpcore: str = ""
+) -> Kind:
     """Return a function of the libraries of all languages; `text` is that of Structured Text."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c,
-                octave=c, javascript=f"Math.{c}", structured_text=text)  # fmt: skip
+                octave=c, javascript=f"Math.{c}", structured_text=text,
+                fpcore=fpcore, fptaylor=fpcore or None)  # fmt: skip
 
 
 def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., Any]) -> Kind:
@@ -180,7 +187,8 @@ def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any], point
     """Return an operation of arithmetic that all languages spell alike, Octave with a `point`."""
     infix = Infix(sign, level)
     octave = Infix(f"{point}{sign}", level)
-    return Kind(name, NEAREST, None, meaning, infix, infix, infix, "", infix, octave, infix, infix)
+    return Kind(name, NEAREST, None, meaning, infix, infix, infix, "", infix, octave, infix, infix,
+                fpcore=sign, fptaylor=infix, gappa=infix)  # fmt: skip
 
 
 def _compare(name: str, sign: str, sympy: Callable[..., sp.Basic], other: str = "") -> Kind:
@@ -201,6 +209,8 @@ def _view(name: str, pattern: str, level: Level) -> Kind:
 
 
 _NEGATIVE = Pattern("-{}", SIGN, SIGN)
+_FUSED = Pattern("{} * {} + {}", PRODUCT, SUM)
+_SAME = Pattern("{}", CHOICE, CHOICE)
 # In Octave the root of a negative number is complex, also in a branch that is not taken.
 _REAL_ROOT = Pattern("real(sqrt({0})) ./ ({0} >= 0)", SUM, PRODUCT)
 _QUESTION = Pattern("{} ? {} : {}", EITHER, CHOICE)
@@ -211,17 +221,21 @@ _ROWS = (
     _sign("multiply", "*", PRODUCT, lambda on, a, b: a * b, "."),
     _sign("divide", "/", PRODUCT, lambda on, a, b: a / b, "."),
     Kind("negate", EXACT, None, lambda on, a: -a, _NEGATIVE, _NEGATIVE, _NEGATIVE, "",
-         _NEGATIVE, _NEGATIVE, _NEGATIVE, _NEGATIVE),
-    Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", f"{HELPER}fma"),
+         _NEGATIVE, _NEGATIVE, _NEGATIVE, _NEGATIVE,
+         fpcore="-", fptaylor=Pattern("-({})", CHOICE, SIGN), gappa=_NEGATIVE),
+    Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", f"{HELPER}fma",
+         fpcore="fma", fptaylor=_FUSED, gappa=_FUSED),
     # An fma whose product may as well be rounded, where that is cheaper.
     Kind("multiply_add", NEAREST, None, lambda on, a, b, c: a * b + c,
          None, "_fma", f"{HELPER}multiply_add"),
     Kind("square", NEAREST, None, lambda on, a: a * a,
          Support("functions", "square"), Pattern("{} ** 2", ATOM, POWER), f"{HELPER}square"),
     Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt",
-         octave=_REAL_ROOT, javascript="Math.sqrt", structured_text="SQRT"),
+         octave=_REAL_ROOT, javascript="Math.sqrt", structured_text="SQRT",
+         fpcore="sqrt", fptaylor="sqrt", gappa="sqrt"),
     Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs",
-         python="abs", octave="abs", javascript="Math.abs", structured_text="ABS"),
+         python="abs", octave="abs", javascript="Math.abs", structured_text="ABS",
+         fpcore="fabs", fptaylor="abs", gappa=Pattern("|{}|", CHOICE, ATOM)),
     Kind("sign", EXACT, sp.sign, None, "_np.sign", octave="sign", javascript="Math.sign"),
     Kind("fmod", EXACT, None, _take_multiple_off, "_np.fmod", "_np.fmod", "fmod",
          octave="rem", javascript=Infix("%", PRODUCT)),
@@ -236,7 +250,7 @@ _ROWS = (
          Support("functions", "maximum"), "_maximum", f"{HELPER}maximum",
          python="_np.maximum", javascript="Math.max"),
     Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min"),
-    Kind("copy", EXACT, None, _keep),
+    Kind("copy", EXACT, None, _keep, fptaylor=_SAME, gappa=_SAME),
     # What is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
     # What is decided.
@@ -261,15 +275,15 @@ _ROWS = (
          lambda on, a: on.both(on.greater_equal(a, on.number(0)), on.is_finite(a)),
          Support("domains", "is_nonnegative")),
     # Functions.
-    _function("sin", sp.sin, "sin"),
-    _function("cos", sp.cos, "cos"),
-    _function("tan", sp.tan, "tan"),
-    _function("arctan", sp.atan, "atan"),
+    _function("sin", sp.sin, "sin", "sin"),
+    _function("cos", sp.cos, "cos", "cos"),
+    _function("tan", sp.tan, "tan", "tan"),
+    _function("arctan", sp.atan, "atan", "atan"),
     _function("arctan2", sp.atan2, "atan2"),
-    _function("exp", sp.exp, "exp"),
+    _function("exp", sp.exp, "exp", "exp"),
     _library("arcsin", sp.asin, "asin", "ASIN"),
     _library("arccos", sp.acos, "acos", "ACOS"),
-    _library("log", sp.log, "log", "LN"),
+    _library("log", sp.log, "log", "LN", "log"),
     _library("sinh", sp.sinh, "sinh"),
     _library("cosh", sp.cosh, "cosh"),
     _library("tanh", sp.tanh, "tanh"),
