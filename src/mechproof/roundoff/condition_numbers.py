@@ -7,22 +7,18 @@ slope, a value and the inverse of a scale over a box do, each of which is known 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
+from functools import cache
+
+import sympy as sp
 
 from mechproof.arithmetic.intervals import EPS, ONE, Ends, Interval, around, exactly
+from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import Operand
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.rules import SOME
 from mechproof.roundoff.steps import CHOICE
 
-# What is a product of powers, and the exponents of its operands.
-POWERS: Mapping[str, tuple[float, ...]] = MappingProxyType(
-    {
-        **{"multiply": (1, 1), "divide": (1, -1), "square": (2,), "sqrt": (0.5,)},
-        **{"negate": (1,), "absolute": (1,), "copy": (1,), "approximate": (1,)},
-    }
-)
 SUMS = ("add", "subtract", "fma")
 # Which operand is taken may not be known: by that it is 1, by the other 0.
 CHOICES = ("maximum", "minimum", CHOICE)
@@ -73,10 +69,10 @@ def find_condition_numbers(
     slopes: Sequence[IntervalMonomial | None],
 ) -> list[Interval | None]:
     """Return those of a step by its operands; None where it does not move with one."""
-    if kind in POWERS:
-        return [exactly(power) for power in POWERS[kind]]
     if kind in CHOICES:
         return [None if slope is None else SOME for slope in slopes]
+    if powers := _find_powers(kind, len(given)):
+        return [exactly(power) for power in powers]
     found = [
         None if slope is None else (slope * operand / exact).expanded()
         for slope, operand in zip(slopes, given, strict=True)
@@ -91,6 +87,18 @@ def find_condition_numbers(
         None if one is None else one.intersection(share)
         for one, share in zip(found, shares, strict=True)
     ]
+
+
+@cache
+def _find_powers(kind: str, count: int) -> tuple[float, ...]:
+    """Return the exponents of the operands of what is a product of powers; nothing for others."""
+    letters = [sp.Dummy(positive=True) for _ in range(count)]
+    meaning = SYMBOLIC[kind](*letters)
+    if not isinstance(meaning, sp.Expr):
+        return ()
+    numbers = [sp.cancel(letter * meaning.diff(letter) / meaning) for letter in letters]
+    is_power = all(n.is_Rational and sp.Rational(float(n)) == n for n in numbers)
+    return tuple(map(float, numbers)) if is_power else ()
 
 
 def _find_share(term: IntervalMonomial, other: IntervalMonomial) -> Interval:

@@ -15,6 +15,7 @@ import numpy as np
 from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, Mask, list_corners
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.fused import add_exactly, fma
+from mechproof.roundoff.steps import list_factors
 
 # Of a power of two: less than a quarter of the spacing below it.
 HARDLY = 2.0**-56
@@ -144,9 +145,8 @@ def within_one(span: Interval) -> Interval:
 
 def shifts(kind: str, given: Sequence[Interval]) -> Mask:
     """Say where all that is computed is multiplied or divided by one power of two."""
-    factors = {"multiply": given, "square": given, "divide": given[1:]}.get(kind, ())
     known: Mask = False
-    for factor in factors:
+    for factor in list_factors(kind, given):
         known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == 0.5)
     return known
 

@@ -7,30 +7,20 @@ and b, and a rest of it is seen to be its own.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from types import MappingProxyType
 
+from mechproof.programs.degrees import DEGREES, Degree
 from mechproof.programs.program import Operand
 from mechproof.roundoff.steps import (
     EXACT,
-    PRODUCT_REST,
-    QUOTIENT_REST,
     RESTS,
     Step,
     StraightLineProgram,
 )
 
-# The exponent of a result by those of its operands; None where it has none.
-_EXPONENTS: Mapping[str, Callable[..., int | None]] = MappingProxyType(
-    {
-        "multiply": lambda a, b: a + b,
-        "divide": lambda a, b: a - b,
-        "square": lambda a: 2 * a,
-        PRODUCT_REST: lambda a, b, p: p if a + b == p else None,
-        QUOTIENT_REST: lambda a, b, q: q if a - b == q else None,
-    }
-)
+# Sums take their terms as they are.
+_PRODUCTS = ("multiply", "divide", "square", *RESTS)
 
 
 def take_powers_last(straight: StraightLineProgram) -> StraightLineProgram:
@@ -53,6 +43,18 @@ def _find_factor(step: Step) -> tuple[Operand, int] | None:
         return None
     exponent = math.frexp(second)[1] - 1
     return first, exponent if step.kind == "multiply" else -exponent
+
+
+def _find_exponent(kind: str, exponents: Sequence[int]) -> int | None:
+    """Return the exponent of a result by those of its operands; None where it has none."""
+    if kind not in _PRODUCTS:
+        return None
+    given = (Degree({2: exponent} if exponent else {}) for exponent in exponents)
+    try:
+        found: Degree = DEGREES[kind](*given)
+    except ValueError:
+        return None
+    return found.powers.get(2, 0)
 
 
 class _Mover:
@@ -79,7 +81,7 @@ class _Mover:
     def _take(self, step: Step) -> None:
         found = [self._find(operand) for operand in step.operands]
         exponents = [exponent for _, exponent in found]
-        exponent = _EXPONENTS[step.kind](*exponents) if step.kind in _EXPONENTS else None
+        exponent = _find_exponent(step.kind, exponents)
         if exponent is None or not any(exponents):
             self._append(step, [*map(self._write, step.operands)])
             return

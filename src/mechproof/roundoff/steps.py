@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
@@ -178,8 +179,12 @@ def make_step(operation: Operation) -> Step:
 
 def _scales_by_power(kind: str, operands: Sequence[Operand]) -> bool:
     """Say whether the operation multiplies or divides by a power of two."""
-    factors = {"multiply": operands, "divide": operands[1:]}.get(kind, ())
-    return any(_is_power(f) for f in factors if not isinstance(f, str))
+    return any(_is_power(f) for f in list_factors(kind, operands) if not isinstance(f, str))
+
+
+def list_factors(kind: str, operands: Sequence[Any]) -> Sequence[Any]:
+    """Return the operands by which all that is computed is multiplied or divided."""
+    return {"multiply": operands, "square": operands, "divide": operands[1:]}.get(kind, ())
 
 
 def _is_power(number: float) -> bool:
