@@ -29,7 +29,7 @@ from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
 from mechproof.roundoff.specialisation import REST, Case, Resolved, Whole, name_size, resolve
-from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed, make_step
+from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed
 from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 
 # So many pieces has a quarter turn, or an interval of the other functions.
@@ -206,12 +206,9 @@ def _tabulate_arcs(kind: str, behind: Sequence[bool]) -> ErrorTable:
 
 def _check_signs(program: Program, arguments: Sequence[str]) -> None:
     """Require that the sign turns with that of each of some arguments; ValueError if not."""
-    whole = StraightLineProgram(
-        program.inputs, tuple(map(make_step, program.operations)), program.outputs
-    )
     for turned in arguments:
-        parities = find_parities(whole, {n: ODD if n == turned else EVEN for n in program.inputs})
-        if any(parities[output] == EVEN for output in program.outputs):
+        parities = find_parities(program, {n: ODD if n == turned else EVEN for n in program.inputs})
+        if any(parities[str(output)] == EVEN for output in program.outputs):
             raise ValueError(f"the sign is not that of {turned}")
 
 

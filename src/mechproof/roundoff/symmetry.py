@@ -9,8 +9,9 @@ from functools import cache, partial
 import sympy as sp
 
 from mechproof.programs.operations import KINDS, Arithmetic
-from mechproof.programs.program import CONSTANTS, Operand
+from mechproof.programs.program import CONSTANTS, Program
 from mechproof.record import Chart
+from mechproof.roundoff.running import run_steps
 from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
 
@@ -103,14 +104,10 @@ def list_parities(
 
 
 def find_parities(
-    straight: StraightLineProgram, given: Mapping[str, Parity]
-) -> Mapping[Operand, Parity]:
+    straight: StraightLineProgram | Program, given: Mapping[str, Parity]
+) -> Mapping[str, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
-    parities: dict[Operand, Parity] = dict.fromkeys(CONSTANTS, EVEN)
-    parities.update(given.items())
-    for step in straight.steps:
-        if step.kind not in PARITIES:
-            raise ValueError(f"{step.kind} has no parity")
-        operands = (parities[o] if isinstance(o, str) else EVEN for o in step.operands)
-        parities[step.result] = PARITIES[step.kind](*operands)
-    return parities
+    try:
+        return run_steps(straight, {**dict.fromkeys(CONSTANTS, EVEN), **given}, PARITIES)
+    except KeyError as error:
+        raise ValueError(f"no parity: {error}") from error

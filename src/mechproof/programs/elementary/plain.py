@@ -1,7 +1,6 @@
 """Functions where a language has neither them nor a fused multiply-add: by sums and products.
 
-Products are split by Veltkamp's method (1968) and recovered by Dekker's (1971), as the kernels of
-NumPy do it.
+Products are recovered as the kernels of NumPy do it: their function is recorded.
 """
 
 from __future__ import annotations
@@ -12,15 +11,13 @@ from inspect import signature
 from types import MappingProxyType
 from typing import Any
 
+from mechproof.kernel_support.error_free import product_rest
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.elementary.machine import choose
 from mechproof.programs.operations import KINDS, NEAREST, Rounding
 from mechproof.programs.program import Program
 from mechproof.programs.trace import TRACED, Value, trace
-
-# A factor splits a double into two of at most 26 bits; scaled down, the largest does not overflow.
-FACTOR, DOWN, UP = 2.0**27 + 1, 2.0**-28, 2.0**28
 
 
 def fma(a: Value, b: Value, c: Value) -> Value:
@@ -31,13 +28,8 @@ def fma(a: Value, b: Value, c: Value) -> Value:
     p = a * b
     s = p + c
     part = s - p
-    return s + (((p - (s - part)) + (c - part)) + product_rest(a, b, p))
-
-
-def product_rest(a: Value, b: Value, p: Value) -> Value:
-    """Return a*b - p for p the rounded a*b: exact above 2**-969."""
-    (a_high, a_low), (b_high, b_low) = _split(a), _split(b)
-    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+    rest: Value = product_rest(a, b, p)
+    return s + (((p - (s - part)) + (c - part)) + rest)
 
 
 def quotient_rest(a: Value, b: Value, q: Value) -> Value:
@@ -60,13 +52,6 @@ def copysign(a: Value, b: Value) -> Value:
 def is_finite(a: Value) -> Value:
     """Say whether a is a number and no infinity."""
     return a.apply("equal", a - a, 0.0)
-
-
-def _split(a: Value) -> tuple[Value, Value]:
-    small = a * DOWN
-    scaled = small * FACTOR
-    high = (scaled - (scaled - small)) * UP
-    return high, a - high
 
 
 _FUNCTIONS = (fma, product_rest, quotient_rest, maximum, copysign, is_finite)
