@@ -83,6 +83,7 @@ LOADED = {
         *("sympy", "mpmath", "flint"),
         *("mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
     },
+    "programs.plain": {"mechproof.kernel_support", "mechproof.programs"},
     "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
         *(

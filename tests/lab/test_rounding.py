@@ -12,8 +12,8 @@ from flint import arb
 from mechproof.lab.rounding import ENCLOSING, decide, enclose_stage
 from mechproof.programs.code import Stage
 from mechproof.programs.lowering import lower_conditions, lower_steps
-from mechproof.programs.operations import KINDS
-from mechproof.programs.program import NOTHING, VIEWS
+from mechproof.programs.operations import KINDS, VIEWS
+from mechproof.programs.program import NOTHING
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")

@@ -18,8 +18,8 @@ from flint import arb
 from mechproof.arithmetic.balls import working_precision
 from mechproof.lab.ways import Array
 from mechproof.programs.code import Stage
-from mechproof.programs.operations import KINDS, Rounding
-from mechproof.programs.program import VIEWS, Operand, Operation, Program, spell_out_forms
+from mechproof.programs.operations import KINDS, VIEWS, Rounding
+from mechproof.programs.program import Operand, Operation, Program, spell_out_forms
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS
 
 # So many that what balls round is nothing beside the roundings of doubles.

@@ -79,7 +79,8 @@ class Kind:
     Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads,
     too, `javascript`, `structured_text` of IEC 61131-3 and `array_api`, by that standard (as
     `python`, where its name follows from NumPy's). Programs of `fpcore` are read and bounded, by
-    `fptaylor` and `gappa`, too, as far as these have the operation.
+    `fptaylor` and `gappa`, too, as far as these have the operation. A view has `indices`: those of
+    the element that it shows, counted from the outermost axis.
     """
 
     name: str
@@ -98,6 +99,7 @@ class Kind:
     fpcore: str = ""
     fptaylor: Spelling | None = None
     gappa: Spelling | None = None
+    indices: tuple[int, ...] = ()
 
     @property
     def is_composed(self) -> bool:
@@ -203,9 +205,9 @@ def _join(name: str, signs: tuple[str, ...], level: Level, sympy: Callable[..., 
     return Kind(name, EXACT, sympy, None, python, python, c, "", python, python, c, text)
 
 
-def _view(name: str, pattern: str, level: Level) -> Kind:
+def _view(name: str, pattern: str, level: Level, *indices: int) -> Kind:
     """Return what shows an array otherwise: its axes are the indices of a sum."""
-    return Kind(name, EXACT, numpy=Pattern(pattern, level, ATOM))
+    return Kind(name, EXACT, numpy=Pattern(pattern, level, ATOM), indices=indices)
 
 
 _NEGATIVE = Pattern("-{}", SIGN, SIGN)
@@ -335,10 +337,10 @@ _ROWS = (
     Kind("nonnegative", EXACT, None, lambda on, total, size: total),
     # What has axes that are summed over: a vector along the first or the last of two, a matrix
     # transposed, its diagonal; what takes them together.
-    _view("along_first", "{}[..., :, _np.newaxis]", ATOM),
-    _view("along_last", "{}[..., _np.newaxis, :]", ATOM),
-    _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE),
-    _view("diagonal", "_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE),
+    _view("along_first", "{}[..., :, _np.newaxis]", ATOM, 0),
+    _view("along_last", "{}[..., _np.newaxis, :]", ATOM, 1),
+    _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE, 1, 0),
+    _view("diagonal", "_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE, 0, 0),
     Kind("sum", NEAREST, numpy=AxisReduction("functions", "add_up")),
     Kind("every", EXACT, numpy=AxisReduction("domains", "every")),
     Kind("quadratic_form", NEAREST, numpy=Support("functions", "quadratic_form")),
@@ -353,3 +355,4 @@ COMPARISONS = tuple(
     k for k, row in KINDS.items() if isinstance(row.numpy, Infix) and row.numpy.level == COMPARISON
 )
 REDUCTIONS = tuple(k for k, row in KINDS.items() if isinstance(row.numpy, AxisReduction))
+VIEWS = tuple(k for k, row in KINDS.items() if row.indices)

@@ -12,6 +12,8 @@ from types import MappingProxyType
 
 import sympy as sp
 
+from mechproof.programs.operations import VIEWS
+
 # A result, an input or a constant by its name, or a number that is a double.
 Operand = str | int | float
 # The result of an operation that is used once and has no name of its own.
@@ -139,6 +141,3 @@ def spell_out_forms(program: Program) -> Program:
 CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
 )
-# Views of what has axes that are summed over: a vector along the first or the last of two, a
-# matrix transposed, its diagonal.
-VIEWS = ("along_first", "along_last", "transpose", "diagonal")

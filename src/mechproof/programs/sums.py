@@ -7,25 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 
 from mechproof.programs.code import KernelCode
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.operations import REDUCTIONS
+from mechproof.programs.operations import KINDS, REDUCTIONS, VIEWS
 from mechproof.programs.program import (
     TEMPORARY,
-    VIEWS,
     Operand,
     Operation,
     Program,
     spell_out_forms,
 )
 
-# The indices of an element in a view, counted from the outermost loop.
-INDICES: Mapping[str, tuple[int, ...]] = MappingProxyType(
-    {"along_first": (0,), "along_last": (1,), "transpose": (1, 0), "diagonal": (0, 0)}
-)
 LOOPS = "ij"
 # The operations that a printed sum is made of.
 ADDED = "total_rest"
@@ -138,7 +132,7 @@ class _Term:
         step = self._made.get(operand)
         if step is None:
             count = self.axes.get(operand, 0)
-            seen = INDICES[view] if view and count else tuple(range(count))
+            seen = KINDS[view].indices if view and count else tuple(range(count))
             return self._element(operand, seen)
         if step.kind in VIEWS:
             # What is transposed has the diagonal that it had.
