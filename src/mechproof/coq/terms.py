@@ -13,6 +13,8 @@ from types import MappingProxyType
 import sympy as sp
 from sympy.core.relational import Relational
 
+from mechproof.programs.operations import KINDS
+
 Names = Mapping[sp.Basic, str]
 _NO_NAMES: Names = MappingProxyType({})
 # Names that a letter of a paper must not take.
@@ -27,23 +29,7 @@ class UnwritableError(ValueError):
     """A part of a statement that has no term in Coq; its message says which."""
 
 
-_FUNCTIONS: Mapping[type[sp.Basic], str] = {
-    sp.sin: "sin",
-    sp.cos: "cos",
-    sp.tan: "tan",
-    sp.atan: "atan",
-    sp.atan2: "atan2",
-    sp.asin: "asin",
-    sp.acos: "acos",
-    sp.exp: "exp",
-    sp.log: "ln",
-    sp.Abs: "Rabs",
-    sp.sinh: "sinh",
-    sp.cosh: "cosh",
-    sp.tanh: "tanh",
-    sp.Min: "Rmin",
-    sp.Max: "Rmax",
-}
+_FUNCTIONS = {row.sympy: row.coq for row in KINDS.values() if row.coq}
 _RELATIONS: Mapping[type[sp.Basic], str] = {
     sp.Eq: "=",
     sp.Ne: "<>",

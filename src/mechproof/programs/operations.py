@@ -80,7 +80,7 @@ class Kind:
     too, `javascript`, `structured_text` of IEC 61131-3 and `array_api`, by that standard (as
     `python`, where its name follows from NumPy's). Programs of `fpcore` are read and bounded, by
     `fptaylor` and `gappa`, too, as far as these have the operation. A view has `indices`: those of
-    the element that it shows, counted from the outermost axis.
+    the element that it shows, counted from the outermost axis. `coq` is a function of real numbers.
     """
 
     name: str
@@ -99,6 +99,7 @@ class Kind:
     fpcore: str = ""
     fptaylor: Spelling | None = None
     gappa: Spelling | None = None
+    coq: str = ""
     indices: tuple[int, ...] = ()
 
     @property
@@ -162,16 +163,22 @@ def _function(name: str, sympy: Callable[..., sp.Basic], short: str, fpcore: str
     """Return a function that libraries have and that is compiled from arithmetic."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}",
                 octave=short, javascript=f"Math.{short}",
-                structured_text=short.upper(), fpcore=fpcore, fptaylor=fpcore or None)  # fmt: skip
+                structured_text=short.upper(), fpcore=fpcore, fptaylor=fpcore or None,
+                coq=short)  # fmt: skip
 
 
 def _library(
-    name: str, sympy: Callable[..., sp.Basic], c: str, text: str | None = None, fpcore: str = ""
+    name: str,
+    sympy: Callable[..., sp.Basic],
+    c: str,
+    text: str | None = None,
+    fpcore: str = "",
+    coq: str = "",
 ) -> Kind:
     """Return a function of the libraries of all languages; `text` is that of Structured Text."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c,
                 octave=c, javascript=f"Math.{c}", structured_text=text,
-                fpcore=fpcore, fptaylor=fpcore or None)  # fmt: skip
+                fpcore=fpcore, fptaylor=fpcore or None, coq=coq)  # fmt: skip
 
 
 def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., Any]) -> Kind:
@@ -237,7 +244,7 @@ _ROWS = (
          fpcore="sqrt", fptaylor="sqrt", gappa="sqrt"),
     Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs",
          python="abs", octave="abs", javascript="Math.abs", structured_text="ABS",
-         fpcore="fabs", fptaylor="abs", gappa=Pattern("|{}|", CHOICE, ATOM)),
+         fpcore="fabs", fptaylor="abs", gappa=Pattern("|{}|", CHOICE, ATOM), coq="Rabs"),
     Kind("sign", EXACT, sp.sign, None, "_np.sign", octave="sign", javascript="Math.sign"),
     Kind("fmod", EXACT, None, _take_multiple_off, "_np.fmod", "_np.fmod", "fmod",
          octave="rem", javascript=Infix("%", PRODUCT)),
@@ -250,8 +257,8 @@ _ROWS = (
          None, "_power_of_two", f"{HELPER}power_of_two"),
     Kind("maximum", EXACT, sp.Max, None,
          Support("functions", "maximum"), "_maximum", f"{HELPER}maximum",
-         python="_np.maximum", javascript="Math.max"),
-    Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min"),
+         python="_np.maximum", javascript="Math.max", coq="Rmax"),
+    Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min", coq="Rmin"),
     Kind("copy", EXACT, None, _keep, fptaylor=_SAME, gappa=_SAME),
     # What is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
@@ -283,12 +290,12 @@ _ROWS = (
     _function("arctan", sp.atan, "atan", "atan"),
     _function("arctan2", sp.atan2, "atan2"),
     _function("exp", sp.exp, "exp", "exp"),
-    _library("arcsin", sp.asin, "asin", "ASIN"),
-    _library("arccos", sp.acos, "acos", "ACOS"),
-    _library("log", sp.log, "log", "LN", "log"),
-    _library("sinh", sp.sinh, "sinh"),
-    _library("cosh", sp.cosh, "cosh"),
-    _library("tanh", sp.tanh, "tanh"),
+    _library("arcsin", sp.asin, "asin", "ASIN", coq="asin"),
+    _library("arccos", sp.acos, "acos", "ACOS", coq="acos"),
+    _library("log", sp.log, "log", "LN", "log", "ln"),
+    _library("sinh", sp.sinh, "sinh", coq="sinh"),
+    _library("cosh", sp.cosh, "cosh", coq="cosh"),
+    _library("tanh", sp.tanh, "tanh", coq="tanh"),
     _library("arcsinh", sp.asinh, "asinh"),
     _library("arccosh", sp.acosh, "acosh"),
     _library("arctanh", sp.atanh, "atanh"),
