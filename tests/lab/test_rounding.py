@@ -13,7 +13,7 @@ from mechproof.lab.rounding import ENCLOSING, decide, enclose_stage
 from mechproof.programs.code import Stage
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import KINDS, VIEWS
-from mechproof.programs.program import NOTHING
+from mechproof.programs.program import NOTHING, Operation, Program
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")
@@ -87,6 +87,14 @@ def test_float32_has_room_for_its_own_roundings() -> None:
     single = float(np.float32(0.1) * np.float32(3))
     assert wide.contains(arb(single))
     assert not narrow.contains(arb(single))
+
+
+def test_what_is_prepared_in_float32_stays_float32() -> None:
+    prepare = Program(("a",), (Operation("s", "single", ("a",)),), ("s",))
+    evaluate = Program(("s",), (Operation("q", "multiply", ("s", 3)),), ("q",))
+    (ball,) = enclose_stage(Stage(None, (), ("a",), prepare, evaluate), {"a": 0.1})
+    assert ball.contains(arb(float(np.float32(0.1) * np.float32(3))))
+    assert not ball.contains(arb(0.30001))
 
 
 def test_every_operation_of_a_stage_has_a_ball() -> None:

@@ -8,8 +8,9 @@ functions every loop is taken to stay within `LOOPS` ulps.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,9 +19,9 @@ from flint import arb
 from mechproof.arithmetic.balls import working_precision
 from mechproof.lab.ways import Array
 from mechproof.programs.code import Stage
-from mechproof.programs.operations import KINDS, VIEWS, Rounding
-from mechproof.programs.program import Operand, Operation, Program, spell_out_forms
-from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS
+from mechproof.programs.operations import KINDS, VIEWS, Arithmetic, Rounding
+from mechproof.programs.program import Program, spell_out_forms
+from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run
 
 # So many that what balls round is nothing beside the roundings of doubles.
 BITS = 192
@@ -33,10 +34,6 @@ LOSSES: Mapping[Rounding, float] = {
     Rounding.NEAREST: 1.0,
     Rounding.LIBRARY: 2.0 * LOOPS,
 }
-# As the doubles that a kernel takes them for.
-CONSTANTS: Mapping[str, arb] = MappingProxyType(
-    {"#pi": arb(np.pi), "#e": arb(np.e), "#inf": arb("inf"), "#nan": arb("nan")}
-)
 # An undecided choice encloses both; doubles give an angle to the vector that is zero; a sum that is
 # never negative may be rounded to it.
 ENCLOSING = IN_BALLS.but(
@@ -44,6 +41,21 @@ ENCLOSING = IN_BALLS.but(
     choose=lambda holds, a, b: a.union(b) if holds is None else a if holds else b,
     nonnegative=lambda total, size: total.union(arb(0)) if total < 0 else total,
 )
+
+
+@dataclass(frozen=True)
+class Rounded:
+    """Balls, and whether they are of float32; numbers as they are written are neither."""
+
+    balls: Any
+    is_single: bool | None = False
+
+
+# As the doubles that a kernel takes them for.
+CONSTANTS = {
+    **{"#pi": Rounded(arb(np.pi)), "#e": Rounded(arb(np.e))},
+    **{"#inf": Rounded(arb("inf")), "#nan": Rounded(arb("nan"))},
+}
 
 
 def enclose_stage(stage: Stage, inputs: Mapping[str, float | Array]) -> list[arb]:
@@ -54,10 +66,11 @@ def enclose_stage(stage: Stage, inputs: Mapping[str, float | Array]) -> list[arb
     with working_precision(BITS):
         known = {name: _as_balls(value) for name, value in inputs.items()}
         prepared = _run(stage.prepare, known)
+        running = tuple(known[name] for name in stage.running)
         if stage.evaluate is None:
-            return _map_affinely(prepared, [known[name] for name in stage.running])
-        given = (*(known[name] for name in stage.running), *prepared)
-        return _run(stage.evaluate, dict(zip(stage.evaluate.inputs, given, strict=True)))
+            return _map_affinely([v.balls for v in prepared], [v.balls for v in running])
+        given = dict(zip(stage.evaluate.inputs, running + prepared, strict=True))
+        return [value.balls for value in _run(stage.evaluate, given)]
 
 
 def decide(condition: Program, inputs: Mapping[str, float | Array]) -> bool:
@@ -65,38 +78,30 @@ def decide(condition: Program, inputs: Mapping[str, float | Array]) -> bool:
     with working_precision(BITS):
         known = {name: _as_balls(value) for name, value in inputs.items()}
         (result,) = _run(condition, known)
-        return result is True
+        return result.balls is True
 
 
-def _as_balls(value: float | Array) -> Any:
-    return np.frompyfunc(lambda v: arb(float(v)), 1, 1)(np.asarray(value, float))
+def _as_balls(value: float | Array) -> Rounded:
+    return Rounded(np.frompyfunc(lambda v: arb(float(v)), 1, 1)(np.asarray(value, float)))
 
 
-def _run(program: Program, known: Mapping[str, Any]) -> list[Any]:
-    values: dict[str, Any] = {**known, **CONSTANTS}
-    single: set[str] = set()
-
-    def find(operand: Operand) -> Any:
-        return values[operand] if isinstance(operand, str) else arb(operand)
-
-    program = spell_out_forms(program)
-    for step in program.operations:
-        named = [operand for operand in step.operands if isinstance(operand, str)]
-        if step.kind == "single" or (named and single.issuperset(named)):
-            single.add(step.result)
-        values[step.result] = _operate(step, find, step.result in single)
-    return [find(output) for output in program.outputs]
+def _run(program: Program, known: Mapping[str, Rounded]) -> tuple[Rounded, ...]:
+    return run(spell_out_forms(program), {**known, **CONSTANTS}, ROUNDED)
 
 
-def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> Any:
-    kind, operands = step.kind, step.operands
+def _operate(kind: str, *given: Rounded) -> Rounded:
+    told = [value.is_single for value in given if value.is_single is not None]
+    single = kind == "single" or (bool(told) and all(told))
+    return Rounded(_enclose(kind, single, *(v.balls for v in given)), single)
+
+
+def _enclose(kind: str, single: bool, *values: Any) -> Any:
     if kind in VIEWS:
-        return ON_ARRAYS[kind](find(operands[0]))
+        return ON_ARRAYS[kind](values[0])
     if kind == "sum":
-        return _sum(find(operands[0]))
+        return _sum(values[0])
     if kind == "whole_turns_off":
-        return np.frompyfunc(_take_turns_off, 1, 1)(find(operands[0]))
-    values = tuple(map(find, operands))
+        return np.frompyfunc(_take_turns_off, 1, 1)(values[0])
     exact = np.frompyfunc(ENCLOSING[kind], len(values), 1)(*values)
     loss = LOSSES[KINDS[kind].rounding] * (SINGLE_UNIT if single else UNIT)
     if not loss:
@@ -106,6 +111,14 @@ def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> A
             exact, *values
         )
     return np.frompyfunc(lambda ball: _spread(ball, loss), 1, 1)(exact)
+
+
+ROUNDED = Arithmetic(
+    {
+        **{kind: partial(_operate, kind) for kind in KINDS},
+        "number": lambda value: Rounded(arb(value), None),
+    }
+)
 
 
 def _spread(ball: arb, relative: float) -> arb:
