@@ -1,6 +1,8 @@
 """Ball evaluation: in, an expression of SymPy; out, what encloses it for given balls.
 
-Equal parts are evaluated once. What is undefined or undecided gives a ball that is not finite.
+Each operation encloses, and so does the whole: the fundamental theorem of interval arithmetic
+(Moore 1966), in balls. Integrals are those of Arb (Johansson 2018, by the method of Petras). Equal
+parts are evaluated once. What is undefined or undecided gives a ball that is not finite.
 """
 
 from __future__ import annotations

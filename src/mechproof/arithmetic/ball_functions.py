@@ -1,4 +1,9 @@
-"""Ball functions: what constants, functions and comparisons of SymPy are of balls."""
+"""Ball functions: what constants, functions and comparisons of SymPy are of balls.
+
+Comparisons that balls do not decide are open, and so is what hangs on them, as in Kleene's logic of
+three values (1952). Of complex balls functions also say whether they are analytic, which the
+integration of Arb asks for (Johansson 2018).
+"""
 
 from __future__ import annotations
 

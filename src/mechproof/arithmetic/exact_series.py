@@ -1,4 +1,8 @@
-"""Exact series: in, an expression of one symbol; out, its Taylor coefficients at zero, rational."""
+"""Exact series: in, an expression of one symbol; out, its Taylor coefficients at zero, rational.
+
+The layout and the rules are those of `series`, with rationals for balls: of a ball that holds zero
+nobody knows that it is zero, and a proof near zero begins with coefficients that vanish.
+"""
 
 from __future__ import annotations
 

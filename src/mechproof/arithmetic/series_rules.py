@@ -1,4 +1,8 @@
-"""Series rules: what operations and functions of SymPy are of series, whatever their numbers."""
+"""Series rules: what operations and functions of SymPy are of series, whatever their numbers.
+
+They are the rules of Moore (1966) and of Griewank and Walther (2008, chapter 13), as flint has
+them: what SymPy has by other functions is written by those.
+"""
 
 from __future__ import annotations
 

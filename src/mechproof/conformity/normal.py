@@ -14,7 +14,9 @@ with respect to the correlation, x its arc cosine):
 Every term is positive, so the smallest quadrant is as accurate as the largest. The exponent is
 (h-k)**2 / (8 sin(x/2)**2) + (h+k)**2 / (8 cos(x/2)**2), and in log(tan(x/2)) the integrand is
 log-concave: one Gauss panel from the end at beta to where it has died out suffices
-(`conformity.arc`).
+(`conformity.arc`). Drezner and Wesolowsky (1990) and Genz (2004) integrate the same derivative
+(Plackett 1954), for small correlations from 0, and add the product of two tails, in which small
+quadrants cancel.
 """
 
 from __future__ import annotations

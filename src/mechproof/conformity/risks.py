@@ -1,4 +1,7 @@
-"""Exact shares of parts, risks of one measured value, and shares counted in a simulation."""
+"""Exact shares of parts, risks of one measured value, and shares counted in a simulation.
+
+These are the risks of JCGM 106:2012, where they are integrals of two densities.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,9 @@
-"""Polynomials by the distances of their letters from bounds, whose coefficients show a sign."""
+"""Polynomials by the distances of their letters from bounds, whose coefficients show a sign.
+
+Between two bounds these are the coefficients of Bernstein (1912), but for binomial factors. As
+certificates of positivity such sums of products are those of Handelman (1988), who takes any
+degree; here it is that of the polynomial.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Error-free transformations of doubles, point by point: the rests that a rounding leaves.
 
 Products are split by Veltkamp's method (1968) and recovered by Dekker's (1971), without a fused
-multiply-add.
+multiply-add. See Muller et al., Handbook of Floating-Point Arithmetic (2018, chapter 4).
 """
 
 from __future__ import annotations

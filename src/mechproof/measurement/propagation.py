@@ -1,4 +1,9 @@
-"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2), of `ufloat`s, too."""
+"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2), of `ufloat`s, too.
+
+It is of the first order. The propagation of distributions (JCGM 101) samples: for sizes that
+scatter `tolerance.monte_carlo_range` does, and bounds of what a quantity can be are
+`certified_range`.
+"""
 
 from __future__ import annotations
 

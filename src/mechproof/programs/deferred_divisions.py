@@ -2,7 +2,8 @@
 
 A tangent is a quotient of two values, and so is what an arctangent is taken of. Where one loop
 computes a point after the other, a division takes as long as ten products: numerators are
-computed with, their denominators counted, until these cancel.
+computed with, their denominators counted, until these cancel: as projective coordinates put off the
+divisions of points on curves.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Cases: sides that are given by pieces, or hold a symbol with few values, one case at a time.
 
-Each condition is once taken to be true and once to be false, on the part of the domain where it is.
+Each condition is once taken to be true and once to be false, on the part of the domain where it is:
+the splitting of Davis, Logemann and Loveland (1962), on conditions in place of letters.
 """
 
 from __future__ import annotations

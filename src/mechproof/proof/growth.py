@@ -1,7 +1,10 @@
 """Limits from one side, by how fast parts grow: those that are shown, nothing else.
 
-The variable is written so that it goes to infinity. A product is compared with c*exp(a*y)*y**p*
-(ln y)**q: exponentials beat powers, powers beat logarithms (Hardy, Orders of Infinity, 1910).
+The variable is written so that it goes to infinity. A product is compared with
+c*exp(a*y)*y**p*(ln y)**q: exponentials beat powers, powers beat logarithms (Hardy, Orders of
+Infinity, 1910). The algorithm of Gruntz (1996) ranks the parts of any expression of exponentials
+and logarithms, and asks an oracle whether a leading coefficient is zero; here scales are these
+alone, and the sign of each exponent and coefficient is proved on the domain, or there is no answer.
 """
 
 from __future__ import annotations

@@ -3,7 +3,8 @@
 Every angle is an integer multiple of a base angle, whose half has a tangent: where the angle runs
 within one turn, so does the tangent within an interval. Exponentials and hyperbolic functions are
 powers of one positive number. What is left is the sign of a quotient of polynomials (`signs`), for
-one variable decided by Sturm's theorem.
+one variable decided by Sturm's theorem. It is the substitution by which rational functions of sines
+and cosines are integrated; here the half turn, which no tangent reaches, is looked at by itself.
 """
 
 from __future__ import annotations

@@ -2,7 +2,8 @@
 
 Both sides are equal for the smallest n, and for every n their differences from the one before are:
 by induction they are equal for all. So geometric and telescoping sums are proved without being
-summed up; the value comes from the print (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 1).
+summed up; the value comes from the print (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 1), and
+no algorithm has to find it, as that of Gosper (1978) would.
 """
 
 from __future__ import annotations

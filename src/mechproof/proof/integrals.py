@@ -1,9 +1,10 @@
 """Rung: a definite integral has the value that an antiderivative gives.
 
 SymPy only proposes the antiderivative. It counts if its derivative is proved to be the integrand
-inside the limits and both are continuous up to them: the fundamental theorem of calculus.
-An improper integral has the value of the limits at its ends, where these are shown, and of the
-pieces between numbers at which the integrand is divided by zero; it may be infinite.
+inside the limits and both are continuous up to them: the fundamental theorem of calculus. To
+believe no finder, but to check what it finds, is the way of Harrison and Théry (1998) with HOL and
+Maple. An improper integral has the value of the limits at its ends, where these are shown, and of
+the pieces between numbers at which the integrand is divided by zero; it may be infinite.
 """
 
 from __future__ import annotations

@@ -1,4 +1,10 @@
-"""The ladder: a statement and its domain -> an answer, cheapest rung first."""
+"""The ladder: a statement and its domain -> an answer, cheapest rung first.
+
+Rungs are tried one after the other, as tactics under ORELSE are in Edinburgh LCF (Gordon, Milner
+and Wadsworth 1979). There a small kernel checks whatever a tactic gives. Here each rung answers for
+its own soundness, balls contradict it at points, and of many rows Coq checks a proof of its own
+(`mechproof.coq`).
+"""
 
 from __future__ import annotations
 

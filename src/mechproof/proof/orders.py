@@ -1,4 +1,4 @@
-"""Orders of growth, and sums written anew so that theirs is seen (Hardy, Orders of Infinity)."""
+"""Orders of growth, and sums written anew so that theirs is seen (Hardy 1910)."""
 
 from __future__ import annotations
 

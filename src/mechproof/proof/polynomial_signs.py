@@ -1,7 +1,9 @@
 """Signs of quotients of polynomials in coordinates whose own signs are known.
 
 The numerator is factored, and a factor whose monomials all have one sign has that sign. Sound, not
-complete: `None` means "not shown", except for one variable, where Sturm's theorem decides.
+complete: `None` means "not shown", except for one variable, where Sturm's theorem (1829) decides:
+complete procedures for several variables, as the cylindrical algebraic decomposition of Collins
+(1975), are not tried.
 """
 
 from __future__ import annotations

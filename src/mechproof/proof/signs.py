@@ -5,7 +5,9 @@ R1 = R2 + d with d > 0), angles become half-angle tangents, and the sign of a qu
 polynomials is left (`polynomial_signs`). Sound, not complete: `None` means "not shown".
 
 To write a larger number as a smaller one and a gap is the successive difference substitution of
-Yang (2005), who repeats it for every order of the symbols; here the domain states the order.
+Yang (2005), who repeats it for every order of the symbols; here the domain states the order. That a
+polynomial without a minus sign is positive on a half-line is Pólya's certificate (1928), without
+his multiplier: what shows no sign as it stands is not multiplied until it does.
 """
 
 from __future__ import annotations

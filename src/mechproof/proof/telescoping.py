@@ -3,7 +3,8 @@
 With F(n, k) the term and g(n) the growth of the value, F(n + 1, k) - g(n)*F(n, k) is shown to be
 G(n, k + 1) - G(n, k), G = R*F with a fraction R. A form of R is solved for; what counts is that
 the identity holds as one of fractions, that R has no pole and no factorial is one of a negative
-number where k runs, and that what is left at the ends vanishes.
+number where k runs, and that what is left at the ends vanishes. Zeilberger's algorithm
+(1991) finds a recurrence as well; here the print gives the value, and with it the growth.
 """
 
 from __future__ import annotations

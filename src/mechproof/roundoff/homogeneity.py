@@ -1,4 +1,8 @@
-"""Homogeneity: factors that nobody knows, of a tangent's two parts, and that no output may have."""
+"""Homogeneity: factors that nobody knows, of a tangent's two parts, and that no output may have.
+
+Degrees are inferred as the dimensions of physical quantities are (Kennedy 1996): what has none is
+the same whatever the factor.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Rules: for each kind of operation its value and its partial derivatives, in monomials."""
+"""Rules: for each kind of operation its value and its partial derivatives, in monomials.
+
+These are the elementary partial derivatives of automatic differentiation (Griewank and Walther
+2008), over boxes: `bound` takes them in reverse.
+"""
 
 from __future__ import annotations
 

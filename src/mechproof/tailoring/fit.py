@@ -1,4 +1,8 @@
-"""Fits: in, a plan and a function in balls; out, polynomials with doubles for coefficients."""
+"""Fits: in, a plan and a function in balls; out, polynomials with doubles for coefficients.
+
+Coefficients are rounded one by one; Brisebarre and Chevillard (2007) look for the best ones among
+doubles. The enclosure says what that costs.
+"""
 
 from __future__ import annotations
 

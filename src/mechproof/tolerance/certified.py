@@ -4,7 +4,8 @@ A corner range is no bound where the dependence on a size turns between its limi
 derivation of a quantity gives its derivatives, and balls give their signs over the box: a size
 in which the quantity is monotonic goes to a limit, the others are cut into halves until the
 bound meets a value that is attained, or a budget is spent. What is then open is the gap. It is
-interval branch and bound (`search`), where the GUM takes the first order and JCGM 101 samples.
+interval branch and bound (Moore 1966, Hansen and Walster 2004; `subdivision`), where the GUM takes
+the first order and JCGM 101 samples.
 
 Needs the `derive` extra (sympy, python-flint).
 

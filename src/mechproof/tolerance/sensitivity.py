@@ -1,4 +1,8 @@
-"""First-order contributions of toleranced sizes, and their root-sum-square range."""
+"""First-order contributions of toleranced sizes, and their root-sum-square range.
+
+For independent sizes the root sum square is the law of propagation of uncertainty (JCGM 100,
+5.1.2), with tolerances in place of standard uncertainties.
+"""
 
 from __future__ import annotations
 

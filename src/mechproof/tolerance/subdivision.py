@@ -1,6 +1,7 @@
 """Branch and bound over a box of sizes, with slopes that send sizes to their limits.
 
-The method is that of Moore and Skelboe with the monotonicity test of Hansen and Walster (2004).
+The method is that of Moore and Skelboe (1974) with the monotonicity test of Hansen and Walster
+(2004).
 """
 
 from __future__ import annotations

@@ -1,4 +1,11 @@
-"""The elementary functions: how each is computed in plain arithmetic, for a float format."""
+"""The elementary functions: how each is computed in plain arithmetic, for a float format.
+
+Arguments are reduced by the words of Cody and Waite (1980), each taken off by an fma; beyond
+`largest`, where the method of Payne and Hanek (1983) would be needed, a backend's own library is
+called. What is left is a polynomial or a quotient of two (`fits`). There are no tables of values as
+those of Tang (1989), and no branches up to `largest`: a loop over points is vectorised. See Muller,
+Elementary Functions (2016).
+"""
 
 from __future__ import annotations
 

@@ -4,6 +4,11 @@ Every rewrite is exact where it is legal, or to less than a rounding. Where that
 it obliges the prover: the relations under which it is legal, and what it encloses, go along with
 the evaluation and are rows of the ledger. A form names its rewrites; `REWRITES` resolves the names.
 A person names them, or `improvement` finds them, which tries them in the order of the table.
+
+Herbie (Panchekha et al. 2015) rewrites by rules between patterns, in a graph of equal expressions
+as that of egg (Willsey et al. 2021), and tells by points what was gained; a rule need not hold
+wherever both of its sides have values. Here a rewrite is a program with what it obliges, and that
+is proved.
 """
 
 from __future__ import annotations
