@@ -83,6 +83,7 @@ def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:
     def apply(values: Values, *arguments: Ball) -> Ball:
         if type(node) not in ENTIRE and any(isinstance(a, acb) for a in arguments):
             return _evaluate_complex(node, values, *arguments)
+        # Of what has no value some functions do: to flint the sine of infinity is [-1, 1].
         if not all(argument.is_finite() for argument in arguments):
             return NOT_FINITE
         return function(*arguments)
@@ -176,6 +177,7 @@ def _integrate(
     values = {name: _put_together(parts) for name, parts in given}
     start, end = (acb(_put_together(parts)) for parts in ends)
     layout = Layout(function, plan)
+    # The integrand is run hundreds of times; what does not move with it is computed once.
     layout.settle(values)
 
     def integrand(point: Ball, analytic: bool) -> Ball:
@@ -212,6 +214,7 @@ def _piecewise(node: sp.Basic) -> Plan:
             if holds is None:
                 return NOT_FINITE
             if holds:
+                # Not an operand of the choice: other branches need not have values here.
                 return compile_expression(expression)(values)
         return NOT_FINITE
 

@@ -89,6 +89,7 @@ def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
             raise ValueError(f"{len(waiting)} parts have the cuts {sides.tolist()}")
         parts.append(waiting[sides == WHOLE])
         rows = np.flatnonzero(sides != WHOLE)
+        # In the order of `cover_below`: first halves before second ones.
         waiting = np.concatenate(_cut(waiting, rows, sides[rows].astype(np.intp)))
     return np.concatenate(parts), cuts
 
@@ -96,6 +97,7 @@ def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
 def _keep_worst(
     known: list[tuple[float, Box]], heights: Array, boxes: Boxes
 ) -> list[tuple[float, Box]]:
+    # Stable: of equal bounds the same are kept on every machine.
     highest = np.argsort(-heights, kind="stable")[:WORST]
     more = [(float(heights[i]), as_box(boxes[i])) for i in highest]
     return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
@@ -149,6 +151,7 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
     shares = lengths / spans
     longest = np.argmax(shares, axis=1)
     tried = (shares > FINEST) & np.isfinite(heights)[:, np.newaxis]
+    # What a bound owes to a side shows without its length, before anything is cut.
     thin = _flatten(boxes, *np.nonzero(tried))
     middle = take_middles(boxes[[np.argmax(heights)]])
     every = np.arange(len(boxes))

@@ -67,6 +67,7 @@ class Interval:
         return Interval(-self.high, -self.low, None if self._sign is None else -self._sign)
 
     def __add__(self, other: Interval) -> Interval:
+        # Two that have no sign may have a sum that has one.
         sign = self._sign if self._sign == other._sign else None
         return widen(self.low + other.low, self.high + other.high, sign or None)
 
@@ -122,6 +123,7 @@ class Interval:
         """Return a whole power."""
         if exponent < 0:
             return self.power(-exponent).inverted()
+        # As a product of the interval by itself an even power could be negative.
         base = self.size() if exponent % 2 == 0 else self
         return Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
 
@@ -163,6 +165,7 @@ def _multiply(a: Interval, b: Interval) -> Interval:
             np.minimum(one.low * other.low, one.high * other.low),
             np.maximum(one.low * other.high, one.high * other.high),
         )
+    # Minimum and maximum hand on NaN: what is not finite stays so.
     p, q, r, s = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
     return widen(
         np.minimum(np.minimum(p, q), np.minimum(r, s)),
@@ -191,6 +194,7 @@ def widen(low: Ends, high: Ends, sign: int | None = None) -> Interval:
         low = np.where(np.abs(low) < SMALLEST, np.minimum(np.sign(low), 0.0) * SMALLEST, low)
         high = np.where(np.abs(high) < SMALLEST, np.maximum(np.sign(high), 0.0) * SMALLEST, high)
     if sign:
+        # One factor moves each end outward, and no absolute values are taken.
         outward = sign * OUTWARD
         return Interval(low * (1 - outward), high * (1 + outward), sign)
     return Interval(low - np.abs(low) * OUTWARD, high + np.abs(high) * OUTWARD)
@@ -228,6 +232,7 @@ with working_precision(BITS):
     PI = enclose_ball(arb.pi())
 
 
+# Boxes that were halved share ends, of which each is asked for once.
 @lru_cache(KEPT)
 def _enclose(name: str, value: float) -> tuple[float, float]:
     with working_precision(BITS):

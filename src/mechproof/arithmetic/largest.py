@@ -58,6 +58,7 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int) -> Larges
         sizes = (boxes[:, :, 1] - boxes[:, :, 0]).max(axis=1)
         order = np.lexsort((sizes, -heights))
         boxes, heights = boxes[order], heights[order]
+        # What the bound is at a point it reaches: no division gets below that.
         middles = _raise(bound(take_middles(boxes[:TOGETHER])))
         thin = _are_thin(boxes, whole)
         if np.isinf(heights[0]) and (np.isinf(middles[0]) or count >= most or thin[0]):

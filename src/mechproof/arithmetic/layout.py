@@ -68,6 +68,7 @@ class Layout:
         self._steps = left
 
     def _place(self, node: sp.Basic) -> int:
+        # SymPy keeps equal parts apart; by their hash they are one step.
         if node not in self._slots:
             inner = self._given.get(node)
             self._slots[node] = self._append(node) if inner is None else self._place(inner)

@@ -124,9 +124,11 @@ class Bracketed:
         for _ in range(_NARROWINGS):
             middle = arb(place.mid())
             step = middle - self.of(middle) / slope
+            # Both hold the root, if there is one: where they do not meet, nothing is known.
             if not step.overlaps(place):
                 return NOT_FINITE
             narrower = step.intersection(place)
+            # Newton's steps square the error: one that does not even halve it meets the precision.
             if not 2 * narrower.rad() < place.rad():
                 return narrower
             place, slope = narrower, self.slope(narrower)
@@ -146,6 +148,7 @@ def enclose_root(node: Implicit, values: Values, evaluate: Evaluate) -> Ball:
     if not (given.low.is_finite() and given.width.is_finite() and given.width >= 0):
         return NOT_FINITE
     isolated = given.isolate()
+    # At most one root by the slope, at least one by the signs at the ends.
     if not (isolated.is_one and given.changes_sign()):
         return NOT_FINITE
     return given.low + given.narrow(isolated)

@@ -62,6 +62,7 @@ class TaylorExpression:
     ) -> None:
         self._variable = variable
         known = {symbol: value for symbol, value in values.items() if symbol != variable}
+        # Once for all expansions, with more bits than the finest of them works with.
         with working(1, CONSTANT_BITS):
             inner = {s: e for s, e in given.items() if s not in (variable, *values)}
             self._layout = Layout(expression, plan, inner, whole=())
@@ -206,6 +207,7 @@ def _direction(y: Series, x: Series) -> Series:
         return _leave_open()
     if ctx.cap == 1:
         return arb_series([start])
+    # The integral has no first term, which is the angle that `start` holds.
     turn = ((x * y.derivative() - y * x.derivative()) / square).integral()
     return turn + start
 

@@ -218,6 +218,7 @@ def _differentiate(node: sp.Basic, given: Balls, moved: list[bool]) -> Balls:
 
 def _leave_one_out(factors: Balls) -> Balls:
     """Return the products of all factors but one."""
+    # The product is not divided by each factor, whose ball may hold zero.
     before = itertools.accumulate(factors[:-1], operator.mul, initial=1)
     after = [*itertools.accumulate(reversed(factors[1:]), operator.mul, initial=1)]
     return [a * b for a, b in zip(before, reversed(after), strict=True)]

@@ -70,10 +70,12 @@ class _Instrument(ast.NodeTransformer):
             _refuse(node, f"no emitted code has {ast.unparse(node)!r}")
         block = node.body if isinstance(node, ast.FunctionDef | ast.If | ast.With) else []
         if any(isinstance(statement, ast.Return) for statement in block[:-1]):
+            # What stands there is never run: no tape would show it.
             _refuse(node, "more comes after a return")
         return super().visit(node)
 
     def visit_alias(self, node: ast.alias) -> ast.alias:
+        # Else one function could be called by the name of another.
         if node.asname not in (None, SHORT.get(node.name, f"_{node.name}")):
             _refuse(node, f"{node.name} is called {node.asname}")
         return node
@@ -158,6 +160,7 @@ def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
     def define(found: Any) -> Any:
         decorator, function = found if isinstance(found, tuple) else ("", found)
         defined[function.__name__] = decorator, function
+        # What is compiled is one operation to those who call it, and is read by itself.
         return partial(tape.record, function.__name__) if decorator else function
 
     offered = {**UNUSED, **offer(tape)}
@@ -167,6 +170,7 @@ def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
     }
     try:
         tree = _Instrument().visit(ast.parse(source))
+        # The imports from the future are those of the emitted text, not of this one.
         code = compile(tree, FILE, "exec", dont_inherit=True)
         read = {"": tape.run(lambda: exec(code, names))}
         return read | {name: _read(tape, *found) for name, found in tuple(defined.items())}

@@ -87,6 +87,8 @@ class _Writer:
         level = infix.level
         # Comparisons do not chain: both sides bind more.
         left = level + 1 if level == COMPARISON else level
+        # Brackets to the right stay, of sums and products, too: a + (b + c) is rounded as it
+        # stands.
         return f"{self.enclose(one, left)} {infix.sign} {self.enclose(other, level + 1)}", level
 
     def _write_reduction(self, kind: str, value: Operand, axes: Operand) -> str:

@@ -111,6 +111,7 @@ class Lowering:
             return int(exact)
         if sp.Rational(float(exact)) == exact:
             return float(exact)
+        # As a quotient it is still the exact number to those who read the program.
         return self._add("divide", int(exact.p), int(exact.q))
 
     def _constant(self, constant: sp.Basic) -> Operand:
@@ -127,6 +128,7 @@ class Lowering:
         return self._add(row.name, *map(self.lower, function.args))
 
     def _alongside(self, alongside: KeepsShape) -> Operand:
+        # Zero times the argument: the value takes its shape, and its NaN.
         value, argument = map(self.lower, alongside.args)
         return self._add("add", value, self._add("multiply", 0, argument))
 

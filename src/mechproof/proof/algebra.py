@@ -59,6 +59,7 @@ class Field:
         self._degree = lcm(*(int(q) for q in broken if q > 2))
         self._translated.clear()
         translated = self._translate(expression)
+        # Generators are met while it is translated: only now are all relations known.
         return is_zero(translated, self._relations)
 
     @property
@@ -149,6 +150,7 @@ class Field:
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
 
     def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
+        # Half an arctangent has no point that is rational in its argument and one root.
         if isinstance(monomial, _ARGUMENTS) and self._denominators[monomial] == 1:
             return self._point_of_argument(monomial)
         if monomial not in self._circle:

@@ -90,6 +90,7 @@ def _is_positive(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
     ball = _enclose(f, ends)
     if ball > 0:
         return True
+    # Where an end is not positive no halving helps: it stays an end.
     if halvings == 0 or any(_enclose(f, (end, end)) <= 0 for end in ends):
         return False
     return all(_is_positive(f, half, halvings - 1) for half in _halve(ends))

@@ -36,6 +36,7 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     condition = min(_list_conditions(sides), key=sp.default_sort_key, default=None)
     if condition is None:
         return None
+    # A case that no point of the domain is in need not be proved.
     cases = {True: narrow(domain, condition), False: narrow(domain, condition.negated)}
     return _join(
         prove(*_pin([_assume(side, condition, holds=holds) for side in sides], part))

@@ -72,6 +72,7 @@ def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinat
     elif high.is_infinite:
         coordinates.replacement[symbol] = low + v
     else:
+        # It reaches low and never high, which is looked at by itself where it belongs to the set.
         coordinates.replacement[symbol] = low + (high - low) * v / (1 + v)
 
 

@@ -252,6 +252,7 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> Order | None:
         return _constant(limit)
     if isinstance(node, _LIKE_ARGUMENT) and _find(node.args[0], domain, depth - 1) == 0:
         return _find_order(node.args[0], domain, depth - 1)
+    # Bounded, but like no number: of its sign nothing is said.
     return _constant(None) if isinstance(node, _BOUNDED) else None
 
 
@@ -280,6 +281,7 @@ def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> Order | None:
     above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
     factor = above.LC() / below.LC()
     power = sp.Integer(above.degree() - below.degree())
+    # A leading coefficient with letters may be zero, and then the degree is another.
     is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
     return Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
 
@@ -299,6 +301,7 @@ def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> Order | None
     if any(order.factor is None for order in top):
         return replace(largest, factor=None)
     factor = sp.Add(*(order.factor for order in top))
+    # Leading terms that cancel leave one of lower order, of which this tells nothing.
     return Order(*largest.size, factor) if _direction(factor, domain) else None
 
 

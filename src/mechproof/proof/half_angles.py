@@ -198,6 +198,7 @@ def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
     """Return a middle of the base angle, and where it runs about it: within a turn, or the turn."""
     if isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite:
         ends = [end / denominator for end in values.args[:2]]
+        # By quarter turns, after which sines and cosines are such again, but for order and sign.
         centre = sp.pi / 2 * sp.floor((ends[0] + ends[1]) / sp.pi + sp.S.Half)
         low, high = (end - centre for end in ends)
         if (low >= -sp.pi) == sp.true and (high <= sp.pi) == sp.true:

@@ -56,6 +56,7 @@ def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
     """List the variables of functions that run in intervals and stand in no relation."""
     powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}
+    # What stands in a relation does not run through its set whatever the others are.
     coupled = {s for relation in domain.where for s in relation.free_symbols}
     symbols = {s for node in nodes for s in node.free_symbols} - coupled
     runs = sorted((s for s in symbols if isinstance(domain.set_of(s), sp.Interval)), key=str)
@@ -96,6 +97,7 @@ def _grows(
 def _is_zero_nowhere_long(f: sp.Expr, slope: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
     """Tell whether a derivative of an analytic function, for no parameters, is zero throughout."""
     middle = choose_place(domain.set_of(x), sp.S.Half, 1)
+    # Zeros of an analytic function that is not zero throughout lie apart.
     is_positive_there = _is_shown(slope.subs(x, middle), True, _without(domain, x))
     return is_positive_there and is_analytic_inside(f, x, domain)
 

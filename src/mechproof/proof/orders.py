@@ -20,6 +20,7 @@ class Order:
     def times(self, other: Order) -> Order:
         """Return the order of a product."""
         rate, power, logs = (a + b for a, b in zip(self.size, other.size, strict=True))
+        # Bounded times what goes to a number is bounded, and like no number.
         if self.factor is None or other.factor is None:
             return Order(rate, power, logs, None)
         return Order(rate, power, logs, self.factor * other.factor)

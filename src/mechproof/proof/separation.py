@@ -74,6 +74,7 @@ class _Extension:
     def measure(self, number: sp.Expr) -> _Bits:
         """Return the bits of a number; `_NotAlgebraicError` if none are known."""
         if number.is_Rational:
+            # Of p a power of two above it, of q the least that is not below it.
             return _Bits(abs(int(number.p)).bit_length(), int(number.q - 1).bit_length())
         if isinstance(number, sp.Add | sp.Mul):
             join = _Bits.add if number.is_Add else _Bits.multiply
@@ -112,6 +113,7 @@ def decide_by_separation(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
         bits = extension.measure(difference)
     except _NotAlgebraicError:
         return None
+    # The product of all conjugates of the upper integer is a whole number: at least 1, if not 0.
     most = (extension.find_degree() - 1) * bits.above + bits.below
     if most > _MOST_BITS:
         return None

@@ -234,6 +234,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
     coordinates = _change_coordinates(expression, domain)
     expression = name_exponentials(expression, coordinates)
     changed = _name_positive_cosines(free_tangents(expression), coordinates, domain)
+    # Gaps are chained, as in R3 < R2 < R1: what is put in may hold letters that are replaced.
     for _ in range(3):
         changed = changed.xreplace(coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
@@ -282,8 +283,10 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
         return
     small, large = relation.lts, relation.gts
     where = domain.set_of(large)
+    # A letter with an upper end keeps the coordinate that says so: a gap has none.
     if not large.is_Symbol or small.has(large) or where.sup != sp.oo:
         return
+    # Without the relations, which would ask for this sign again.
     low = where.inf == -sp.oo or find_sign(small - where.inf, replace(domain, where=()))
     if low is None or (isinstance(low, StrictSign) and low.direction < 0):
         return

@@ -159,6 +159,7 @@ def _carry_out_deltas(term: sp.Expr, limits: list[Limit]) -> tuple[sp.Expr, list
     limits = list(limits)
     while deltas := sorted(term.atoms(sp.KroneckerDelta), key=sp.default_sort_key):
         delta = deltas[0]
+        # Under a root, say, a delta is no choice of one index.
         if delta not in sp.Mul.make_args(term):
             raise NotImplementedError(f"{delta} that is not a factor of {term}")
         first, second = delta.args
@@ -193,6 +194,7 @@ def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
         renamed = body.subs(dict(zip((i for i, _ in order), names, strict=True)), simultaneous=True)
         bounds = [(n, 1, u) for n, (_, u) in zip(names, order, strict=True)]
         candidates.append(sp.Sum(renamed, *bounds))
+    # Any rule would do that does not look at the names the paper gave.
     return min(candidates, key=sp.srepr)
 
 

@@ -134,6 +134,8 @@ def _solve(step: sp.Expr, growth: sp.Expr, k: sp.Symbol) -> sp.Expr | None:
     unknown = sp.symbols(f"c:{_MOST_UNKNOWN}", cls=sp.Dummy)
     form = sp.denom(growth).subs(k, k - 1) / sp.denom(step)
     form *= sp.Add(*(c * k**power for power, c in enumerate(unknown)))
+    # The unknowns stand in the identity linearly: its numerator gives one equation for each power
+    # of k.
     rest = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - step))
     found = next(iter(sp.linsolve(sp.Poly(rest, k).coeffs(), unknown)), None)
     values = {} if found is None else dict(zip(unknown, found, strict=True))

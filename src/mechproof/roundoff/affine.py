@@ -107,6 +107,7 @@ def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
         moved = np.einsum("ij...,j...->i...", square, x)
         x = np.maximum(moved / np.max(moved, axis=0), LEAST)
     moved = np.einsum("ij...,j...->i...", square, x)
+    # By Collatz and Wielandt: whatever positive x is, so that the power method needs no proof.
     return np.sqrt(np.max(moved / x, axis=0)) * SLACK
 
 

@@ -84,6 +84,7 @@ def _quotient(name: str, size: Ends) -> Interval:
     tiny = size <= TINY
     safe = np.where(tiny, 1.0, size)
     found = apply(name, safe) / Interval(safe, safe)
+    # Zero over zero is no number; below TINY the quotient is 1 but for less than a rounding.
     near = around(1.0, TINY**2)
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
@@ -120,6 +121,7 @@ def _take_tangent(monomial: IntervalMonomial) -> IntervalMonomial:
 
 def take_sine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the sine."""
+    # sin(z)/z falls up to 4.49, where tan z = z.
     return take_odd(reduce(monomial, turn, 1), "sin", sine, 4.0)
 
 

@@ -197,6 +197,7 @@ class ErrorAnalysis:
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         if step.ulps <= HALF and step.kind in LIMITED:
+            # Rounded right, what is at most 1 stays so; a library that is off by more may pass it.
             found = RoundedEndpoints(within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
@@ -261,6 +262,7 @@ class ErrorAnalysis:
         if step.kind != "subtract" or step.result in self._scaled:
             return False
         one, other = (monomial.expanded() for monomial in given)
+        # Sterbenz's lemma (1974); of negative numbers both cannot hold.
         return (2 * other.low >= one.high) & (other.high <= 2 * one.low)
 
     def sum_errors(self, output: Operand, bar: ErrorScale) -> Ends:
@@ -292,6 +294,7 @@ class ErrorAnalysis:
         slopes = {output: self._one}
         errors: dict[str, list[Ends]] = {}
         numbers = None
+        # Once backwards for all steps: what an output owes to each is known when it is met.
         for rounded in reversed(self.rounded):
             slope = slopes.pop(rounded.step.result, None)
             if slope is None or rounded.step.result in self.held:
@@ -321,6 +324,8 @@ class ErrorAnalysis:
             for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
+                    # Added before any size is taken: the slopes of a value that is used twice may
+                    # cancel.
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         if numbers is not None:
             sizes = [(numbers * inverse).expanded().largest() for inverse in inverses]

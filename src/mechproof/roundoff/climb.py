@@ -103,6 +103,7 @@ def gather(one: Population, other: Population, most: int) -> Population:
 
 def _select(population: Population, most: int) -> Population:
     """Keep the worst, each place once."""
+    # Twice as many as are kept: some are one place, where a child did not move.
     order = np.argsort(-population.heights, kind="stable")[: 2 * most]
     rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in population.points])
     _, first = np.unique(rows, axis=0, return_index=True)
@@ -119,6 +120,7 @@ def _choose(kept: Column, one: Column, other: Column) -> Column:
 
 def _move(column: Column, rng: np.random.Generator) -> Column:
     """Move some numbers, others stay; of every other vector or matrix all."""
+    # Errors jump from double to double: steps of all sizes, and no slope to follow.
     steps = np.rint(rng.normal(size=column.shape) * 2.0 ** rng.uniform(0, MOST_ULPS, column.shape))
     factor = 1 + rng.normal(size=column.shape) * 10 ** rng.uniform(
         FINEST_MOVE, WIDEST_MOVE, column.shape

@@ -103,5 +103,7 @@ def _find_powers(kind: str, count: int) -> tuple[float, ...]:
 
 def _find_share(term: IntervalMonomial, other: IntervalMonomial) -> Interval:
     """Return a term's share of a sum."""
+    # The one is finite where the term does not vanish, the other where the rest of the sum does
+    # not.
     of_rest = (ONE + (other / term).expanded()).inverted()
     return of_rest.intersection(ONE - (ONE + (term / other).expanded()).inverted())

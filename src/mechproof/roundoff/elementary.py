@@ -88,6 +88,7 @@ def _prove_angle(kind: str) -> ErrorTable:
         bounds = _put_on(_bound_reduced(replace(found, straight=straight), low, high), off)
         if not quarters:
             unreduced[places] = _put_on(_bound(straight, {REST: None}, low, high), off)
+            # Beyond `near`, too, the nearest number may be none, and then the angle is not reduced.
             bounds = np.maximum(bounds, unreduced[places])
         reduced[places] = np.maximum(reduced[places], bounds)
     # Where the number is none, whatever is rounded.

@@ -116,6 +116,7 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
     known = found.span.is_finite
     for span in given:
         known = known & span.is_finite
+    # So written that a whole of which nothing is known, NaN, is never the narrower.
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
@@ -134,6 +135,7 @@ def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:
     """Enclose what is off by so many ulps."""
+    # An ulp is at most EPS of its number; twice that covers the rounding of the ends.
     share = 2 * ulps * EPS
     return Interval(span.low - np.abs(span.low) * share, span.high + np.abs(span.high) * share)
 
@@ -154,5 +156,7 @@ def shifts(kind: str, given: Sequence[Interval]) -> Mask:
 def limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
     """Bound the rounding of a sum by a term of it: the other one is a double."""
     if kind in ("add", "subtract"):
+        # The double next to a + b is no farther from it than a is, which is |b|; and the same with
+        # b. Where one size is not known the other is a bound all the same.
         return np.fmin(given[0].largest(), given[1].largest())
     return np.inf

@@ -64,6 +64,7 @@ class ErrorTable:
         known = np.isfinite(low) & np.isfinite(high)
         first = np.searchsorted(self.edges, np.where(known, low, 0.0), "right") - 1
         after = np.searchsorted(self.edges, np.where(known, high, self.edges[-1]), "left") - 1
+        # Clipped to the last piece it would look bounded.
         beyond = known & (high > self.edges[-1])
         first = np.clip(first, 0, last)
         found = highest[first, np.clip(after, first, last)]

@@ -21,11 +21,13 @@ def fma(a: Any, b: Any, c: Any) -> Any:
     low, lowest = add_exactly(c, product_rest(a, b, product))
     high, middle = add_exactly(product, low)
     fused = high + add_to_odd(middle, lowest)
+    # The rests of infinities are NaN, where the plain sum is right.
     return np.where(np.isfinite(fused), fused, product + c)
 
 
 def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
     """Return the rounded sum and what rounding took from it."""
+    # Knuth's sum (1969), which does not ask which of both is larger.
     total = a + b
     part = total - a
     return total, (a - (total - part)) + (b - part)

@@ -42,6 +42,7 @@ def find_own_grid(doubles: Interval) -> Grid:
     least = np.maximum(doubles.low, -doubles.high)
     apart = least > 0
     _, exponents = np.frexp(np.where(apart, least, 1.0))
+    # The least has the finest spacing, of which those of all others are multiples.
     return np.where(apart, exponents - float(BITS), NONE)
 
 
@@ -50,6 +51,8 @@ def find_grid_of_number(number: float) -> Grid:
     above, below = float(number).as_integer_ratio()
     if above == 0:
         return np.float64(np.inf)
+    # The lowest bit above and the number below are powers of two, each one bit longer than its
+    # exponent.
     return np.float64((above & -above).bit_length() - below.bit_length())
 
 

@@ -153,6 +153,7 @@ class IntervalMonomial:
             return IntervalMonomial(self.variables, self.span + other.span, self.powers)
         if other._is_zero or self._is_zero:
             return self if other._is_zero else other
+        # Only what both vanish with is a factor of the sum.
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         return IntervalMonomial(self.variables, self._over(common) + other._over(common), common)
 
@@ -169,6 +170,7 @@ class IntervalMonomial:
 
     def __mul__(self, other: IntervalMonomial) -> IntervalMonomial:
         powers, others, none = self.powers, other.powers, self.variables.none
+        # Most have no powers: their identity tells it at once.
         if powers is none:
             powers = others
         elif others is not none:

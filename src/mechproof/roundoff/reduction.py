@@ -46,6 +46,7 @@ def bound_reduction(per: float, words: tuple[float, ...]) -> ReductionError:
     with working_precision(BITS):
         quarter = arb.pi() / 2
         left = _above(abs(quarter + sum(map(arb, words), arb(0))))
+        # The words are taken off, so that they are negative.
         after_first = _above(abs(quarter + arb(words[0])))
         miss = _above(abs(arb(per) - 1 / quarter))
     largest = DOUBLE.largest
@@ -87,6 +88,7 @@ def find_nearest(largest: float) -> float:
     nearest, end = Fraction(1), Fraction(1)
     while end <= largest:
         unit = end * Fraction(UNIT)
+        # Convergents are the best approximations: no other number of quarters comes nearer.
         for number in _list_denominators(quarter / unit, end / quarter + 1):
             over = number * quarter / unit
             nearest = min(nearest, abs(over - round(over)) * unit)

@@ -176,6 +176,7 @@ def _list_turned(
             yield ChartRegion(chart, names, box, True, turns)
     last = 2 * math.pi * apart - HALF_TURN
     if last < high:
+        # By their reciprocals angles without end are a box with ends.
         inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
         yield ChartRegion(chart, names, (*box, inverse), True)
 

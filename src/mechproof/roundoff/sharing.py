@@ -33,5 +33,6 @@ def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
+    # By their bits: 0.0 and -0.0 are equal and not one operand.
     texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
     return step.kind, tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts

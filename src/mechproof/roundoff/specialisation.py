@@ -124,6 +124,7 @@ class _Resolver:
         if isinstance(first, Whole) and isinstance(second, Whole):
             self._facts[operation.result] = first == second
             return True
+        # No larger size is zero (`Case`).
         if self._find(operation.operands[0]) == self._find_larger() and operation.operands[1] == 0:
             self._facts[operation.result] = False
             return True

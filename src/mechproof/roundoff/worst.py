@@ -46,6 +46,7 @@ def find_worst(
 ) -> WorstRounding:
     """Draw points of the boxes of regions and climb from the worst, some times anew."""
     rng = np.random.default_rng(seed)
+    # Balls alone take a thousand times as long: one climb has to do.
     climbs = [_climb(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
     return max(climbs, key=lambda found: found.eps)
 

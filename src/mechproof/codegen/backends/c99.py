@@ -47,6 +47,8 @@ ACCURACY = {
     True: "Accuracy is the largest error that a search has found, in floats as they are computed "
     "here, where no value on the way leaves their range; eps = 2**-23.",
 }
+# What is contracted is rounded otherwise than what was proved; errno and traps would keep loops
+# from being vectorised.
 FLAGS = "-std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
 COMMAND = f"cc {FLAGS}"
 # Points whose angles are asked for together: of a block numbers stay in the first cache.

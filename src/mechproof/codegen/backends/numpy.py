@@ -216,6 +216,7 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
     """Return what a template asks for, and the template, which may include others of its folder."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder),
+        # A name that is misspelt would be laid out as nothing.
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -238,6 +239,7 @@ def format_source(source: str, name: str = "kernel.py") -> str:
     # Its program at once: a Python that only starts it takes ten times as long.
     from ruff.__main__ import find_ruff_bin
 
+    # Isolated: the settings of a folder of the user would change the bytes.
     command = [find_ruff_bin(), "format", "--isolated", "--target-version", "py311"]
     arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", name, "-"]
     done = subprocess.run(

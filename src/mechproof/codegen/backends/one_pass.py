@@ -38,6 +38,7 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
     if wrong := list_unlike_domains(kernels):
         raise NotImplementedError(f"{name}: {wrong} have another domain than {first.name!r}")
     arguments = list_arguments(first)
+    # Each kernel chooses its form by itself: any may meet any.
     stages = product(*([stage for _, stage in list_stages(kernel)] for kernel in kernels))
     components = [argument.components for argument in arguments]
     code = KernelCode(

@@ -149,6 +149,7 @@ class _Maker:
         z = r * r
         sine = multiply_add(r * z, polynomial(z, odd.above), r)
         half = z * 0.5
+        # What the rounding of 1 - z/2 takes is added again, as by FreeBSD's library.
         near = 1.0 - half
         cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - half)
         return sine, cosine
@@ -311,11 +312,13 @@ class _Maker:
     @_body()
     def sum_rest(self, a: Value, b: Value, s: Value) -> Value:
         """Return a + b - s."""
+        # Dekker's sum (1971), exact where |b| <= |a|.
         return b - (s - a)
 
     @_body()
     def total_rest(self, a: Value, b: Value, s: Value) -> Value:
         """Return a + b - s, whichever of both is larger."""
+        # Knuth's sum (1969), exact in either order.
         part = s - a
         return (a - (s - part)) + (b - part)
 
