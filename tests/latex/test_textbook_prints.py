@@ -33,6 +33,8 @@ COLLECTED = [
     (r"{}^2T_3\,{}^{3}T_4", [r"{}^{2}T_{3}", r"{}^{3}T_{4}"]),
     (r"\text{drift}+\mathrm{gain}_1", [r"\text{drift}", r"\mathrm{gain}_{1}"]),
     (r"\mathrm{m}+2x\mathrm{m}", [r"\mathrm{m}"]),
+    # A unit of one letter may be a letter.
+    (r"2\mathrm{A}+x", [r"\mathrm{A}"]),
     (r"\mathbf{q}_1\cdot\vec{q}\cdot q", [r"\mathbf{q}_{1}", r"\vec{q}", "q"]),
     (
         r"\underline{q}_1\cdot{\bf q}\cdot{\rm gain}",

@@ -30,7 +30,7 @@ UNSURE = {
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
-# Units that may just as well be letters.
+# Units that are just as often letters behind a number.
 _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
