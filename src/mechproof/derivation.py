@@ -28,6 +28,7 @@ from mechproof.domains.dimensions import check_derived
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
 from mechproof.record import Paper
+from mechproof.tools.files import import_file
 from mechproof.tools.processes import limit_time
 
 PACKAGE = "mechproof.derivations"
@@ -166,13 +167,7 @@ def load_kernels(name: str, generated: Path | None) -> ModuleType | None:
     if known and full not in sys.modules and file.read_bytes() == known.read_bytes():
         return importlib.import_module(full)
     own = f"_mechproof_kernels_{sha256(str(file.resolve()).encode()).hexdigest()[:16]}"
-    spec = importlib.util.spec_from_file_location(own, file)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[own] = module
-    spec.loader.exec_module(module)
-    return module
+    return import_file(own, file)
 
 
 def check_folder(derivations: Any) -> Path:

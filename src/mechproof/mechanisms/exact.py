@@ -8,11 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.arguments.scalars import check_real, refuse
+from mechproof.arguments.scalars import check_count, check_items, check_real, refuse, require
 
 Number = float | Fraction
 # Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
 Given = float | Fraction | Decimal | str
+
+
+def check_teeth(teeth: tuple[int, int]) -> tuple[int, int]:
+    """Return the least and the largest number of teeth."""
+    first, last = (check_count("teeth", z) for z in check_items("teeth", teeth, 2, "must be two"))
+    require(first <= last, "teeth", teeth, "must be the least and the largest number")
+    return first, last
 
 
 def check_number(name: str, value: Any) -> Number:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_items, require
-from mechproof.mechanisms.exact import Given, check_number
+from mechproof.mechanisms.exact import Given, check_number, check_teeth
 
 Floats = NDArray[np.float64]
 
@@ -90,7 +90,7 @@ def find_teeth(
 
     """
     radii = _check_radii(R1, R2, internal)
-    first, last = _check_limits(teeth)
+    first, last = check_teeth(teeth)
     sizes = check_items("modules", modules, None, "must be numbers")
     known = sorted({Fraction(check_number("modules", module)) for module in sizes})
     for module in known:
@@ -120,7 +120,7 @@ def find_nearest_teeth(
 
     """
     wanted_1, wanted_2 = _check_radii(R1, R2, internal)
-    first, last = _check_limits(teeth)
+    first, last = check_teeth(teeth)
     ratio = wanted_1 / wanted_2
     axes = wanted_1 - wanted_2 if internal else wanted_1 + wanted_2
     pairs = [
@@ -160,7 +160,7 @@ def find_oval_teeth(
     """
     count = check_count("lobes", lobes)
     require(count <= 2, "lobes", lobes, "must be 1 or 2")
-    first, last = _check_limits(teeth)
+    first, last = check_teeth(teeth)
     perimeter = float(oval_perimeter(a, e) if count == 2 else ellipse_perimeter(a, e))
     # From the largest radius to the smallest are z/(2 lobes) pitches: a tooth meets a gap if that
     # is a whole number and a half.
@@ -235,9 +235,3 @@ def _check_radii(R1: Given, R2: Given, internal: bool) -> tuple[Fraction, Fracti
         require(radius > 0, name, float(radius), "must be positive")
     require(not internal or radii[1] < radii[0], "R2", R2, f"must be below R1 = {R1!r}")
     return radii
-
-
-def _check_limits(teeth: tuple[int, int]) -> tuple[int, int]:
-    first, last = (check_count("teeth", z) for z in check_items("teeth", teeth, 2, "must be two"))
-    require(first <= last, "teeth", teeth, "must be the least and the largest number")
-    return first, last

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
-from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import mkdtemp
 from types import ModuleType
@@ -32,7 +32,7 @@ from mechproof.tailoring.model import Model
 from mechproof.tailoring.receiving import receive
 from mechproof.tailoring.request import Request
 from mechproof.tools.cache import cache_folder
-from mechproof.tools.files import write_whole
+from mechproof.tools.files import import_file, write_whole
 
 NUMBA, NUMPY = "numba", "NumPy"
 # Characters of a name that every compiler of C99 tells apart.
@@ -189,16 +189,8 @@ def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
 def _import(source: str) -> ModuleType:
     """Import a source from a file, which numba keeps compiled code beside."""
     name = f"mechproof_tailored_{sha256(source.encode()).hexdigest()[:16]}"
-    if name in sys.modules:
-        return sys.modules[name]
-    file = _keep(name, source)
-    spec = spec_from_file_location(name, file)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    return module
+    known = sys.modules.get(name)
+    return import_file(name, _keep(name, source)) if known is None else known
 
 
 def _keep(name: str, source: str) -> Path:

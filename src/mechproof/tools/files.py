@@ -1,9 +1,12 @@
-"""Files that are written in one step."""
+"""Files that are written in one step, and modules of files anywhere."""
 
 from __future__ import annotations
 
 import os
+import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 
 
 def write_whole(target: Path, text: str) -> None:
@@ -21,3 +24,14 @@ def write_whole(target: Path, text: str) -> None:
         os.replace(staged, target)
     finally:
         staged.unlink(missing_ok=True)
+
+
+def import_file(name: str, file: Path) -> ModuleType:
+    """Run a file of Python as a module of this name, which nothing has yet."""
+    spec = spec_from_file_location(name, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
-from mechproof.arguments.scalars import check_count, check_items, refuse, require
+from mechproof.arguments.scalars import refuse, require
 from mechproof.mechanisms.dwells.spans import Place, Span
-from mechproof.mechanisms.exact import Number, check_number
+from mechproof.mechanisms.exact import Number, check_number, check_teeth
 from mechproof.tools.extras import tell_missing
 
 CONVEX = Fraction(1, 3)
@@ -125,8 +125,7 @@ def find_dwells(
         isinstance(rank, str) and rank in RANKS, "rank", rank, f"must be one of {', '.join(RANKS)}"
     )
     asked, search, bound = _check(width, eta, band, largest_e)
-    first, last = (check_count("teeth", z) for z in check_items("teeth", teeth, 2, "must be two"))
-    require(first <= last, "teeth", teeth, "must be the least and the largest number")
+    first, last = check_teeth(teeth)
     pairs = _sort_pairs(first, last)
     found, left = [], []
     for k, sizes in pairs.items():
