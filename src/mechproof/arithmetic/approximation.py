@@ -1,8 +1,7 @@
 """Approximation: in, a function in balls; out, the quotient of polynomials that meets it at nodes.
 
-The nodes are those of Chebyshev: within a small factor of the best approximation of its degrees,
-which the exchange of Remez (1934) would find. What it is off by is a Taylor polynomial about the
-middle of an interval, with its last term over the whole of it.
+What it is off by is a Taylor polynomial about the middle of an interval, with its last term over
+the whole of it.
 """
 
 from __future__ import annotations
@@ -29,8 +28,8 @@ def interpolate(
     """Return coefficients of powers, then of those in a denominator beside a 1.
 
     The nodes are Chebyshev's of the interval, of odd powers the positive ones. The largest error
-    is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15), and
-    nothing has to be exchanged. The working precision is to be `BITS`.
+    is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15), which
+    the exchange of Remez (1934) would find. The working precision is to be `BITS`.
     """
     count = len(powers) + len(below)
     angles = (arb.pi() * (2 * i + 1) / (2 * count * powers.step) for i in range(count))

