@@ -7,10 +7,9 @@ arithmetic is that of Moore (1966), one operation for many boxes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -34,12 +33,8 @@ BITS = 64
 KEPT = 2**17
 # Of angles: a little less than pi, and where a tangent has its pole.
 BEFORE_PI, BEFORE_POLE = 3.1415926535, 1.5707963267
-FUNCTIONS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
-    {
-        **{"tan": arb.tan, "cot": arb.cot, "arctan": arb.atan, "sin": arb.sin, "cos": arb.cos},
-        **{"exp": arb.exp, "log": arb.log},
-    }
-)
+# A function of balls of flint's.
+Function = Callable[[Any], Any]
 
 
 class Interval:
@@ -234,66 +229,66 @@ with working_precision(BITS):
 
 # Boxes that were halved share ends, of which each is asked for once.
 @lru_cache(KEPT)
-def _enclose(name: str, value: float) -> tuple[float, float]:
+def _enclose(function: Function, value: float) -> tuple[float, float]:
     with working_precision(BITS):
-        ball = FUNCTIONS[name](arb(value))
+        ball = function(arb(value))
         return float(ball.lower()), float(ball.upper())
 
 
-def apply(name: str, values: Ends) -> Interval:
+def apply(function: Function, values: Ends) -> Interval:
     """Return a function at doubles."""
     flat = np.atleast_1d(np.asarray(values, float)).ravel().tolist()
-    found = np.array([_enclose(name, v) if np.isfinite(v) else (np.nan, np.nan) for v in flat])
+    found = np.array([_enclose(function, v) if np.isfinite(v) else (np.nan, np.nan) for v in flat])
     shape = np.shape(values)
     return widen(found[:, 0].reshape(shape), found[:, 1].reshape(shape))
 
 
-def _rise(name: str, z: Interval) -> Interval:
-    return Interval(apply(name, z.low).low, apply(name, z.high).high)
+def _rise(function: Function, z: Interval) -> Interval:
+    return Interval(apply(function, z.low).low, apply(function, z.high).high)
 
 
 def tangent(z: Interval) -> Interval:
     """Return tangents; not finite beyond the first pole."""
     known = z.largest() < BEFORE_POLE
-    return _rise("tan", Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
+    return _rise(arb.tan, Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
 
 
 def cotangent(z: Interval) -> Interval:
     """Return cotangents; not finite where z is zero or beyond half a turn."""
     known = (z.largest() < BEFORE_PI) & ((z.low > 0) | (z.high < 0))
     low, high = np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)
-    return Interval(apply("cot", high).low, apply("cot", low).high)
+    return Interval(apply(arb.cot, high).low, apply(arb.cot, low).high)
 
 
 def arctangent(z: Interval) -> Interval:
     """Return arctangents."""
-    return _rise("arctan", z)
+    return _rise(arb.atan, z)
 
 
 def exponential(z: Interval) -> Interval:
     """Return exponentials."""
-    return _rise("exp", z)
+    return _rise(arb.exp, z)
 
 
 def logarithm(z: Interval) -> Interval:
     """Return logarithms; not finite where z is not positive."""
     known = z.low > 0
-    return _rise("log", Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
+    return _rise(arb.log, Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
 
 
 def sine(z: Interval) -> Interval:
     """Return sines."""
-    return _wave("sin", z, np.float64(0.25))
+    return _wave(arb.sin, z, np.float64(0.25))
 
 
 def cosine(z: Interval) -> Interval:
     """Return cosines."""
-    return _wave("cos", z, np.float64(0.0))
+    return _wave(arb.cos, z, np.float64(0.0))
 
 
-def _wave(name: str, z: Interval, crest: Ends) -> Interval:
+def _wave(function: Function, z: Interval, crest: Ends) -> Interval:
     """Return a wave; `crest` is where it is largest, in turns."""
-    ends = apply(name, z.low).union(apply(name, z.high))
+    ends = apply(function, z.low).union(apply(function, z.high))
     turns = z / (PI * exactly(2.0))
     # A crest too many does no harm.
     top = np.floor(turns.high - crest + 1e-9) >= np.ceil(turns.low - crest - 1e-9)

@@ -11,11 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from flint import arb
 
 from mechproof.arithmetic.intervals import (
     ONE,
     PI,
     Ends,
+    Function,
     Interval,
     apply,
     arctangent,
@@ -74,31 +76,31 @@ def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> Interv
     return z + monomial.variables.constant(quarters) if turn.is_half else z
 
 
-def over_argument(name: str, z: Interval) -> Interval:
+def over_argument(exact: Function, z: Interval) -> Interval:
     """Return function(z)/z for an odd function, that quotient monotone in |z|."""
     size = z.size()
-    return _quotient(name, size.low).union(_quotient(name, size.high))
+    return _quotient(exact, size.low).union(_quotient(exact, size.high))
 
 
-def _quotient(name: str, size: Ends) -> Interval:
+def _quotient(exact: Function, size: Ends) -> Interval:
     tiny = size <= TINY
     safe = np.where(tiny, 1.0, size)
-    found = apply(name, safe) / Interval(safe, safe)
+    found = apply(exact, safe) / Interval(safe, safe)
     # Zero over zero is no number; below TINY the quotient is 1 but for less than a rounding.
     near = around(1.0, TINY**2)
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
 
 def take_odd(
-    monomial: IntervalMonomial, name: str, function: Callable[[Interval], Interval], end: float
+    monomial: IntervalMonomial, exact: Function, enclose: Callable[[Interval], Interval], end: float
 ) -> IntervalMonomial:
     """Return an odd function, function(z)/z monotone up to an end, keeping what vanishes."""
     z = monomial.expanded()
     if any(monomial.powers) and min(monomial.powers) >= 0:
         inside = z.largest() < end
         if monomial.variables.choose(inside, ~inside) == 0:
-            return monomial.scaled(over_argument(name, z))
-    return monomial.variables.name(name, monomial, function(z))
+            return monomial.scaled(over_argument(exact, z))
+    return monomial.variables.name(exact, monomial, enclose(z))
 
 
 def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
@@ -116,19 +118,19 @@ def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonom
 
 
 def _take_tangent(monomial: IntervalMonomial) -> IntervalMonomial:
-    return take_odd(monomial, "tan", tangent, 1.5)
+    return take_odd(monomial, arb.tan, tangent, 1.5)
 
 
 def take_sine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the sine."""
     # sin(z)/z falls up to 4.49, where tan z = z.
-    return take_odd(reduce(monomial, turn, 1), "sin", sine, 4.0)
+    return take_odd(reduce(monomial, turn, 1), arb.sin, sine, 4.0)
 
 
 def take_cosine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the cosine."""
     argument = reduce(monomial, turn, 1)
-    return monomial.variables.name("cos", argument, cosine(argument.expanded()))
+    return monomial.variables.name(arb.cos, argument, cosine(argument.expanded()))
 
 
 def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
@@ -137,7 +139,7 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
         inverse = monomial.variables.constant(ONE) / monomial
         quarter = PI * exactly(0.5 * sign)
         return monomial.variables.constant(quarter - arctangent(inverse.expanded()))
-    return take_odd(monomial, "arctan", arctangent, math.inf)
+    return take_odd(monomial, arb.atan, arctangent, math.inf)
 
 
 def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:

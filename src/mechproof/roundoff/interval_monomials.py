@@ -14,7 +14,7 @@ from functools import reduce
 
 import numpy as np
 
-from mechproof.arithmetic.intervals import ONE, Ends, Interval, Mask
+from mechproof.arithmetic.intervals import ONE, Ends, Function, Interval, Mask
 
 Powers = tuple[int, ...]
 # So many times its least size is the largest of a wide interval.
@@ -113,7 +113,9 @@ class BoxVariables:
         self.spans.append(span)
         return self.variable(index)
 
-    def name(self, function: str, argument: IntervalMonomial, value: Interval) -> IntervalMonomial:
+    def name(
+        self, function: Function, argument: IntervalMonomial, value: Interval
+    ) -> IntervalMonomial:
         """Return a function's value; one next to zero is a variable, the same for all who ask.
 
         So it cancels where it is divided by itself.
