@@ -1,0 +1,70 @@
+"""One operation, one row: what is put together of others is named by arithmetics, and no table."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import mechproof
+from mechproof.programs.operations import KINDS
+
+ROOT = Path(mechproof.__file__).parent
+# What means others and is no sign; its row says all, but for these modules.
+SIGNS = {"add", "subtract", "multiply", "divide", "negate"}
+COMPOSED = {kind for kind, row in KINDS.items() if row.meaning} - SIGNS
+ARITHMETICS = {
+    "roundoff/running.py": "doubles, where a meaning would be rounded away, and balls",
+    "roundoff/extended.py": "long doubles, which are split elsewhere than doubles",
+    "roundoff/singles.py": "floats, fused by way of doubles",
+    "roundoff/rules.py": "intervals with slopes, in which a square has one side",
+    "roundoff/endpoint_rounding.py": "ends of intervals, each operation rounded once",
+    "roundoff/grids.py": "powers of two that exact results are multiples of",
+    "roundoff/steps.py": "factors by which all that is computed is scaled",
+    "roundoff/specialisation.py": "facts about quarter turns",
+    "roundoff/expansions.py": "what NumPy computes by others",
+    "roundoff/compiled_kernels.py": "what compiled kernels compute by others",
+    "roundoff/elementary.py": "what is proved of which function",
+    "lab/rounding.py": "balls with the errors of doubles",
+    "tailoring/taylor_models.py": "series with the errors of doubles",
+    "codegen/conditions.py": "two conditions for one",
+}
+
+
+def list_modules() -> Iterator[Path]:
+    """Yield the modules of who knows programs; others mean other things by the same words."""
+    for path in ROOT.rglob("*.py"):
+        rooms = ("mechproof.programs", "mechproof.roundoff", "mechproof.arithmetic.intervals")
+        if any(f"from {room}" in path.read_text("utf-8") for room in rooms):
+            yield path
+
+
+def list_named(source: str) -> Iterator[str]:
+    """Yield the composed kinds by which a table or an arithmetic of a module is keyed."""
+    for node in ast.walk(ast.parse(source)):
+        keys: list[object] = []
+        if isinstance(node, ast.Dict):
+            keys = [key.value for key in node.keys if isinstance(key, ast.Constant)]
+        elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "but":
+            keys = [keyword.arg for keyword in node.keywords]
+        yield from (str(key) for key in keys if key in COMPOSED)
+
+
+def test_tables_of_composed_operations_are_arithmetics() -> None:
+    found = (path for path in list_modules() if [*list_named(path.read_text("utf-8"))])
+    assert {path.relative_to(ROOT).as_posix() for path in found} == ARITHMETICS.keys()
+
+
+@pytest.mark.parametrize(
+    ("source", "named"),
+    [
+        ("T = {'product_rest': 1, 'add': 2}", ["product_rest"]),
+        ("T = {**{'fma': 'a'}}", ["fma"]),
+        ("A = B.but(hypot=f, sqrt=g)", ["hypot"]),
+        ("T = {'add': 1, 'sin': 2, 'negate': 3}", []),
+    ],
+)
+def test_a_table_beside_the_rows_is_seen(source: str, named: list[str]) -> None:
+    assert [*list_named(source)] == named
