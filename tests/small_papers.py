@@ -5,7 +5,7 @@ from __future__ import annotations
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.drafts.draft import draft_block
-from mechproof.sources.files import read_source
+from mechproof.sources.paper_files import read_source
 
 LETTERS = r"""%% mechproof
 %% r ; l : crank and rod [mm] {r>0}

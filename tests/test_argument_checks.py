@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from units import list_with_units
 
-from mechproof.arguments import arrays, scalars
+from mechproof.arguments import array_checks, scalars
 
 REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = [
     (scalars.check_number, "1", TypeError, "'1': must be a real number, not str"),
@@ -33,27 +33,47 @@ REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = 
     (scalars.check_count, 0, ValueError, "0: must be at least 1"),
     (scalars.check_triple, 0.1, TypeError, "0.1: must be three real numbers"),
     (scalars.check_triple, (1, 2), TypeError, r"\(1, 2\): must be three real numbers"),
-    (arrays.check_array, None, TypeError, "None: must be a real number or an array, not object"),
-    (arrays.check_array, [True], TypeError, r"\[True\]: must be a real number or an array"),
-    (arrays.check_array, np.longdouble(1), TypeError, ".*: must be a real number or an array"),
-    (arrays.check_array, np.ma.masked, TypeError, "masked: is a masked array; give NaN"),
+    (
+        array_checks.check_array,
+        None,
+        TypeError,
+        "None: must be a real number or an array, not object",
+    ),
+    (array_checks.check_array, [True], TypeError, r"\[True\]: must be a real number or an array"),
+    (
+        array_checks.check_array,
+        np.longdouble(1),
+        TypeError,
+        ".*: must be a real number or an array",
+    ),
+    (array_checks.check_array, np.ma.masked, TypeError, "masked: is a masked array; give NaN"),
     *(
         (check, value, TypeError, ".*: carries a unit; give plain numbers")
-        for check in (arrays.check_array, scalars.check_number)
+        for check in (array_checks.check_array, scalars.check_number)
         for value in list_with_units([1.0, 2.0])
     ),
-    (arrays.check_array, [[1, 2], [3]], ValueError, r"\[\[1, 2\], \[3\]\]: must .* of one length"),
-    (arrays.check_flag, "no", TypeError, "'no': must be True or False, not str"),
-    (arrays.check_flag, 1, TypeError, "1: must be True or False, not int"),
-    (arrays.check_generator, None, TypeError, r"None: must be a numpy\.random\.Generator"),
-    (arrays.check_shape, (2, -1), ValueError, "-1: must be at least 0"),
+    (
+        array_checks.check_array,
+        [[1, 2], [3]],
+        ValueError,
+        r"\[\[1, 2\], \[3\]\]: must .* of one length",
+    ),
+    (array_checks.check_flag, "no", TypeError, "'no': must be True or False, not str"),
+    (array_checks.check_flag, 1, TypeError, "1: must be True or False, not int"),
+    (array_checks.check_generator, None, TypeError, r"None: must be a numpy\.random\.Generator"),
+    (array_checks.check_shape, (2, -1), ValueError, "-1: must be at least 0"),
     (scalars.check_text, b"mm", TypeError, "b'mm': must be a text"),
     (scalars.check_function, 3, TypeError, "3: must be a function"),
-    (arrays.check_finite, [1, math.inf], ValueError, r"\[1, inf\]: must be finite"),
-    (arrays.check_finite, 10**400, ValueError, r"10+ \.\.\. 0+: must be finite"),
-    (arrays.check_finite, 1e151, ValueError, r".*between -1e\+150 and 1e\+150"),
-    (arrays.check_scale, [0, -1], ValueError, r"\[0, -1\]: must not be negative"),
-    (arrays.check_pair, (1, 2, 3), TypeError, r"\(1, 2, 3\): must be a pair \(lower, upper\)"),
+    (array_checks.check_finite, [1, math.inf], ValueError, r"\[1, inf\]: must be finite"),
+    (array_checks.check_finite, 10**400, ValueError, r"10+ \.\.\. 0+: must be finite"),
+    (array_checks.check_finite, 1e151, ValueError, r".*between -1e\+150 and 1e\+150"),
+    (array_checks.check_scale, [0, -1], ValueError, r"\[0, -1\]: must not be negative"),
+    (
+        array_checks.check_pair,
+        (1, 2, 3),
+        TypeError,
+        r"\(1, 2, 3\): must be a pair \(lower, upper\)",
+    ),
 ]
 
 
@@ -69,15 +89,15 @@ def test_components_and_limits_are_named() -> None:
     with pytest.raises(TypeError, match=r"^shift\[2\] = '3': must be a real number"):
         scalars.check_triple("shift", (1, 2, "3"))
     with pytest.raises(ValueError, match=r"^limits \(lower, upper\) = \(1, 1\): the lower limit"):
-        arrays.check_pair("limits", (1, 1))
+        array_checks.check_pair("limits", (1, 1))
     with pytest.raises(TypeError, match=r"^limits\[1\] = '2': must be a real number"):
-        arrays.check_pair("limits", (1, "2"))
+        array_checks.check_pair("limits", (1, "2"))
 
 
 def test_a_message_has_one_line() -> None:
     table = np.ma.masked_array(np.eye(3), np.eye(3, dtype=bool))
     with pytest.raises(TypeError, match=r"^table = masked_array\(.*\): is a masked array;"):
-        arrays.check_array("table", table)
+        array_checks.check_array("table", table)
 
 
 def test_what_is_allowed_comes_back() -> None:
@@ -87,9 +107,9 @@ def test_what_is_allowed_comes_back() -> None:
     assert math.isnan(scalars.check_not_negative("x", math.nan))
     assert scalars.check_count("n", np.int8(2), least=2) == 2
     assert scalars.check_triple("x", np.arange(3)) == (0, 1, 2)
-    assert arrays.check_array("x", [1, np.nan]).dtype == np.float64
-    assert np.isnan(arrays.check_scale("x", np.nan))
-    assert arrays.check_pair("x", (-np.inf, np.inf)) == (-np.inf, np.inf)
+    assert array_checks.check_array("x", [1, np.nan]).dtype == np.float64
+    assert np.isnan(array_checks.check_scale("x", np.nan))
+    assert array_checks.check_pair("x", (-np.inf, np.inf)) == (-np.inf, np.inf)
 
 
 def test_scalars_are_checked_without_numpy() -> None:

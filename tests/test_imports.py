@@ -78,7 +78,12 @@ LOADED = {
         *("sympy", "mechproof.latex", "mechproof.nomenclature", "mechproof.record"),
         "mechproof.sources",
     },
-    "domains": {"sympy", "mechproof.arithmetic", "mechproof.domains", "mechproof.record"},
+    "statement_domains": {
+        "sympy",
+        "mechproof.arithmetic",
+        "mechproof.statement_domains",
+        "mechproof.record",
+    },
     "programs": {
         *("sympy", "mpmath", "flint"),
         *("mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
@@ -93,15 +98,15 @@ LOADED = {
             "mechproof.arithmetic",
         ),
         *("mechproof.latex", "mechproof.proof", "mechproof.record"),
-        *("mechproof.domains", "mechproof.sources"),
+        *("mechproof.statement_domains", "mechproof.sources"),
     },
     "proof.newton": {
         *("numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.proof", "mechproof.record"),
-        "mechproof.domains",
+        "mechproof.statement_domains",
     },
     "ledger": {
         *("sympy", "mechproof.tools.cache", "mechproof.tools.notebook", "mechproof.arithmetic"),
-        *("mechproof.latex", "mechproof.domains", "mechproof.ledger", "mechproof.proof"),
+        *("mechproof.latex", "mechproof.statement_domains", "mechproof.ledger", "mechproof.proof"),
         *("mechproof.record", "mechproof.sources"),
     },
     "codegen": {
@@ -116,7 +121,7 @@ LOADED = {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         *("mechproof.executors", "mechproof.tools.extras"),
         *("mechproof.codegen", "mechproof.programs", "mechproof.arithmetic", "mechproof.proof"),
-        *("mechproof.domains", "mechproof.record", "mechproof.roundoff"),
+        *("mechproof.statement_domains", "mechproof.record", "mechproof.roundoff"),
         *("mechproof.tools.cache", "mechproof.tools.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
@@ -127,7 +132,7 @@ LOADED = {
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.programs", "mechproof.arithmetic"),
-        *("mechproof.domains", "mechproof.proof", "mechproof.record"),
+        *("mechproof.statement_domains", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
         *("mechproof.executors", "mechproof.tailoring", "mechproof.roundoff"),
     },
@@ -140,7 +145,7 @@ INSIDE = {
     "measurement": {"scipy", "uncertainties"},
     "tolerance": {
         *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
-        *("mechproof.domains", "mechproof.record"),
+        *("mechproof.statement_domains", "mechproof.record"),
     },
     "mechanisms": {"scipy", "flint", "mechproof.executors", "mechproof.tolerance"},
     "codegen": {"ruff"},

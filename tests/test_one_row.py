@@ -26,10 +26,10 @@ ARITHMETICS = {
     "roundoff/specialisation.py": "facts about quarter turns",
     "roundoff/expansions.py": "what NumPy computes by others",
     "roundoff/compiled_kernels.py": "what compiled kernels compute by others",
-    "roundoff/elementary.py": "what is proved of which function",
+    "roundoff/elementary_errors.py": "what is proved of which function",
     "lab/rounding.py": "balls with the errors of doubles",
     "tailoring/taylor_models.py": "series with the errors of doubles",
-    "codegen/conditions.py": "two conditions for one",
+    "codegen/condition_outputs.py": "two conditions for one",
 }
 
 

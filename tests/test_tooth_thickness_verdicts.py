@@ -10,11 +10,11 @@ from sympy import Interval, Rational, oo
 from weights import make_thorough
 
 from mechproof.derivations.tooth_thickness import claims, mechanics
-from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Part, PrintedNumber, Row
+from mechproof.statement_domains.domain import Domain
 
 
 def row(number: str) -> Row:

@@ -10,7 +10,7 @@ from derived import judge_all, paper_of
 from weights import first_of
 
 from mechproof.arithmetic import balls
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.form_rows import form_rows
 from mechproof.derivations.wedge_linkage import (
     boundaries,
     chain,
@@ -19,11 +19,11 @@ from mechproof.derivations.wedge_linkage import (
     symbols,
     transfer,
 )
-from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Conjunction, Equality, Form, Holds, Paper, PublishedSizes, Toleranced
+from mechproof.statement_domains.domain import Domain
 
 # The paper is judged in one process, once.
 pytestmark = pytest.mark.xdist_group("verdicts wedge_linkage")

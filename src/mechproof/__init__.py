@@ -83,7 +83,7 @@ HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
 def _show(shown: object) -> str | None:
     """Return what a report shows of a thing, None without the `derive` extra."""
     try:
-        from mechproof.report.fragments import show
+        from mechproof.report.notebook_pieces import show
     except ModuleNotFoundError as error:
         if (error.name or "").startswith("mechproof"):
             raise

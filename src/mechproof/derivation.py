@@ -24,10 +24,10 @@ from typing import Any, Literal, NoReturn
 
 from mechproof.arguments.scalars import require
 from mechproof.chosen import choose_forms
-from mechproof.domains.dimensions import check_derived
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
 from mechproof.record import Paper
+from mechproof.statement_domains.dimension_inference import check_derived
 from mechproof.tools.files import import_file
 from mechproof.tools.processes import limit_time
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from mechproof.arguments.arrays import check_generator
+from mechproof.arguments.array_checks import check_generator
 from mechproof.arguments.scalars import refuse, require
 
 Task = TypeVar("Task")

@@ -21,8 +21,8 @@ from test_formula_languages import SYSTEMS, bound_of, points_of, worst
 from trial import a, load_source, paper_of as make_paper, quantity_of, x
 
 import mechproof
-from mechproof.codegen.backends import scripts
-from mechproof.codegen.backends.scripts import render_scripts
+from mechproof.codegen.backends import standalone_functions
+from mechproof.codegen.backends.standalone_functions import render_scripts
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Paper
 
@@ -116,7 +116,7 @@ def test_low_words_are_lost_where_compilers_do_what_they_may(
 ) -> None:
     """What is refused keeps its bound operation by operation and loses it; what is not keeps it."""
     name, other = "elliptic_planetary.ratio", "elliptic_planetary.largest_acceleration"
-    monkeypatch.setattr(scripts, "_refuse_rests", lambda *_: None)
+    monkeypatch.setattr(standalone_functions, "_refuse_rests", lambda *_: None)
     text = write(paper_of("elliptic_planetary"))
     forced = load_source(text, tmp_path).elliptic_planetary_ratio
     with np.errstate(all="ignore"):
@@ -139,7 +139,7 @@ def differentiate(expression: sp.Basic, *points: tuple[float, float]) -> list[li
 def test_a_branch_that_is_not_taken_spoils_no_derivative(monkeypatch: pytest.MonkeyPatch) -> None:
     points = (-4.0, 3.0), (4.0, 3.0)
     assert differentiate(ROOT, *points) == [[3.0, -4.0], [0.25, 1.0]]
-    monkeypatch.setattr(scripts, "block_branches", lambda program: program)
+    monkeypatch.setattr(standalone_functions, "block_branches", lambda program: program)
     (spoiled, _), after = differentiate(ROOT, *points)
     assert math.isnan(spoiled)
     assert after == [0.25, 1.0]

@@ -16,7 +16,7 @@ from mechproof.codegen.backends.numba import (
     render_compiled,
     render_elementary,
 )
-from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.source_reading import TranslationError
 from mechproof.programs.scalar import list_scalars
 
 

@@ -22,7 +22,7 @@ from mechproof.codegen.languages import C99, C99_SINGLE
 from mechproof.codegen.syntax import write_program
 from mechproof.programs.elementary.fits import Rational, enclose
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.operations import HELPER
 from mechproof.programs.program import Operand, Program

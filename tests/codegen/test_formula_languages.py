@@ -25,12 +25,12 @@ from trial import load_source, paper_of as make_paper, quantity_of, x
 from weights import first_of
 
 import mechproof
-from mechproof.cli.emit import SCRIPTS as COMMANDS
-from mechproof.codegen.backends.scripts import render_scripts
+from mechproof.cli.emit_command import SCRIPTS as COMMANDS
+from mechproof.codegen.backends.standalone_functions import render_scripts
 from mechproof.codegen.languages import SCRIPTS
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import Truth, find_truth
-from mechproof.lab.sampling.points import choose_evenly, join
+from mechproof.lab.sampling.named_sets import choose_evenly, join
 from mechproof.lab.worst_search import compare, draw_sets
 from mechproof.record.substitution import resolve
 

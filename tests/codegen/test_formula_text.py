@@ -7,7 +7,7 @@ import sympy as sp
 from derived import paper_of
 
 from mechproof.codegen.docstrings import WIDTH, describe_kernel, tell_accuracy
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.form_rows import form_rows
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy

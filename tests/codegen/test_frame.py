@@ -17,9 +17,9 @@ from mechproof.codegen.backends.numba import (
     render_elementary,
 )
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.form_rows import form_rows
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import SourceError
+from mechproof.codegen.source_reading import SourceError
 from mechproof.programs.scalar import list_scalars
 
 

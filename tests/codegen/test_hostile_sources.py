@@ -17,7 +17,7 @@ from mechproof.codegen.backends.numba import (
 )
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.kernel_reading import check_module
-from mechproof.codegen.reading import SourceError
+from mechproof.codegen.source_reading import SourceError
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.scalar import list_scalars
 

@@ -12,15 +12,15 @@ import sympy as sp
 from trial import a, b, load_paper, load_source, paper_of, quantity_of, x
 
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.form_rows import form_rows
 from mechproof.codegen.languages import C99, NUMBA, NUMPY
 from mechproof.codegen.syntax import write_program
-from mechproof.programs.error_free import WholeTurnsOff
 from mechproof.programs.kernel import list_functions
 from mechproof.programs.lowering import FUNCTIONS, KNOWN, lower_steps
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Program
 from mechproof.programs.raising import WrittenForm
+from mechproof.programs.rounding_functions import WholeTurnsOff
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Form, Variable

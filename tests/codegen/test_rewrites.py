@@ -8,16 +8,21 @@ import pytest
 import sympy as sp
 from sympy.codegen.cfunctions import expm1, hypot, log1p
 
-from mechproof.programs import error_free
+from mechproof.programs import rounding_functions
 from mechproof.programs.evaluation import Evaluation, arrange, entries, map_entries, unused_name
 from mechproof.programs.lowering import FUNCTIONS
-from mechproof.programs.names import suggest_name
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.rewrites import REWRITES, apply_rewrites
+from mechproof.programs.step_names import suggest_name
 from mechproof.programs.subexpressions import share_subexpressions
 
 # Functions that exist for their rounding, and what the operations are that they become.
-ROUNDED = [hypot, expm1, log1p, *(f for f in vars(error_free).values() if isinstance(f, type))]
+ROUNDED = [
+    hypot,
+    expm1,
+    log1p,
+    *(f for f in vars(rounding_functions).values() if isinstance(f, type)),
+]
 TINY = mp.mpf(10) ** -50
 a, b, c, d, x, y = sp.symbols("a b c d x y", real=True)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from mechproof.codegen.conditions import join_conditions, split_conditions
+from mechproof.codegen.condition_outputs import join_conditions, split_conditions
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.syntax import write_program
 from mechproof.programs.program import Operation, Program

@@ -13,7 +13,7 @@ from derived import paper_of
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.codegen.languages import NUMPY
-from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.source_reading import TranslationError
 from mechproof.codegen.syntax import write_program
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.lowering import lower_steps

@@ -13,9 +13,9 @@ from trial import a, b, load_source, paper_of, quantity_of, x
 
 from mechproof.codegen import syntax
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.forms import form_rows, read_back
+from mechproof.codegen.form_rows import form_rows, read_back
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import SourceError, TranslationError
+from mechproof.codegen.source_reading import SourceError, TranslationError
 from mechproof.programs.kernel import list_functions
 from mechproof.programs.program import Operation, Program
 from mechproof.proof.judge import judge
@@ -92,7 +92,7 @@ def test_a_text_that_is_not_the_program_is_caught(
     paper = paper_of(quantity, POSITIVE)
     old = old.replace("base", "one_plus_b_cos_x") if "base" in old else old
     new = new.replace("base", "one_plus_b_cos_x") if "base" in new else new
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", sources_with((old, new)))
     with pytest.raises(TranslationError, match=rf"system\.{seen} is not as meant: .*, read"):
         form_rows(paper)
 
@@ -110,7 +110,7 @@ def test_a_text_that_is_not_the_program_is_caught(
 def test_what_is_not_prepared_as_meant_is_caught(
     old: str, new: str, seen: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", sources_with((old, new)))
     with pytest.raises(TranslationError, match=rf"system\.{seen} is not as meant: .*, read"):
         form_rows(paper_of(TRIALS["prepared"], POSITIVE))
 
@@ -130,7 +130,7 @@ def test_what_several_kernels_have_in_common_is_written_once(
     read_back(paper, kernels)
     old = "_in_blocks(_form_of_g, (x,), _prepare_of_f, "
     calls = old, old.replace("_prepare_of_f", "_prepare_of_h")
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with(calls))
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", sources_with(calls))
     with pytest.raises(TranslationError, match=r"system\.g is not as meant"):
         read_back(paper, kernels)
 
@@ -142,7 +142,7 @@ def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> 
         ("def _check_of_f(a: Any)", "def _check_of_f(b: Any)"),
         ("return (_is_positive(a),)", "return (_is_positive(b),)"),
     )
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", change)
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", change)
     with pytest.raises(TranslationError, match=r"system\.f is not as meant: .*, read"):
         form_rows(paper)
 
@@ -179,7 +179,7 @@ def test_a_text_that_no_kernel_has_is_refused(
     old: str, new: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", sources_with((old, new)))
     with pytest.raises((SourceError, TranslationError)):
         form_rows(paper)
 
@@ -206,7 +206,7 @@ def test_a_low_word_that_is_dropped_doubled_or_turned_is_caught(
 ) -> None:
     from mechproof.derivations.elliptic_planetary import PAPER
 
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((right, wrong)))
+    monkeypatch.setattr("mechproof.codegen.form_rows.render_modules", sources_with((right, wrong)))
     with pytest.raises(TranslationError):
         form_rows(PAPER)
 

@@ -6,12 +6,11 @@ import pytest
 import sympy as sp
 from sympy import Eq, Interval, Rational, S, cos, sin, sqrt, symbols
 
-from mechproof.coq.comparison import ReadBackError, compare_script
-from mechproof.coq.pieces import list_cases
+from mechproof.coq.piecewise_laws import list_cases
+from mechproof.coq.script_comparison import ReadBackError, compare_script
 from mechproof.coq.scripts import write_script
 from mechproof.coq.terms import UnwritableError, list_needs, name_symbols, write_term
 from mechproof.coq.theorems import build_theorems
-from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     ANGLE,
@@ -24,6 +23,7 @@ from mechproof.record import (
     PublishedSizes,
     Variable,
 )
+from mechproof.statement_domains.domain import Domain
 
 e, x = symbols("e x", real=True)
 EQUAL = Equality(sin(x) ** 2 / (1 - e), (1 - cos(x) ** 2) / (1 - e))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from mechproof.document.checking import CheckedPaper, check
-from mechproof.record.units import name_in_si, read_unit
+from mechproof.record.unit_notation import name_in_si, read_unit
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

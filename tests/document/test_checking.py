@@ -9,7 +9,7 @@ from mechproof.document.checked_rows import show_left
 from mechproof.document.checking import check
 from mechproof.document.tasks import Role
 from mechproof.proof.verdict import Left, State
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from mechproof.sources.displays import Printed, find_displays
-from mechproof.sources.files import read_source
 from mechproof.sources.macros import MOST_CALLS
+from mechproof.sources.paper_files import read_source
 
 
 def find(content: str, name: str = "paper.tex") -> list[Printed]:

@@ -6,7 +6,7 @@ import pytest
 
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.drafts.draft import draft_block
-from mechproof.sources.files import read_source
+from mechproof.sources.paper_files import read_source
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

@@ -9,9 +9,9 @@ import sympy as sp
 
 from mechproof.document.constraints.witnesses import enclose, find_points
 from mechproof.document.misprints import find_failure, find_misprint
-from mechproof.document.slips import Entry, find_slip
-from mechproof.domains.domain import Domain
+from mechproof.document.slips import PrintedSides, find_slip
 from mechproof.record import PrintedNumber
+from mechproof.statement_domains.domain import Domain
 
 X, Y = sp.symbols("x y", real=True)
 PLANE = Domain({X: sp.S.Reals, Y: sp.S.Reals}, (), {})
@@ -60,9 +60,9 @@ def test_what_holds_at_a_point_of_the_constraints_does_not_fail() -> None:
 
 def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
     sides = (sp.sin(2 * X), sp.sin(X) * sp.cos(X))
-    assert find_misprint(Entry(sides), [], PLANE)
-    assert find_misprint(Entry(sides, (False, False)), [], PLANE) is None
-    assert find_misprint(Entry((sp.sin(3 * X), sp.cos(X) + Y)), [], PLANE) is None
+    assert find_misprint(PrintedSides(sides), [], PLANE)
+    assert find_misprint(PrintedSides(sides, (False, False)), [], PLANE) is None
+    assert find_misprint(PrintedSides((sp.sin(3 * X), sp.cos(X) + Y)), [], PLANE) is None
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 
 from mechproof.document.checked_rows import rows_to_json
 from mechproof.document.checking import check
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

@@ -6,7 +6,7 @@ import pytest
 
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.nomenclature.cells import find_unit, finds_decimal_commas, read_numeral
-from mechproof.record.units import read_unit
+from mechproof.record.unit_notation import read_unit
 
 pytestmark = pytest.mark.usefixtures("judged_here")
 

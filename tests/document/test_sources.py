@@ -11,12 +11,12 @@ import sympy as sp
 
 from mechproof.document.checking import check
 from mechproof.document.drafts.draft import draft_block
-from mechproof.document.rows import Document
+from mechproof.document.source_rows import Document
 from mechproof.nomenclature.block import BlockError, read_block
 from mechproof.proof.verdict import Verdict
 from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
-from mechproof.record.units import UnitError, read_unit
-from mechproof.sources.files import DocumentError, read_source
+from mechproof.record.unit_notation import UnitError, read_unit
+from mechproof.sources.paper_files import DocumentError, read_source
 
 
 def test_files_are_input_inside_of_the_folder(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ import mechproof
 from mechproof import CylindricalPair, EllipticPlanetary, OvalPair, OvalPlanetary, export
 from mechproof.exports import cut_teeth
 from mechproof.exports.curves import place_in_mm, trace_outline
-from mechproof.exports.teeth import measure_perimeter
+from mechproof.exports.cut_outlines import measure_perimeter
 from mechproof.tools import extras
 
 ELLIPTIC = EllipticPlanetary.published(1)

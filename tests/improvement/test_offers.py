@@ -23,7 +23,7 @@ from mechproof.improvement import form_search as searching
 from mechproof.improvement.candidates import Candidate, draw, measure_loss
 from mechproof.improvement.form_search import search
 from mechproof.improvement.offers import find_offer, prove
-from mechproof.lab.sampling.points import TUNE
+from mechproof.lab.sampling.named_sets import TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.programs import rewrites
 from mechproof.programs.evaluation import Evaluation

@@ -23,9 +23,9 @@ from weights import first_of
 import mechproof
 from mechproof.arithmetic import slopes
 from mechproof.arithmetic.slopes import GradientTape
-from mechproof.codegen import forms
-from mechproof.codegen.forms import derivative_rows, read_derivatives_back
-from mechproof.codegen.reading import SourceError
+from mechproof.codegen import form_rows
+from mechproof.codegen.form_rows import derivative_rows, read_derivatives_back
+from mechproof.codegen.source_reading import SourceError
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.kernels import elliptic_planetary as kernels, wedge_linkage
@@ -33,11 +33,11 @@ from mechproof.kernels.derivatives import wedge_linkage as of_wedge
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.oracle import count_points, find_truth, list_values
+from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import REPORT, PointSet, choose_evenly, draw_points
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Compute
-from mechproof.programs import derivatives
+from mechproof.programs import reverse_mode
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Quantity
@@ -57,7 +57,7 @@ def subjects() -> Mapping[str, Subject]:
         for s in find_subjects()
         if s.paper.derivatives
         and s.quantity.slopes is not None
-        and derivatives.is_exact_scalar(s.quantity)
+        and reverse_mode.is_exact_scalar(s.quantity)
     }
 
 
@@ -69,7 +69,7 @@ class Truth:
         self.symbols = [a.symbols[0] for a in subject.quantity.arguments]
         given = {s: v for s, v in given.items() if s not in self.symbols}
         self.tape = GradientTape(definition, given)
-        entries = derivatives.chain(definition, self.symbols, given)
+        entries = reverse_mode.chain(definition, self.symbols, given)
         self.entries = [GradientTape(entry, {}) for entry in entries]
         needed = {s for entry in self.entries for s in entry.symbols if s in given}
         self.steps = {s: GradientTape(given[s], given) for s in needed}
@@ -106,7 +106,7 @@ def list_ways(subject: Subject) -> Iterator[Compute]:
     found = find_derivatives(subject.kernel)
     assert found is not None
     yield found
-    in_c = find_in_c(subject.quantity.name, derivatives.differentiate(subject.paper))
+    in_c = find_in_c(subject.quantity.name, reverse_mode.differentiate(subject.paper))
     yield from [in_c] if in_c else []
 
 
@@ -213,14 +213,14 @@ def test_a_wrong_derivative_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = elliptic_planetary.PAPER
     one = next(q for q in whole.quantities if q.name == "largest_ratio")
     paper = replace(whole, quantities=(one,), one_pass=())
-    right = derivatives._go_back
+    right = reverse_mode._go_back
 
     def double(*given: Any) -> sp.Basic:
         return right(*given) * 2
 
-    monkeypatch.setattr(derivatives, "_go_back", double)
+    monkeypatch.setattr(reverse_mode, "_go_back", double)
     (row,) = derivative_rows(paper)
-    assert judge(row, derivatives.differentiate(paper)).verdict is Verdict.REFUTED
+    assert judge(row, reverse_mode.differentiate(paper)).verdict is Verdict.REFUTED
 
 
 def test_derivatives_whose_source_says_something_else_are_refused(
@@ -230,9 +230,9 @@ def test_derivatives_whose_source_says_something_else_are_refused(
     one = next(q for q in whole.quantities if q.name == "largest_ratio")
     paper = replace(whole, quantities=(one,), one_pass=())
     read_derivatives_back(paper)
-    render = forms.render_derivatives
+    render = form_rows.render_derivatives
     monkeypatch.setattr(
-        forms,
+        form_rows,
         "render_derivatives",
         lambda paper: {n: text.replace("1.0 + e", "1.0 - e") for n, text in render(paper).items()},
     )

@@ -17,8 +17,8 @@ from mechproof.lab.c_kernels import COMPILER, KernelInC, find_in_c
 from mechproof.lab.chart import draw_chart
 from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.gpu_kernels import find_on_gpu
+from mechproof.lab.record_tables import list_lines
 from mechproof.lab.subject import find_subjects
-from mechproof.lab.table import list_lines
 from mechproof.measured import IN_C, ON_GPU, find_files, read_record, write_record
 from mechproof.record import Paper
 

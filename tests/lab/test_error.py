@@ -6,7 +6,7 @@ import pytest
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.error import ALL_BITS, find_errors, summarise
 from mechproof.lab.oracle import Truth
-from mechproof.lab.sampling.points import draw_ladder
+from mechproof.lab.sampling.named_sets import draw_ladder
 
 
 def truth_of(high: object, low: float = 0.0, decided: object = True) -> Truth:

@@ -10,7 +10,7 @@ from weights import first_of
 from mechproof.lab import extended_oracle, worst_search
 from mechproof.lab.extended_oracle import extend
 from mechproof.lab.oracle import Truth
-from mechproof.lab.sampling.points import choose_evenly
+from mechproof.lab.sampling.named_sets import choose_evenly
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.lab.worst_search import find_worst, scaled_errors

@@ -19,8 +19,8 @@ from mechproof.lab.c_kernels import COMPILER
 from mechproof.lab.certificate_claims import list_claims
 from mechproof.lab.chart import draw_charts, draw_jumps
 from mechproof.lab.measure import describe_machine, describe_ways, measure
+from mechproof.lab.record_tables import PAGE, headline, list_lines
 from mechproof.lab.subject import Subject, find_subjects
-from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways
 from mechproof.lab.worst_search import scaled_errors

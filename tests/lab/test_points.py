@@ -12,12 +12,11 @@ from weights import first_of
 
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
-from mechproof.domains.domain import Domain
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.sampling.draws import draw_mixed
-from mechproof.lab.sampling.points import REPORT, TUNE, draw_points
+from mechproof.lab.sampling.named_sets import REPORT, TUNE, draw_points
 from mechproof.lab.sampling.singular_points import list_point_sets
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import draw_cell, make_workload
@@ -25,6 +24,7 @@ from mechproof.lab.sampling.zero_sets import ZeroSet, find_roots
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
+from mechproof.statement_domains.domain import Domain
 
 turns = sp.Symbol("m_turns", integer=True)
 DOMAIN = Domain.of(PAPER)

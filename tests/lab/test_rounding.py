@@ -81,7 +81,7 @@ def test_conditions_are_true_only_if_certain() -> None:
 
 
 def test_float32_has_room_for_its_own_roundings() -> None:
-    from mechproof.programs.error_free import Single
+    from mechproof.programs.rounding_functions import Single
 
     wide, narrow = enclose(Single(x) * 3, 0, 0, 0.1), enclose(x * 3, 0, 0, 0.1)
     single = float(np.float32(0.1) * np.float32(3))

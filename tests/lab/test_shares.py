@@ -11,8 +11,8 @@ from weights import first_of
 
 from mechproof.lab.error import Errors, find_errors
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.named_sets import REPORT, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import REPORT, draw_points
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments
 

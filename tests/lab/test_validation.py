@@ -16,7 +16,7 @@ from derived import paper_of
 from quantities import GENERATED
 from weights import first_of
 
-from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.source_reading import TranslationError
 from mechproof.derivation import packaged_directory
 from mechproof.kernel_support.functions import tangent_quotient
 from mechproof.lab.subject import Subject, find_subjects, make_subjects

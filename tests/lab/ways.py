@@ -10,8 +10,8 @@ from quantities import find_subject
 
 from mechproof.lab.error import Errors, find_errors, summarise
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.named_sets import REPORT, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import REPORT, draw_points
 from mechproof.lab.ways import Arguments, Way
 from mechproof.measured import SetErrors
 

@@ -16,13 +16,13 @@ import sympy as sp
 from derived import declared_paper_of, paper_of
 from weights import first_of
 
-from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Paper, RecordError, Row
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError, run_tasks
 
 SYSTEMS = (

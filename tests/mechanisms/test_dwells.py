@@ -14,7 +14,7 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from mechproof import CylindricalPair, OvalPair, OvalPlanetary
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.mechanisms.dwells import balls, position, ratio
+from mechproof.mechanisms.dwells import ball_decisions, band_dwells, ratio
 from mechproof.mechanisms.dwells.spans import Span
 
 DEGREE = math.radians(1)
@@ -69,7 +69,9 @@ CASES = [
 def test_a_band_misses_nothing_and_finds_nothing_else(case: tuple[Any, ...]) -> None:
     z4, z5, degrees, band, _, limit = case
     k, width, half = Fraction(z4, z5), degrees * DEGREE, band * DEGREE
-    spans = position.find_spans(k, position.Asked(Fraction(width), Fraction(half), limit))
+    spans = band_dwells.find_spans(
+        k, band_dwells.BandRequest(Fraction(width), Fraction(half), limit)
+    )
     for e, inside in grid(spans, limit):
         if k == 1 and math.asin(e) <= half:
             assert not inside
@@ -83,7 +85,7 @@ def test_a_band_misses_nothing_and_finds_nothing_else(case: tuple[Any, ...]) -> 
 def test_a_ratio_misses_nothing_and_finds_nothing_else(case: tuple[Any, ...]) -> None:
     z4, z5, degrees, _, eta, limit = case
     k, width = Fraction(z4, z5), degrees * DEGREE
-    spans = ratio.find_spans(k, ratio.Asked(Fraction(width), Fraction(eta), limit))
+    spans = ratio.find_spans(k, ratio.RestRequest(Fraction(width), Fraction(eta), limit))
     for e, inside in grid(spans, limit):
         longest = find_longest_rest(float(k), e, eta)
         # A rest of samples is short by two of them, 9e-3 degrees.
@@ -118,7 +120,7 @@ def test_the_exact_dwell_that_convexity_just_allows() -> None:
     (dwell,) = OvalPlanetary.find_dwells(0.01, eta="0.01", teeth=(40, 40)).candidates[:1]
     assert (dwell.z4, dwell.z5) == (40, 40)
     by_ratio = ratio.find_spans(
-        Fraction(2), ratio.Asked(Fraction("0.01"), Fraction("0.01"), Fraction(1, 3))
+        Fraction(2), ratio.RestRequest(Fraction("0.01"), Fraction("0.01"), Fraction(1, 3))
     )
     assert [span.exact for span in by_ratio] == [Fraction(1, 3)]
     assert by_ratio[0].high == Fraction(1, 3)
@@ -151,7 +153,7 @@ def test_what_is_left_out_is_said() -> None:
 
 
 def test_balls_that_cannot_tell_leave_it_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(balls.Drive, "moved", lambda self, d: flint.arb(0, 1))
+    monkeypatch.setattr(ball_decisions.EnclosedDrive, "moved", lambda self, d: flint.arb(0, 1))
     found = OvalPlanetary.find_dwells(0.3, band=0.001, teeth=(18, 20))
     assert len(found.open) == found.ratios - 1
 

@@ -7,11 +7,11 @@ not accept.
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 x, y, z, e, u = sp.symbols("x y z e u", real=True)
 n = sp.Symbol("n", integer=True, positive=True)

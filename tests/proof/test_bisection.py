@@ -3,11 +3,11 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.bisection import RUNG, holds_on_interval
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
+from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
 ONE = sp.Interval(-1, 1)

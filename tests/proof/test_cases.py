@@ -8,13 +8,13 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.cases import decide_by_pieces, narrow
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Statement
+from mechproof.statement_domains.domain import Domain
 
 x, y, s = (sp.Symbol(name, real=True) for name in "xys")
 DOMAIN = Domain({x: sp.Interval(-3, 3), y: sp.S.Reals, s: sp.FiniteSet(-1, 1)}, (), {})

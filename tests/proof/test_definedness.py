@@ -6,10 +6,10 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, need_the_same, tell
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper, Variable
+from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
 k = sp.Symbol("k", integer=True, positive=True)

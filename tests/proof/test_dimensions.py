@@ -5,10 +5,15 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from mechproof.domains.dimensions import DimensionError, infer, infer_common, rescale
-from mechproof.domains.domain import Domain
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Distinct, Equality, Holds
+from mechproof.statement_domains.dimension_inference import (
+    DimensionError,
+    infer,
+    infer_common,
+    rescale,
+)
+from mechproof.statement_domains.domain import Domain
 
 a, b, v, w, t, p = sp.symbols("a b v w t p", positive=True)
 q = sp.IndexedBase("q", positive=True)

@@ -3,11 +3,11 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import points_for
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Paper, Part, Variable
+from mechproof.statement_domains.domain import Domain
 
 x, y, z = sp.symbols("x y z", real=True)
 n, m = sp.symbols("n m", integer=True, positive=True)

@@ -12,8 +12,6 @@ from derived import opened
 
 from mechproof.arithmetic import balls
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.domains.dimensions import infer, is_angle
-from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
 from mechproof.proof import refutation
 from mechproof.proof.comparison_latex import write_latex
@@ -36,6 +34,8 @@ from mechproof.record import (
     Toleranced,
     Variable,
 )
+from mechproof.statement_domains.dimension_inference import infer, is_angle
+from mechproof.statement_domains.domain import Domain
 
 phi, psi, e = sp.symbols("phi psi e", real=True)
 R, r = sp.symbols("R r", positive=True)

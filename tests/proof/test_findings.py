@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from mechproof.ledger.cards import make_card
-from mechproof.ledger.findings import LedgerFinding, follower_rows, list_findings
+from mechproof.ledger.ledger_findings import LedgerFinding, follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.record import (
     LENGTH,

@@ -27,7 +27,6 @@ from sympy import (
     tan,
 )
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
@@ -47,6 +46,7 @@ from mechproof.record import (
     Statement,
     Variable,
 )
+from mechproof.statement_domains.domain import Domain
 
 x, y, z, t, k1, c, g = sp.symbols("x y z t _1 c g", real=True)
 p, L, h = sp.symbols("p L h", positive=True)

@@ -6,12 +6,12 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.counts import find_first, let_run
 from mechproof.proof.inductive_inequalities import RUNG, holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Slack
+from mechproof.statement_domains.domain import Domain
 
 n = sp.Symbol("n", integer=True, positive=True)
 k = sp.Symbol("k", integer=True)

@@ -6,7 +6,6 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
 from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles
@@ -16,6 +15,7 @@ from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Slack
+from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
 PI = sp.pi

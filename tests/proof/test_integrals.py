@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof import integrals
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 x, y, z, e = sp.symbols("x y z e", real=True)
 DOMAIN = Domain({e: sp.Interval.open(0, 1)}, (), {})

@@ -3,10 +3,9 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.proof import equalities, relations
+from mechproof.proof import equalities, inequality_ladder
+from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
-from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Completion,
@@ -19,6 +18,7 @@ from mechproof.record import (
     NotCheckable,
     RecordError,
 )
+from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
 ANYWHERE = Domain({}, (), {})
@@ -178,5 +178,5 @@ def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):
 
 
 def test_a_sign_that_balls_refute_is_not_believed(monkeypatch):
-    monkeypatch.setattr(relations, "_holds_by_sign", lambda relation, domain: True)
+    monkeypatch.setattr(inequality_ladder, "_holds_by_sign", lambda relation, domain: True)
     assert decide(Holds(x > y), ANYWHERE).verdict is REFUTED

@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.verdict import Verdict
+from mechproof.statement_domains.domain import Domain
 
 x, a = sp.symbols("x a", real=True)
 DOMAIN = Domain({a: sp.Interval.open(0, sp.oo)}, (), {})

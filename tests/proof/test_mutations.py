@@ -14,12 +14,12 @@ from derived import paper_of
 from weights import first_of
 
 from mechproof.derivations.track_wheel.symbols import i, j
-from mechproof.domains.domain import Domain
 from mechproof.proof.continuity import find_break
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import compare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
+from mechproof.statement_domains.domain import Domain
 
 # The first batches are run with every test, all with the thorough ones.
 BATCHES = 24

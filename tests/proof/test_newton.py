@@ -7,12 +7,12 @@ import pytest
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof import newton
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Holds, RecordError, Root
 from mechproof.record.implicit import LEFT, LastIterate
+from mechproof.statement_domains.domain import Domain
 
 E, M, x = sp.symbols("E M x", real=True)
 e, y = sp.Symbol("e", nonnegative=True), sp.Symbol("y", positive=True)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from mechproof.proof.numbers import describe_number, read_number
+from mechproof.proof.evidence_numbers import describe_number, read_number
 
 
 @pytest.mark.parametrize(

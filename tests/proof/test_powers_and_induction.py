@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof import induction, powers
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 a, b, q, u, v = sp.symbols("a b q u v", real=True)
 n, m = sp.symbols("n m", integer=True, positive=True)

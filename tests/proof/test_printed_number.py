@@ -3,10 +3,10 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import PrintedNumber, rounded
+from mechproof.statement_domains.domain import Domain
 
 ANYWHERE = Domain({}, (), {})
 DUST = sp.Rational(1, 10**40)

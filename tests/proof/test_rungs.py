@@ -13,6 +13,7 @@ from mechproof.proof import (
     any_functions,
     binomial_squares,
     bisection,
+    bounds_near_zero,
     divergence,
     endless_sums,
     floors,
@@ -31,7 +32,6 @@ from mechproof.proof import (
     newton,
     powers,
     separation,
-    taylor,
     telescoping,
     vector_angles,
     wave_sums,
@@ -51,7 +51,7 @@ EXPECTED = [
 NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, RECOMPUTATION, IDENTICAL]
 NAMED += [
     MULTIPLE,
-    taylor.RUNG,
+    bounds_near_zero.RUNG,
     integrals.RUNG,
     integral_recurrences.RUNG,
     powers.RUNG,

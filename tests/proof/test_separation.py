@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.separation import RUNG, decide_by_separation
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 ANYWHERE = Domain({}, (), {})
 DEGREE = sp.pi / 180

@@ -3,12 +3,12 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
+from mechproof.statement_domains.domain import Domain
 
 x, y, z, e = sp.symbols("x y z e", real=True)
 R1, R2 = sp.symbols("R1 R2", positive=True)

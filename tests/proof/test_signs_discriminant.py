@@ -3,9 +3,9 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign
+from mechproof.statement_domains.domain import Domain
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 e = sp.Symbol("e", real=True)

@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 
 from mechproof.derivation import DerivationError, load_paper
-from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
@@ -23,6 +22,7 @@ from mechproof.record import (
     Statement,
     Variable,
 )
+from mechproof.statement_domains.domain import Domain
 
 x = sp.Symbol("x", real=True)
 POSITIVE = sp.Interval.open(0, sp.oo)

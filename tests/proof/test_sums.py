@@ -3,11 +3,11 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
+from mechproof.proof.canonical_sums import canonicalise
 from mechproof.proof.ladder import decide
-from mechproof.proof.sums import canonicalise
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, sum_distinct
+from mechproof.statement_domains.domain import Domain
 
 n, m = sp.symbols("n m", integer=True, positive=True)
 i, j, k = sp.symbols("i j k", integer=True, positive=True)

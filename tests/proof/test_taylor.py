@@ -7,11 +7,11 @@ import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, exp, log, sin, tan
 
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
-from mechproof.domains.domain import Domain
+from mechproof.proof.bounds_near_zero import RUNG, holds_near_zero
 from mechproof.proof.ladder import decide
-from mechproof.proof.taylor import RUNG, holds_near_zero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
+from mechproof.statement_domains.domain import Domain
 
 x = Symbol("x", real=True)
 HALF = Rational(1, 2)

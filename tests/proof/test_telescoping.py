@@ -6,10 +6,10 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
-from mechproof.domains.domain import Domain
 from mechproof.proof import endless_sums, induction, known_series, telescoping
 from mechproof.proof.powers import split_powers
 from mechproof.proof.verdict import Verdict
+from mechproof.statement_domains.domain import Domain
 
 x = sp.Symbol("x", real=True)
 n = sp.Symbol("n", integer=True, positive=True)

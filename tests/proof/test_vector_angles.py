@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.vector_angles import RUNG, decide_by_argument
+from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
 SMALL = {x: sp.Interval.open(0, 1), y: sp.Interval.open(0, 1)}

@@ -3,7 +3,6 @@
 import pytest
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import (
     LENGTH,
@@ -15,6 +14,7 @@ from mechproof.record import (
     IntegralWithoutDifferential,
     sum_distinct,
 )
+from mechproof.statement_domains.domain import Domain
 
 x, y, u = sp.symbols("x y u", real=True)
 a, b = sp.symbols("a b", positive=True)

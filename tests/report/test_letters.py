@@ -9,8 +9,8 @@ from derived import SYSTEMS, paper_of
 
 from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.record import Quantity
-from mechproof.report.papers import _describe_symbol
-from mechproof.report.quantities import _describe_arguments
+from mechproof.report.paper_pages import _describe_symbol
+from mechproof.report.quantity_pages import _describe_arguments
 
 for_each_paper = pytest.mark.parametrize(
     "system", [pytest.param(s, marks=pytest.mark.xdist_group(f"verdicts {s}")) for s in SYSTEMS]

@@ -15,7 +15,7 @@ import mechproof
 from mechproof.derivation import load_paper, packaged_directory
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.proof.judge import judge
-from mechproof.report.fragments import read_parameters
+from mechproof.report.notebook_pieces import read_parameters
 
 TOUR = Path(__file__).parents[2] / "docs" / "tour.ipynb"
 MECHANISMS = (

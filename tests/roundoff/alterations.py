@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import Function, build
+from mechproof.programs.elementary.function_programs import Function, build
 from mechproof.programs.program import Operation, Program
-from mechproof.roundoff import elementary
-from mechproof.roundoff.elementary import prove
+from mechproof.roundoff import elementary_errors
+from mechproof.roundoff.elementary_errors import prove
 
 
 def change(kind: str, edit: Callable[[Operation], Operation]) -> Function:
@@ -25,5 +25,5 @@ def change(kind: str, edit: Callable[[Operation], Operation]) -> Function:
 def prove_changed(kind: str, changed: Function, monkeypatch: pytest.MonkeyPatch) -> float:
     # What is proved of the function itself is kept: it must not be of the changed one.
     with monkeypatch.context() as patch:
-        patch.setattr(elementary, "build", lambda *_: changed)
+        patch.setattr(elementary_errors, "build", lambda *_: changed)
         return prove.__wrapped__(kind).most

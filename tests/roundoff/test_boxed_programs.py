@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from mechproof.arithmetic.largest import Largest, bound_largest
-from mechproof.fpcore.reading import Core, read_cores
+from mechproof.fpcore.fpcore_reading import Core, read_cores
 from mechproof.roundoff.boxed import BoxedProgram, Convention, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input, measure
 

@@ -16,7 +16,6 @@ from weights import first_of
 from mechproof.arithmetic.cover import WHOLE
 from mechproof.kernel_support.functions import small_arctan, tangent_quotient
 from mechproof.programs.kernel import input_names
-from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import (
     RoundingClaim,
     holds,
@@ -30,6 +29,7 @@ from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.cuts import read_cuts, write_cuts
 from mechproof.roundoff.expansions import IN_NUMPY
+from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step

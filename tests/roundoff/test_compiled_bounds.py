@@ -26,7 +26,7 @@ from mechproof.roundoff.certificate import RoundingClaim, holds
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY, list_expansions
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
-from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.error_tables import ErrorTable
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run

@@ -13,10 +13,10 @@ from flint import arb
 from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import EPS, Interval
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import build
+from mechproof.programs.elementary.function_programs import build
 from mechproof.programs.program import Operation
 from mechproof.roundoff.compiled_kernels import COMPILED, find_part
-from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.elementary_errors import prove
 
 TRUTH: dict[str, Callable[..., arb]] = {
     "tan": arb.tan,

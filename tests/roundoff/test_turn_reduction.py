@@ -13,7 +13,7 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import EPS, Interval
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.program import Operation
-from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
 
 

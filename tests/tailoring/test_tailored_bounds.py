@@ -19,8 +19,8 @@ from weights import first_of
 
 from mechproof.arithmetic.balls import evaluate, working_precision
 from mechproof.arithmetic.series import BITS, TaylorExpression, list_terms, working
-from mechproof.domains.domain import Domain
 from mechproof.record import Paper, Quantity
+from mechproof.statement_domains.domain import Domain
 from mechproof.tailoring import tailor
 from mechproof.tailoring.build import Built, build
 from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose

@@ -10,25 +10,25 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.bound import bound
-from mechproof.cli.certify import certify
-from mechproof.cli.chart import chart
-from mechproof.cli.check import check
+from mechproof.cli.bound_command import bound
+from mechproof.cli.certify_command import certify
+from mechproof.cli.chart_command import chart
+from mechproof.cli.check_command import check
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.emit import app as emit_app
-from mechproof.cli.figures import figures
-from mechproof.cli.improve import SEARCH_LIMIT, improve, offer_forms
-from mechproof.cli.ledger import print_ledgers
-from mechproof.cli.new import new
+from mechproof.cli.emit_command import app as emit_app
+from mechproof.cli.figures_command import figures
+from mechproof.cli.improve_command import SEARCH_LIMIT, improve, offer_forms
+from mechproof.cli.ledger_command import print_ledgers
+from mechproof.cli.new_command import new
 from mechproof.cli.paths import RULE, find_locations, find_places
-from mechproof.cli.report import report
+from mechproof.cli.report_command import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import to_json
 from mechproof.pipeline.judging import PipelineError, read_ledgers, refuse_failures
 from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.verdict import State, Verdict
-from mechproof.sources.files import SUFFIXES
+from mechproof.sources.paper_files import SUFFIXES
 from mechproof.tools.extras import list_other_versions, tell_install
 from mechproof.tools.made import Change
 

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.codegen.escapes import fold
 from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
-from mechproof.programs.domain import domain_relations
+from mechproof.programs.argument_conditions import domain_relations
 from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale

@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from mechproof.programs.names import sort_positive_first
+from mechproof.programs.step_names import sort_positive_first
 
 
 class FormulaPrinter(StrPrinter):  # type: ignore[misc]

@@ -12,9 +12,9 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any
 
-from mechproof.codegen.conditions import join_conditions
-from mechproof.codegen.reading import SourceError, compare, read_functions
+from mechproof.codegen.condition_outputs import join_conditions
 from mechproof.codegen.shared_functions import CHECK, list_suffixes, name_functions
+from mechproof.codegen.source_reading import SourceError, compare, read_functions
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program

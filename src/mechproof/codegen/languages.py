@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.syntax import Syntax
-from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.operations import (
     ATOM,
     CHOICE,

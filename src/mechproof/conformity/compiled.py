@@ -33,7 +33,7 @@ from mechproof.compiled_support import (
     stand_in,
     take,
 )
-from mechproof.conformity import arc, normal, plane
+from mechproof.conformity import arc, bivariate_normal, plane
 from mechproof.conformity.arc import LENGTHS, make_panel
 from mechproof.conformity.risks import Limits, Shares, find_shares
 from mechproof.executors import slices
@@ -67,9 +67,19 @@ FORMULAS = (
     *(windows.subtract_tails, windows.complete, windows.find_tails, windows.normal_interval),
     *(windows.normal_density, windows.scale_distance, arc.choose_size),
     *(plane.subtract_twice, plane.find_gap, plane.place_plane, plane.place_corner),
-    *(plane.subtract_ordered, plane.place, normal.complete_corner, normal.integrate_sides),
-    *(normal.is_needed, normal.add_quadrants, normal.find_quadrants, normal.find_accepted),
-    *(normal.find_conforming, normal.add_masses),
+    *(
+        plane.subtract_ordered,
+        plane.place,
+        bivariate_normal.complete_corner,
+        bivariate_normal.integrate_sides,
+    ),
+    *(
+        bivariate_normal.is_needed,
+        bivariate_normal.add_quadrants,
+        bivariate_normal.find_quadrants,
+        bivariate_normal.find_accepted,
+    ),
+    *(bivariate_normal.find_conforming, bivariate_normal.add_masses),
 )
 for formula in FORMULAS:
     stand_in(formula, forceinline=True)(formula)
@@ -99,7 +109,7 @@ def _integrate_density(start: float, width: float) -> float:
     return total * (half / ROOT)
 
 
-@stand_in(normal.integrate_strip, **SUM)
+@stand_in(bivariate_normal.integrate_strip, **SUM)
 def _integrate_strip(start: float, width: float, argument: float, slope: float) -> float:
     total = 0.0
     for n in range(UNIT_NODES.size):
@@ -109,7 +119,7 @@ def _integrate_strip(start: float, width: float, argument: float, slope: float) 
     return total * width
 
 
-@stand_in(normal.integrate_rectangle, **SUM)
+@stand_in(bivariate_normal.integrate_rectangle, **SUM)
 def _integrate_rectangle(
     start: float, width: float, low: float, high: float, slope: float, span: float
 ) -> float:
@@ -143,7 +153,7 @@ def _place(block: Any, sets: Any, start: int, stop: int) -> None:
 def _add(masses: Any, block: Any, start: int, stop: int) -> None:
     example = plane.place(0.0, 1.0, 0.0, 1.0, (-1.0, 1.0), (-1.0, 1.0))
     for i in range(start, stop):
-        four = normal.add_masses(*take(block, i - start, example))
+        four = bivariate_normal.add_masses(*take(block, i - start, example))
         masses[0, i], masses[1, i], masses[2, i], masses[3, i] = four
 
 
@@ -172,7 +182,7 @@ def _hash_sources(*modules: ModuleType) -> int:
 
 
 # Where the formulas stand that the loop takes.
-SOURCES = (normal, plane, arc, windows, pointwise, elementary, machine, points)
+SOURCES = (bivariate_normal, plane, arc, windows, pointwise, elementary, machine, points)
 _fill = _make_fill(_hash_sources(*SOURCES))
 
 

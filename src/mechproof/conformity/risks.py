@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_finite, check_pair
+from mechproof.arguments.array_checks import check_finite, check_pair
 from mechproof.arguments.scalars import check_count, check_progress
-from mechproof.conformity.normal import normal_masses
+from mechproof.conformity.bivariate_normal import normal_masses
 from mechproof.conformity.plane import subtract_twice
 from mechproof.conformity.quadrature import law_masses
 from mechproof.executors import check_executor, run_in_order, slices, spawn_generators

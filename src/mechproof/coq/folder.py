@@ -11,17 +11,17 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
-from mechproof.coq.comparison import compare_script
 from mechproof.coq.families import name_letters
 from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
 from mechproof.coq.proofs import is_the_same
+from mechproof.coq.script_comparison import compare_script
 from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.coq.theorems import Theorem, build_theorems
-from mechproof.domains.domain import Domain
 from mechproof.ledger.judged import JudgedPaper, classify
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Paper, Row
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.made import ForeignFileError, Made
 
 LIST = "mechproof-coq.sha256"

@@ -14,15 +14,15 @@ from itertools import product
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.coq.derivatives import find_variable, prove_by_derivative
-from mechproof.coq.facts import Facts, introduce, turn_right
+from mechproof.coq.derivative_proofs import find_variable, prove_by_derivative
 from mechproof.coq.families import has_families
-from mechproof.coq.roots import clear_roots, open_arctangents
-from mechproof.coq.signs import BITS, ORDERED, find_factors, prove_order, write_product
+from mechproof.coq.first_tactics import EstablishedFacts, introduce, turn_right
+from mechproof.coq.roots_of_quotients import clear_roots, open_arctangents
+from mechproof.coq.sign_proofs import BITS, ORDERED, find_factors, prove_order, write_product
 from mechproof.coq.terms import Names, write_relation, write_term
 from mechproof.coq.theorems import Theorem
-from mechproof.domains.domain import Point
 from mechproof.record.parts import find_parts
+from mechproof.statement_domains.domain import Point
 
 
 def prove_at_point(relations: Sequence[sp.Basic]) -> str:
@@ -45,7 +45,7 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
         return prove_by_rise(theorem, names)
     theorem, cleared = clear_roots(theorem, names)
     whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
-    facts = Facts(whole, theorem.witness, names)
+    facts = EstablishedFacts(whole, theorem.witness, names)
     # Vectors on both sides may be equal as they are.
     has_arctangents = bool(find_parts(theorem.conclusion, sp.atan))
     vectors = list(turn_right(theorem, names)) if has_arctangents else []
@@ -93,20 +93,20 @@ def _differ(one: sp.Expr, other: sp.Expr, point: Point) -> bool:
     return balls.truth(sp.Ne(one, other, evaluate=False), point, BITS) is True
 
 
-def _prepare_equality(theorem: Theorem, facts: Facts) -> Iterator[str]:
+def _prepare_equality(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
     yield from _split_denominators(theorem, facts)
     for angle in _list_doubled(theorem.conclusion):
         text = write_term(angle, facts.names)
         yield f"try rewrite (double_arctangent {text}) by lra."
 
 
-def _compare(facts: Facts) -> str:
+def _compare(facts: EstablishedFacts) -> str:
     by = facts.modulo
     closing = f"first [ ring{by} | field{by}; conditions ltac:(ring{by}) ]"
     return f"by_parts ltac:({closing})."
 
 
-def _scale_vectors(theorem: Theorem, facts: Facts) -> Iterator[str]:
+def _scale_vectors(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
     """Write the angle of a vector as that of one on the other side of which it is a multiple."""
     left, right = (find_parts(side, sp.atan2) for side in theorem.conclusion.args)
     pairs = product(*(sorted(vectors, key=sp.default_sort_key) for vectors in (left, right)))
@@ -138,7 +138,7 @@ def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
     return [p.args[1].args[0] for p in found if isinstance(p.args[1], sp.atan)]
 
 
-def _split_denominators(theorem: Theorem, facts: Facts) -> Iterator[str]:
+def _split_denominators(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
     """Show of the factors of each denominator that has some that they differ from zero, too."""
     by = facts.modulo
     number = 0

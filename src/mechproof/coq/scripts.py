@@ -11,7 +11,7 @@ from mechproof.coq.families import has_families, name_letters, write_binders, wr
 from mechproof.coq.libraries import find_library
 from mechproof.coq.proofs import is_the_same, prove, prove_at_point
 from mechproof.coq.shared import settle, share_parts, write_definitions
-from mechproof.coq.sums import SumProof
+from mechproof.coq.sum_proofs import SumProof
 from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation
 from mechproof.coq.theorems import Theorem
 

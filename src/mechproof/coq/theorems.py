@@ -11,10 +11,8 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
-from mechproof.coq.pieces import list_cases
+from mechproof.coq.piecewise_laws import list_cases
 from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
-from mechproof.domains.domain import Domain, Point, sizes_of
-from mechproof.domains.preparation import prepare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Conjunction,
@@ -28,6 +26,8 @@ from mechproof.record import (
 )
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.statements import list_parts
+from mechproof.statement_domains.domain import Domain, Point, sizes_of
+from mechproof.statement_domains.preparation import prepare
 
 # Points at which the sides of a refuted statement are looked for.
 _POINTS = 40

@@ -12,7 +12,7 @@ from mechproof.document.tasks import Role, Task
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.proof.witness_text import name_bound
 from mechproof.record import Row
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
 from mechproof.tools.processes import WorkerError
 
 # A member of a family, with what runs through it: d_{bi}[1].

@@ -40,7 +40,7 @@ from mechproof.document.context.restated_prints import (
 )
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
-from mechproof.document.judging import (
+from mechproof.document.judging_workers import (
     COMPARED,
     LIMIT,
     UNLIKE,
@@ -51,16 +51,16 @@ from mechproof.document.judging import (
     leave_out,
     opened,
 )
-from mechproof.document.rows import Document
+from mechproof.document.source_rows import Document
 from mechproof.document.tasks import Task
-from mechproof.ledger.findings import list_findings
 from mechproof.ledger.judged import JudgedPaper
+from mechproof.ledger.ledger_findings import list_findings
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equation, Paper, Row
 from mechproof.record.statements import list_parts
 from mechproof.sources.displays import EXPECTED
-from mechproof.sources.files import SUFFIXES, DocumentError, is_file, read_source
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
+from mechproof.sources.paper_files import SUFFIXES, DocumentError, is_file, read_source
 from mechproof.tools.processes import run_tasks
 
 _EITHER = (

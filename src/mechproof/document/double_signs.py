@@ -13,8 +13,8 @@ from mechproof.document.printed_signs import find_roles
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import Reader
 from mechproof.latex.reader import Print
-from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.pairs import DOUBLE
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.sources.displays import Printed
 
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)

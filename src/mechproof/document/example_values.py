@@ -15,10 +15,10 @@ import sympy as sp
 from mechproof.document.known import Known, Values
 from mechproof.document.tasks import Role, Sign
 from mechproof.nomenclature.inline import Inline, find_inline
-from mechproof.nomenclature.relations import read_relations
-from mechproof.record.units import ONE
+from mechproof.nomenclature.said_relations import read_relations
+from mechproof.record.unit_notation import ONE
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
+from mechproof.sources.paper_files import Source
 
 
 @contextmanager
@@ -81,7 +81,7 @@ def _join(values: Iterable[Values]) -> Values:
 
 
 @dataclass(frozen=True)
-class Said:
+class SaidValue:
     """What a sentence of an example says that a letter is, and where it stands."""
 
     example: int
@@ -95,7 +95,7 @@ class ExampleValues:
     """The values that hold in worked examples, those that sentences say among them."""
 
     known: Known
-    said: Sequence[Said]
+    said: Sequence[SaidValue]
     order: Sequence[str]
 
     def list_at(self, printed: Printed) -> Values:
@@ -115,7 +115,7 @@ class ExampleValues:
         example = printed.announced.example
         return self.list_at(printed) if example.number and example.is_sure else {}
 
-    def _list_rates(self, said: Said) -> Values:
+    def _list_rates(self, said: SaidValue) -> Values:
         """Return the value of a letter with those of its derivatives."""
         known = replace(self.known, values={**self.known.values}, printed={})
         known.define(said.letter, said.value, "")
@@ -142,7 +142,7 @@ def find_example(offset: int, printed: Sequence[Printed]) -> int:
     return example.number if example and example.start <= offset else 0
 
 
-def _read(one: Inline, number: int, known: Known) -> Said | None:
+def _read(one: Inline, number: int, known: Known) -> SaidValue | None:
     """Read what a sentence says of a letter that nothing else gives."""
     try:
         (relation,) = read_relations(f"{one.letter}={one.value}", known.symbols.reader())
@@ -156,4 +156,6 @@ def _read(one: Inline, number: int, known: Known) -> Said | None:
     is_value = bool(value.free_symbols) or (is_number and dimension in (None, ONE.dimension))
     is_free = letter not in known.values and not known.is_shown(letter, value)
     is_read = isinstance(letter, sp.Symbol) and isinstance(value, sp.Expr)
-    return Said(number, one.offset, letter, value) if is_read and is_value and is_free else None
+    return (
+        SaidValue(number, one.offset, letter, value) if is_read and is_value and is_free else None
+    )

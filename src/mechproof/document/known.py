@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.later_matrices import Later
-from mechproof.document.laws import Piece, join_pieces, order_pieces
+from mechproof.document.printed_laws import LawPiece, join_pieces, order_pieces
 from mechproof.latex.values import differentiate, list_reached, settle_all
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.sources.announcements import NOTHING, Announced
@@ -55,8 +55,8 @@ class Known:
     again: dict[sp.Basic, list[tuple[str, Any]]] = field(default_factory=dict)
     sizes: dict[sp.Basic, tuple[int, int]] = field(default_factory=dict)
     entries: Values = field(default_factory=dict)
-    pieces: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
-    laws: dict[sp.Basic, list[Piece]] = field(default_factory=dict)
+    pieces: dict[sp.Basic, list[LawPiece]] = field(default_factory=dict)
+    laws: dict[sp.Basic, list[LawPiece]] = field(default_factory=dict)
     arcs: dict[sp.Basic, list[sp.Expr]] = field(default_factory=dict)
     angles: dict[tuple[int, sp.Basic], list[tuple[Any, sp.Expr]]] = field(default_factory=dict)
     later: Later = field(default_factory=dict)
@@ -189,12 +189,12 @@ class Known:
         fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
         return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
-    def join_pieces(self) -> dict[sp.Basic, list[Piece]]:
+    def join_pieces(self) -> dict[sp.Basic, list[LawPiece]]:
         """Return the laws that pieces are together, of letters that nothing else gives."""
         ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
         return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
 
-    def define_laws(self, laws: Mapping[sp.Basic, list[Piece]]) -> None:
+    def define_laws(self, laws: Mapping[sp.Basic, list[LawPiece]]) -> None:
         """Take laws by pieces as definitions, but for derivatives of others."""
         for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
             self.laws[letter] = laws[letter]

@@ -27,8 +27,8 @@ from mechproof.latex.tree import (
     walk,
 )
 from mechproof.nomenclature.block import Block
-from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.sources.displays import Printed
 
 T = TypeVar("T")

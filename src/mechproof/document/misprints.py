@@ -17,11 +17,11 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.constraints.witnesses import Point, enclose, find_points
-from mechproof.document.slips import Change, Entry, Sides, list_alike, list_changes
-from mechproof.domains.dimensions import is_angle
-from mechproof.domains.domain import Domain
+from mechproof.document.slips import ChangedSides, PrintedSides, Sides, list_alike, list_changes
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_plainly
+from mechproof.statement_domains.dimension_inference import is_angle
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "separating balls"
 # Points that are tried, more if too few are met; points with values that are enough, and at how
@@ -42,11 +42,11 @@ class Misprint:
     """Where an equation fails, and what mends it."""
 
     evidence: Evidence
-    change: Change
+    change: ChangedSides
 
 
 def find_misprint(
-    entry: Entry,
+    entry: PrintedSides,
     given: Sequence[sp.Expr],
     domain: Domain,
     printed: Collection[sp.Basic] = (),

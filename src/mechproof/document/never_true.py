@@ -10,10 +10,10 @@ import sympy as sp
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.misprints import FEW
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, Holds, Statement
+from mechproof.statement_domains.domain import Domain
 
 # How far a row is never true: those that define its letters may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"

@@ -36,7 +36,7 @@ from mechproof.latex.tree import (
     strip,
     walk,
 )
-from mechproof.nomenclature.relations import read_relations
+from mechproof.nomenclature.said_relations import read_relations
 
 
 def give_values(text: str, known: Known) -> None:

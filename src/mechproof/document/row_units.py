@@ -14,10 +14,14 @@ from sympy.functions.elementary.trigonometric import (
 )
 
 from mechproof.document.known import Known
-from mechproof.document.sides import list_related, list_stated, raises_by_letter
+from mechproof.document.row_sides import list_related, list_stated, raises_by_letter
 from mechproof.document.tasks import Role, Sign
-from mechproof.domains.dimensions import DimensionError, dimensions_of, infer_common
 from mechproof.record import Definition, Equality, Paper, Row, ValueWhere
+from mechproof.statement_domains.dimension_inference import (
+    DimensionError,
+    dimensions_of,
+    infer_common,
+)
 
 # A logarithm of a length is a difference of two that may be printed elsewhere.
 _OF_NUMBERS = (TrigonometricFunction, InverseTrigonometricFunction, HyperbolicFunction, sp.exp)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.document.known import Known
-from mechproof.document.laws import find_seams
+from mechproof.document.printed_laws import find_seams
 from mechproof.document.tasks import Role, Sign, Task
 from mechproof.record import Equality, Equation, Paper
 from mechproof.sources.displays import Printed
-from mechproof.sources.text import Files
+from mechproof.sources.located_text import Files
 
 
 def make_seams(

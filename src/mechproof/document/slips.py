@@ -9,9 +9,9 @@ from itertools import combinations, permutations, product
 import sympy as sp
 
 from mechproof.document.numbers.scales import agrees
-from mechproof.domains.domain import Domain
 from mechproof.record import PrintedNumber
 from mechproof.record.parts import ARCS, TURNING
+from mechproof.statement_domains.domain import Domain
 
 _EXPONENTS = {
     **{sp.Integer(2): (1, 3), sp.Integer(3): (2,), sp.Integer(4): (2, 3)},
@@ -31,7 +31,7 @@ Sides = tuple[sp.Expr, sp.Expr]
 
 
 @dataclass(frozen=True)
-class Entry:
+class PrintedSides:
     """The sides of an equation, and which of them are printed so: only these have misprints."""
 
     sides: Sides
@@ -39,7 +39,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Change:
+class ChangedSides:
     """Sides that a print would have with one part of it, or of what defines a letter, changed."""
 
     sides: Sides
@@ -63,8 +63,8 @@ def list_alike(letters: Collection[sp.Basic], domain: Domain) -> list[sp.Basic]:
 
 
 def list_changes(
-    entry: Entry, letters: Sequence[sp.Basic], defined: Mapping[sp.Basic, sp.Expr]
-) -> Iterator[Change]:
+    entry: PrintedSides, letters: Sequence[sp.Basic], defined: Mapping[sp.Basic, sp.Expr]
+) -> Iterator[ChangedSides]:
     """Yield sides that differ in one place from those printed.
 
     Two letters may be exchanged. What defines a letter keeps its letters: with others much would
@@ -73,20 +73,22 @@ def list_changes(
     one, other = entry.sides
     if entry.are_printed[0]:
         for changed, printed, meant in _change(one, letters, is_term=True):
-            yield Change((changed, other), printed, meant)
+            yield ChangedSides((changed, other), printed, meant)
     if entry.are_printed[1]:
         for changed, printed, meant in _change(other, letters, is_term=True):
-            yield Change((one, changed), printed, meant)
+            yield ChangedSides((one, changed), printed, meant)
     if not all(entry.are_printed):
         return
     for pair in combinations(sorted(one.free_symbols | other.free_symbols, key=str), 2):
         values = dict(zip(pair, reversed(pair), strict=True))
         exchanged = one.xreplace(values), other.xreplace(values)
-        yield Change(exchanged, sp.Tuple(*pair), sp.Tuple(*reversed(pair)))
+        yield ChangedSides(exchanged, sp.Tuple(*pair), sp.Tuple(*reversed(pair)))
     for letter, value in defined.items():
         for changed, printed, meant in _change(value, (), is_term=True):
             put_in = {letter: changed}
-            yield Change((one.xreplace(put_in), other.xreplace(put_in)), printed, meant, letter)
+            yield ChangedSides(
+                (one.xreplace(put_in), other.xreplace(put_in)), printed, meant, letter
+            )
 
 
 def _change(

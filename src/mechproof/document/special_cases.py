@@ -10,12 +10,12 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.document.known import Known
-from mechproof.document.laws import read_piece
+from mechproof.document.printed_laws import read_piece
 from mechproof.document.tasks import Role, Sign
-from mechproof.latex.pieces import find_end, has_value, list_ends, list_outer_ends
+from mechproof.latex.piecewise_values import find_end, has_value, list_ends, list_outer_ends
 from mechproof.latex.values import differentiate
-from mechproof.nomenclature.names import ORDERS
-from mechproof.nomenclature.relations import narrow
+from mechproof.nomenclature.said_relations import narrow
+from mechproof.nomenclature.symbol_names import ORDERS
 from mechproof.record import Conjunction, Equality, Part, Row, Statement
 
 # A derivative of what has so many operations takes long, and nothing is found to follow from it.

@@ -13,12 +13,11 @@ from mechproof.document.constraints.solutions import read_signs, state_signs, ti
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.mentions import is_listed, is_met_once, look_up
-from mechproof.document.numbers.limits import state_limit
+from mechproof.document.numbers.letter_sizes import list_zeros
 from mechproof.document.numbers.numerical_values import turn_units
-from mechproof.document.numbers.sizes import list_zeros
 from mechproof.document.numbers.stated_numbers import StatedNumbers
-from mechproof.document.row_units import find_units
-from mechproof.document.sides import (
+from mechproof.document.numbers.units_in_inequalities import state_limit
+from mechproof.document.row_sides import (
     gives_entries,
     has_letters,
     have_same_letters,
@@ -28,6 +27,7 @@ from mechproof.document.sides import (
     ties_letters,
     ties_running,
 )
+from mechproof.document.row_units import find_units
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -55,7 +55,7 @@ from mechproof.record import (
 )
 from mechproof.sources.displays import Printed
 from mechproof.sources.lines import count_signs
-from mechproof.sources.text import Files
+from mechproof.sources.located_text import Files
 
 # What is compared at values that are said of letters beside it, too.
 _SPECIAL = (Role.REPEATED, Role.DERIVATIVE, Role.STEP, *CONSTRAINING)

@@ -17,7 +17,7 @@ import sympy as sp
 
 from mechproof.record import Paper, PrintedNumber, Row
 from mechproof.sources.announcements import NOTHING, Announced
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
 
 EQUAL = ("=", r"\equiv")
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")

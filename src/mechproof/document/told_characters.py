@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from mechproof.latex.characters import find_disguised, find_replaced, name_character
 from mechproof.sources.displays import Printed
-from mechproof.sources.text import Files, Place
+from mechproof.sources.located_text import Files, Place
 
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.

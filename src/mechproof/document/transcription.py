@@ -15,7 +15,7 @@ from mechproof.nomenclature.block import read_block
 from mechproof.nomenclature.declarations import declare
 from mechproof.record import Claim, Correction, Datum, Equation, Notation, Row, Statement, Variable
 from mechproof.sources.displays import Printed, find_displays
-from mechproof.sources.files import read_source
+from mechproof.sources.paper_files import read_source
 
 R = TypeVar("R", bound=Row)
 # Kept by `split`, as it is a group.

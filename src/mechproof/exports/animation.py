@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from mechproof.plot.canvas import make_canvas, use_style
-from mechproof.plot.motion import Planetary
-from mechproof.plot.pitch_curves import pitch_curves, place_wheels
+from mechproof.plot.motion_plot import Planetary
+from mechproof.plot.pitch_curve_plot import pitch_curves, place_wheels
 
 # Pictures of a turn of the carrier, so many in a second, so wide and high (mm), dots per inch.
 FRAMES, PER_SECOND, SIZE, DOTS = 60, 20, 85.0, 100

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.mechanisms import OvalPair, OvalPlanetary
-from mechproof.plot.motion import Planetary
-from mechproof.plot.pitch_curves import Wheel, place_wheels
+from mechproof.plot.motion_plot import Planetary
+from mechproof.plot.pitch_curve_plot import Wheel, place_wheels
 
 Array = NDArray[np.float64]
 # Points of an outline at first; they are doubled until chords are near enough.

@@ -7,7 +7,7 @@ from types import ModuleType
 from typing import Any
 
 from mechproof.exports.curves import find_ellipse, measure_centres, trace_outline
-from mechproof.plot.pitch_curves import Wheel
+from mechproof.plot.pitch_curve_plot import Wheel
 from mechproof.tools.extras import require_modules
 
 # The unit of a drawing that is millimetres, and the colour of each wheel's layer.

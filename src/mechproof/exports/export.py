@@ -7,16 +7,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Literal
 
-from mechproof.arguments.arrays import check_flag
+from mechproof.arguments.array_checks import check_flag
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.exports.animation import animate
+from mechproof.exports.csv_tables import write_motion, write_outlines
 from mechproof.exports.curves import place_in_mm
 from mechproof.exports.dxf import write_dxf
 from mechproof.exports.svg import write_svg
-from mechproof.exports.tables import write_motion, write_outlines
 from mechproof.mechanisms.units import Units
-from mechproof.plot.motion import Planetary, check_planetary
-from mechproof.plot.pitch_curves import Wheel
+from mechproof.plot.motion_plot import Planetary, check_planetary
+from mechproof.plot.pitch_curve_plot import Wheel
 from mechproof.tools.files import write_whole
 
 # What writes the pitch curves, by the end of the file's name.

@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 import numpy as np
 
 from mechproof.exports.curves import find_ellipse, measure_centres, trace_outline
-from mechproof.plot.pitch_curves import Wheel
+from mechproof.plot.pitch_curve_plot import Wheel
 
 # Millimetres around the wheels.
 MARGIN = 5.0

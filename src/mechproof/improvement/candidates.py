@@ -12,7 +12,7 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import ALL_BITS, Errors, find_errors
 from mechproof.lab.extended_oracle import name_values
 from mechproof.lab.oracle import Truth, find_truth
-from mechproof.lab.sampling.points import choose_evenly, join
+from mechproof.lab.sampling.named_sets import choose_evenly, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.lab.worst_search import draw_sets

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from mechproof.codegen.forms import form_rows, number_shipped
+from mechproof.codegen.form_rows import form_rows, number_shipped
 from mechproof.improvement.candidates import (
     ALL_DIGITS,
     Candidate,
@@ -20,7 +20,7 @@ from mechproof.improvement.candidates import (
     measure_loss,
 )
 from mechproof.improvement.form_search import UNFIT, search
-from mechproof.lab.sampling.points import REPORT, TUNE
+from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict

@@ -18,8 +18,8 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.bounds import bound_approximation
 from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.oracle import Truth, count_points, find_truth
+from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import draw_in_cell, list_cells, list_sets
-from mechproof.lab.sampling.points import REPORT, PointSet, choose_evenly, draw_points, join
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Way

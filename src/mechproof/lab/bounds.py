@@ -8,11 +8,11 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic.balls import evaluate
-from mechproof.domains.domain import Domain
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Way
 from mechproof.proof.signs import find_sign
+from mechproof.statement_domains.domain import Domain
 
 
 def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None:

@@ -8,10 +8,10 @@ from importlib.resources import files
 
 from mechproof.lab.chart_points import write_eps
 from mechproof.measured import KERNELS, Record
-from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_place
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY
+from mechproof.roundoff.premises import NORMAL
 
 AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
 

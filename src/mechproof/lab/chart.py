@@ -29,8 +29,8 @@ from mechproof.lab.error import find_errors
 from mechproof.lab.labels import name_marks, set_signs
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
+from mechproof.lab.sampling.named_sets import REPORT, PointSet, draw_points
 from mechproof.lab.sampling.point_sets import list_sweeps
-from mechproof.lab.sampling.points import REPORT, PointSet, draw_points
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array, Way
 from mechproof.measured import Record

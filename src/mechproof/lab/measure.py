@@ -20,8 +20,8 @@ import numpy as np
 
 from mechproof.executors import check_executor
 from mechproof.lab.accuracy import Report, measure_accuracy
+from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import REPORT, TUNE
 from mechproof.lab.subject import Subject
 from mechproof.lab.tailored_kernels import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs

@@ -44,7 +44,7 @@ ENCLOSING = IN_BALLS.but(
 
 
 @dataclass(frozen=True)
-class Rounded:
+class RoundedBalls:
     """Balls, and whether they are of float32; numbers as they are written are neither."""
 
     balls: Any
@@ -53,8 +53,8 @@ class Rounded:
 
 # As the doubles that a kernel takes them for.
 CONSTANTS = {
-    **{"#pi": Rounded(arb(np.pi)), "#e": Rounded(arb(np.e))},
-    **{"#inf": Rounded(arb("inf")), "#nan": Rounded(arb("nan"))},
+    **{"#pi": RoundedBalls(arb(np.pi)), "#e": RoundedBalls(arb(np.e))},
+    **{"#inf": RoundedBalls(arb("inf")), "#nan": RoundedBalls(arb("nan"))},
 }
 
 
@@ -81,18 +81,18 @@ def decide(condition: Program, inputs: Mapping[str, float | Array]) -> bool:
         return result.balls is True
 
 
-def _as_balls(value: float | Array) -> Rounded:
-    return Rounded(np.frompyfunc(lambda v: arb(float(v)), 1, 1)(np.asarray(value, float)))
+def _as_balls(value: float | Array) -> RoundedBalls:
+    return RoundedBalls(np.frompyfunc(lambda v: arb(float(v)), 1, 1)(np.asarray(value, float)))
 
 
-def _run(program: Program, known: Mapping[str, Rounded]) -> tuple[Rounded, ...]:
+def _run(program: Program, known: Mapping[str, RoundedBalls]) -> tuple[RoundedBalls, ...]:
     return run(spell_out_forms(program), {**known, **CONSTANTS}, ROUNDED)
 
 
-def _operate(kind: str, *given: Rounded) -> Rounded:
+def _operate(kind: str, *given: RoundedBalls) -> RoundedBalls:
     told = [value.is_single for value in given if value.is_single is not None]
     single = kind == "single" or (bool(told) and all(told))
-    return Rounded(_enclose(kind, single, *(v.balls for v in given)), single)
+    return RoundedBalls(_enclose(kind, single, *(v.balls for v in given)), single)
 
 
 def _enclose(kind: str, single: bool, *values: Any) -> Any:
@@ -116,7 +116,7 @@ def _enclose(kind: str, single: bool, *values: Any) -> Any:
 ROUNDED = Arithmetic(
     {
         **{kind: partial(_operate, kind) for kind in KINDS},
-        "number": lambda value: Rounded(arb(value), None),
+        "number": lambda value: RoundedBalls(arb(value), None),
     }
 )
 

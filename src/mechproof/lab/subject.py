@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.form_rows import form_rows
 from mechproof.derivation import (
     find_systems,
     load_kernels,
@@ -27,15 +27,15 @@ from mechproof.derivation import (
     load_part,
     packaged_directory,
 )
-from mechproof.domains.domain import Domain
 from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.gpu_kernels import find_gpu, find_on_gpu
-from mechproof.lab.sampling.points import PointSet
+from mechproof.lab.sampling.named_sets import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
 from mechproof.measured import IN_C, ON_GPU, goes_by
 from mechproof.record import Paper, Peer, Quantity, Row
+from mechproof.statement_domains.domain import Domain
 
 
 @dataclass(frozen=True)

@@ -19,14 +19,14 @@ from flint import arb
 
 from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.intervals import LEAST_NORMAL
-from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.source_reading import TranslationError
 from mechproof.kernel_support import blocks
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
 from mechproof.lab.rounding import decide, enclose_stage
+from mechproof.lab.sampling.named_sets import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs.code import KernelCode, Stage

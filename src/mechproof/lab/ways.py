@@ -12,13 +12,13 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.domains.domain import Domain
 from mechproof.measured import Kind
 from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.record import Peer, Quantity, Row
 from mechproof.record.forms import KERNEL
 from mechproof.record.implicit import Implicit
+from mechproof.statement_domains.domain import Domain
 
 Array = NDArray[Any]
 Arguments = tuple[Array, ...]

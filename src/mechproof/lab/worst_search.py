@@ -17,8 +17,8 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.extended_oracle import extend
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import list_sets
-from mechproof.lab.sampling.points import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, climb_and_judge, gather
@@ -30,7 +30,7 @@ ROUNDS, CLIMB = 20, 100
 
 
 @dataclass(frozen=True)
-class WorstInput:
+class SearchedInput:
     """The worst input of a search, its error in units of the bound, and how many were tried."""
 
     arguments: tuple[Array, ...]
@@ -45,7 +45,7 @@ def find_worst(
     seed: int = TUNE,
     share: float = 1.0,
     most: int | None = None,
-) -> WorstInput:
+) -> SearchedInput:
     """Climb for some rounds from a share of each set, by balls from at most so many points of it.
 
     The domain is not left. Without long doubles, or code of the quantity, balls are all there is.
@@ -66,7 +66,7 @@ def find_worst(
         for length in _divide(ROUNDS * rounds):
             found = climb_and_judge(judge, estimate, start, BY_LONG_DOUBLES, length, rng)
             population = gather(population, found, JUDGED)
-    return WorstInput(*population.worst, population.tried)
+    return SearchedInput(*population.worst, population.tried)
 
 
 def _divide(rounds: int) -> Iterator[int]:

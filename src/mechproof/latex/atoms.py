@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import calculus, derivatives, letters, places, tables
+from mechproof.latex import calculus, environments, letters, places, printed_derivatives
 from mechproof.latex.characters import is_digit
+from mechproof.latex.latex_signs import DOTS
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.measures import read_measure, read_unit
-from mechproof.latex.names import find_brace
+from mechproof.latex.name_table import find_brace
 from mechproof.latex.numerals import read_number
 from mechproof.latex.products import make_cross_matrix
-from mechproof.latex.signs import DOTS
 from mechproof.latex.tree import (
     Bracket,
     Call,
@@ -59,14 +59,14 @@ def read_atom(parser: Parser) -> Node:
             parser.take()
         # Beside a matrix it is one of zeros.
         return Number("0", start=start, end=parser.end)
-    if text == r"\frac" and derivatives.is_derivative(parser):
-        return derivatives.read_derivative(parser)
+    if text == r"\frac" and printed_derivatives.is_derivative(parser):
+        return printed_derivatives.read_derivative(parser)
     if text == r"\frac":
         return read_unit(parser) or _read_fraction(parser, start)
     if text == r"\sqrt":
         return _read_root(parser, start)
     if text == r"\binom":
-        return derivatives.read_binomial(parser)
+        return printed_derivatives.read_binomial(parser)
     if text in _CLOSED_BY:
         return _read_bracket(parser, start)
     if text == "|":
@@ -83,11 +83,11 @@ def read_atom(parser: Parser) -> Node:
         inside = parser.read_inside(text, parser.read_sum, closing)
         return Call(function, (inside,), start=start, end=parser.end)
     if text.startswith(r"\begin{"):
-        return tables.read_environment(parser)
+        return environments.read_environment(parser)
     if text in (r"\sum", r"\prod"):
         return calculus.read_repeated(parser)
     if text == r"\lim":
-        return derivatives.read_limit(parser)
+        return printed_derivatives.read_limit(parser)
     if text == r"\int":
         return calculus.read_integral(parser)
     return read_unit(parser) or letters.read_letter(parser, None)
@@ -109,9 +109,9 @@ def _read_root(parser: Parser, start: int) -> Node:
 
 
 def _read_bracket(parser: Parser, start: int) -> Node:
-    if parser.text == "[" and tables.is_cases(parser):
+    if parser.text == "[" and environments.is_cases(parser):
         parser.take()
-        return tables.read_cases(parser, start)
+        return environments.read_cases(parser, start)
     closing = _CLOSED_BY[parser.text]
     if (parser.peek(1), parser.peek(2)) == (r"\dots", closing):
         return _repeat_bracket(parser, start)

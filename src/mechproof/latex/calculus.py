@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.latex import letters
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.relations import RELATIONS
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tree import (
     Chain,
     Derivation,
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class Open:
+class OpenIntegral:
     """An integral being read: its differential, and letters that it may bind."""
 
     depth: int
@@ -139,7 +139,7 @@ def read_integral(parser: Parser) -> Node:
     high = parser.read_script("^") if parser.text == "^" else None
     if (low is None) != (high is None):
         raise parser.refuse("an integral with one limit only", place=start)
-    opened = Open(parser.depth)
+    opened = OpenIntegral(parser.depth)
     parser.integrals.append(opened)
     integrand = _read_integrand(parser, opened)
     parser.integrals.pop()
@@ -147,7 +147,7 @@ def read_integral(parser: Parser) -> Node:
     return Integration(integrand, opened.differential, low, high, start=start, end=parser.end)
 
 
-def _read_integrand(parser: Parser, opened: Open) -> Node:
+def _read_integrand(parser: Parser, opened: OpenIntegral) -> Node:
     """Read one product, or a sum that ends with the differential."""
     start = parser.start
     if is_differential(parser):
@@ -166,7 +166,7 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
     return parser.add_up(terms, start)
 
 
-def _end_with_differential(parser: Parser, opened: Open) -> None:
+def _end_with_differential(parser: Parser, opened: OpenIntegral) -> None:
     if opened.differential is None and is_differential(parser):
         read_differential(parser, opened)
     if opened.differential is not None:
@@ -220,7 +220,7 @@ def _is_needed(parser: Parser) -> bool:
     return sum(token.text == "d" for token in behind) <= left
 
 
-def read_differential(parser: Parser, opened: Open) -> None:
+def read_differential(parser: Parser, opened: OpenIntegral) -> None:
     """Read d and the one name or function behind it."""
     start = parser.take("d").start
     operand = parser.read_factor()
@@ -244,7 +244,7 @@ def _read_numerator(parser: Parser) -> Node:
     return inside
 
 
-def _bind(parser: Parser, opened: Open) -> None:
+def _bind(parser: Parser, opened: OpenIntegral) -> None:
     """Hand letters that this integral does not bind to the one around it, or refuse them."""
     bound = opened.differential.text if isinstance(opened.differential, Letter) else None
     free = [letter for letter in opened.running if letter.text != bound]

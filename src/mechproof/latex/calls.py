@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, conditions
+from mechproof.latex import atoms, calculus, side_conditions
 from mechproof.latex.characters import is_letter
+from mechproof.latex.latex_signs import DOTS, find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.signs import DOTS, find_close
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -170,7 +170,7 @@ def _may_count(parser: Parser, inside: Add) -> bool:
     if parser.text not in (*_BRACKETS, r"\frac") or _is_behind_space(parser):
         return False
     counts = {count for count, _ in parser.notation.phases}
-    return not conditions.is_bracketed(parser) and (parts <= counts or not known >= parts)
+    return not side_conditions.is_bracketed(parser) and (parts <= counts or not known >= parts)
 
 
 def _read_grouped(parser: Parser) -> tuple[Node, ...]:
@@ -285,7 +285,7 @@ def _is_bracketed_matrix(parser: Parser) -> bool:
 
 def _check_bracket(parser: Parser, place: int) -> None:
     r"""Refuse a bracket behind the argument of a function that begins at a place: \sin q(a+b)."""
-    if parser.text == "(" and not (conditions.is_bracketed(parser) or _is_apart(parser)):
+    if parser.text == "(" and not (side_conditions.is_bracketed(parser) or _is_apart(parser)):
         printed = parser.source.latex[parser.tokens[place].start : parser.end]
         raise parser.refuse(
             f"a bracket after {printed}: a factor, or the argument of a function?",

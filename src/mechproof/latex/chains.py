@@ -6,11 +6,11 @@ what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }
 
 from __future__ import annotations
 
-from mechproof.latex import conditions, groups
-from mechproof.latex.conditions import ChainPart
+from mechproof.latex import groups, side_conditions
+from mechproof.latex.latex_signs import NARROW, WIDE
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.parser import Parser
-from mechproof.latex.relations import (
+from mechproof.latex.printed_relations import (
     RELATIONS,
     place_between,
     read_condition,
@@ -18,7 +18,7 @@ from mechproof.latex.relations import (
     skip_set,
 )
 from mechproof.latex.several_equations import Line
-from mechproof.latex.signs import NARROW, WIDE
+from mechproof.latex.side_conditions import ChainPart
 from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Product
 from mechproof.latex.words import AND, ELSE, IF
 
@@ -61,11 +61,11 @@ def _read_line(parser: Parser) -> tuple[Chain, ...]:
             last = parts[-1].chain.members[-1]
             factors = last.factors if isinstance(last, Product) else (last,)
             parser.brackets = tuple(one for one in factors if isinstance(one, Bracket))
-        elif not (parser.text in (WIDE, *IF, r"\forall") or conditions.is_bracketed(parser)):
+        elif not (parser.text in (WIDE, *IF, r"\forall") or side_conditions.is_bracketed(parser)):
             raise _refuse_rest(parser)
         parts += _read_parts(parser)
     groups.refuse_cut(parser, [part.chain for part in parts])
-    return conditions.fold(parser, parts)
+    return side_conditions.fold(parser, parts)
 
 
 def _refuse_rest(parser: Parser) -> Exception:
@@ -87,14 +87,14 @@ def _read_parts(parser: Parser) -> list[ChainPart]:
     """Read what follows a comma or a gap: a chain, or conditions that are said to be some."""
     if _skip_membership(parser):
         return []
-    if conditions.is_bracketed(parser):
+    if side_conditions.is_bracketed(parser):
         closing = {"(": ")", "[": "]"}[parser.text]
         return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
     if parser.text in (*IF, r"\forall"):
         return [ChainPart(read_condition(parser), said=True)]
     if not parser.skip(WIDE):
         return [ChainPart(_read_chain(parser))]
-    if parser.text in (*IF, r"\forall") or conditions.is_bracketed(parser):
+    if parser.text in (*IF, r"\forall") or side_conditions.is_bracketed(parser):
         return _read_parts(parser)
     start = parser.start
     chain = _read_chain(parser)

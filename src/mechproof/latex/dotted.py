@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex.characters import is_digit
-from mechproof.latex.signs import DOTS
+from mechproof.latex.latex_signs import DOTS
 from mechproof.latex.tree import Dotted, Node
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ import sympy as sp
 
 from mechproof.latex.errors import PrintedText, Remedies
 from mechproof.latex.meaning import Meaning
+from mechproof.latex.printed_statements import Members, state
 from mechproof.latex.reader import Print, Reader
-from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
 from mechproof.latex.tokens import list_signs
 from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk

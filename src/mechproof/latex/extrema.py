@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from mechproof.latex.measures import begins_member
-from mechproof.latex.pieces import find_zero
+from mechproof.latex.piecewise_values import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
 from mechproof.latex.values import settle_all
 from mechproof.record import Conjunction, Equality, Holds, ValueWhere

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from mechproof.latex.signs import same_sign
+from mechproof.latex.latex_signs import same_sign
 
 # What opens and what closes, by its kind.
 _OPENING = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}

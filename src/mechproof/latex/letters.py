@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import conditions, places, undeclared
+from mechproof.latex import places, side_conditions, undeclared
 from mechproof.latex.characters import is_digit
 from mechproof.latex.errors import ReadingError
-from mechproof.latex.functions import CONSTANTS
-from mechproof.latex.names import Match
+from mechproof.latex.latex_signs import STAR
+from mechproof.latex.name_table import Match
 from mechproof.latex.numerals import read_number
-from mechproof.latex.signs import STAR
+from mechproof.latex.printed_functions import CONSTANTS
 from mechproof.latex.summands import TIME, is_no_argument
 from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power, walk
 from mechproof.latex.words import ITALICS
@@ -157,7 +157,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
     is_factor = letter.text in parser.factors or _is_of_others(parser, letter)
     # A relation in a bracket behind a wide gap is a condition.
     gap = parser.source.latex[letter.end : parser.start]
-    is_factor |= "quad" in gap and conditions.is_bracketed(parser)
+    is_factor |= "quad" in gap and side_conditions.is_bracketed(parser)
     if other and not is_rate and not is_factor:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",

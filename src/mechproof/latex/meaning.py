@@ -23,7 +23,6 @@ from mechproof.latex.calculus_meaning import (
 from mechproof.latex.dotted import give_dotted
 from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
-from mechproof.latex.functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.matrix_meaning import (
     ENTRIES,
     give_entries,
@@ -34,6 +33,7 @@ from mechproof.latex.matrix_meaning import (
     give_transposed,
 )
 from mechproof.latex.matrix_powers import is_power, raise_matrix
+from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
 from mechproof.latex.tree import (
     Add,

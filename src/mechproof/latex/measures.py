@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from mechproof.latex.latex_signs import GAPS, find_command
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import GAPS, find_command
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tokens import QUANTITIES
 from mechproof.latex.tree import (
     Add,

@@ -16,22 +16,22 @@ from mechproof.latex import (
     atoms,
     calculus,
     calls,
-    conditions,
-    derivatives,
     dotted,
     extrema,
     letters,
     places,
+    printed_derivatives,
     several_equations,
+    side_conditions,
 )
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
-from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.latex_signs import CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.measures import is_unit
-from mechproof.latex.names import Names, to_signs
+from mechproof.latex.name_table import Names, to_signs
 from mechproof.latex.numerals import is_number_fraction, may_follow
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import CLOSING, DOTS, NARROW, WIDE, Token
+from mechproof.latex.printed_functions import FUNCTIONS
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.slashed import fold_slashed
 from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
@@ -103,13 +103,13 @@ class Parser:
         double = {r"\pm": first, r"\mp": -first} if first else {}
         self.signs = {"+": 1, "-": -1, **double}
         self.bound: list[str] = []
-        self.integrals: list[calculus.Open] = []
+        self.integrals: list[calculus.OpenIntegral] = []
         self.brackets: tuple[Bracket, ...] = ()
         self._refuse_alike()
 
     def begin(self, tokens: Sequence[Token], last: int) -> None:
         """Begin to read these signs, which end at a place of the source."""
-        self.tokens: Sequence[Token] = fold_slashed(conditions.keep_gaps(tokens), self.names)
+        self.tokens: Sequence[Token] = fold_slashed(side_conditions.keep_gaps(tokens), self.names)
         self.last = last
         self.place = self.bars = self.norms = self.depth = 0
         # Of places of brackets, whether they multiply the letter before.
@@ -268,7 +268,7 @@ class Parser:
             return self.norms > 0
         is_word = self.text.startswith((r"\text", r"\end")) and not is_unit(self)
         ends = self.text in ENDING or self.text in self.signs
-        return is_word or ends or calculus.is_over(self) or conditions.is_bracketed(self)
+        return is_word or ends or calculus.is_over(self) or side_conditions.is_bracketed(self)
 
     def _divide(self, factors: list[Node], signs: list[str], start: int) -> Node:
         slash = self.take("/")
@@ -310,7 +310,7 @@ class Parser:
             atom = atoms.read_excerpt(self, atom, start)
         if places.is_bar(self):
             return places.read_bar(self, atom, place)
-        if suffixed := derivatives.read_suffix(self, atom):
+        if suffixed := printed_derivatives.read_suffix(self, atom):
             return suffixed
         if self.text != "^":
             return atom

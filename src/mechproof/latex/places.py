@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.measures import begins_member
-from mechproof.latex.names import find_brace
+from mechproof.latex.name_table import find_brace
 from mechproof.latex.tree import Add, Approach, At, Bracket, Constant, Letter, Node, strip, walk
 
 if TYPE_CHECKING:

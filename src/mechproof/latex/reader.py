@@ -16,7 +16,7 @@ from mechproof.latex.chains import read_print
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.measures import put_units
-from mechproof.latex.names import Names, build_names
+from mechproof.latex.name_table import Names, build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
 from mechproof.record import Notation, Row, Variable, list_given

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import GAPS, Token, measure_depths
+from mechproof.latex.latex_signs import GAPS, Token, measure_depths
+from mechproof.latex.printed_relations import RELATIONS
 
 ARROWS = (r"\to", r"\Rightarrow", r"\implies", r"\Longrightarrow")
 _ROWS = ("matrix", "aligned", "gathered", "split")

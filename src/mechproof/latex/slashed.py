@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mechproof.latex.derivatives import PARTIAL
+from mechproof.latex.latex_signs import Token, find_close
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.names import Names, find_brace
-from mechproof.latex.signs import Token, find_close
+from mechproof.latex.name_table import Names, find_brace
+from mechproof.latex.printed_derivatives import PARTIAL
 from mechproof.latex.undeclared import find_end
 
 _SLASH = "/"

@@ -14,10 +14,10 @@ from itertools import takewhile
 from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script
 from mechproof.latex.errors import PrintedText
-from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.latex_signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import GAPS, STAR, Token, same_sign, split_signs
+from mechproof.latex.printed_functions import FUNCTIONS
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _ARGUMENTS = {r"\frac": 2, r"\binom": 2, r"\sqrt": 1}

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
-from mechproof.latex.functions import AMBIGUOUS
+from mechproof.latex.latex_signs import SUFFIXES, Token, find_command
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
-from mechproof.latex.names import INDEX, Name, find_brace, strip_braces
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import SUFFIXES, Token, find_command
+from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
+from mechproof.latex.printed_functions import AMBIGUOUS
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
-from mechproof.record.units import is_unit
+from mechproof.record.unit_notation import is_unit
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser

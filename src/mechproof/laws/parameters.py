@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array, check_generator, check_shape
+from mechproof.arguments.array_checks import check_array, check_generator, check_shape
 from mechproof.arguments.scalars import require
 from mechproof.laws.windows import Array
 

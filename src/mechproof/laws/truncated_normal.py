@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array, check_order, check_scale
+from mechproof.arguments.array_checks import check_array, check_order, check_scale
 from mechproof.arguments.scalars import require
 from mechproof.laws.normal import Normal
 from mechproof.laws.parameters import BoundedLaw, Values, check_limits

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from mechproof.latex.changes import Style, mark_changes
 from mechproof.latex.sentence_changes import mark_sentences
 from mechproof.latex.sentences import is_sentence, walk_outside
-from mechproof.ledger.findings import LedgerFinding
+from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.verdict import Verdict
 
 # What formulas are marked with on a page; what stays within what is changed is neither.

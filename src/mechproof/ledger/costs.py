@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.proof.evidence_numbers import describe_number
 from mechproof.proof.exact_values import RECOMPUTATION
-from mechproof.proof.numbers import describe_number
 from mechproof.proof.verdict import Evidence, Judgement
 from mechproof.proof.witness_text import show_plainly
 

@@ -11,7 +11,7 @@ from html import escape
 from types import MappingProxyType
 
 from mechproof.ledger.cards import make_card
-from mechproof.ledger.findings import LedgerFinding
+from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.equalities import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict

@@ -18,7 +18,7 @@ from sympy.external.gmpy import GROUND_TYPES
 from mechproof.ledger.fingerprint import Fingerprint, NoFingerprintError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
 from mechproof.tools.cache import Store, cache_folder, make_key, name_place
 
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
@@ -26,7 +26,7 @@ UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
 # Fields of a judgement that are lists of texts.
 LISTED = ("marks", "singular", "cites", "quantities")
-LAYERS = ("record", "latex", "arithmetic", "sources", "domains", "proof")
+LAYERS = ("record", "latex", "arithmetic", "sources", "statement_domains", "proof")
 
 
 def prover_sources() -> list[Path]:

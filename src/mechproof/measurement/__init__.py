@@ -14,14 +14,14 @@ Whoever has readings may import it; it imports NumPy and the kernels, and SciPy 
 that need it.
 """
 
-from mechproof.measurement.estimate import CoverageInterval, Estimate
-from mechproof.measurement.fit import Fit, fit
-from mechproof.measurement.position import (
+from mechproof.measurement.angle_errors import (
     Mechanism,
     evaluate_position_errors,
     position_errors,
     wrap_angle,
 )
+from mechproof.measurement.estimate import CoverageInterval, Estimate
+from mechproof.measurement.fit import Fit, fit
 from mechproof.measurement.propagation import Propagation, propagate, to_ufloat
 from mechproof.measurement.uncertainty import TypeA, TypeB, combine, evaluate_type_a
 

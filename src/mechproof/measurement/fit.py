@@ -20,10 +20,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array, check_flag, check_pair
+from mechproof.arguments.array_checks import check_array, check_flag, check_pair
 from mechproof.arguments.scalars import check_not_negative, refuse, require
 from mechproof.measurement.estimate import Estimate
-from mechproof.measurement.fitted_models import MODELS, ZEROS, Floats, Minimum, Problem
+from mechproof.measurement.fitted_models import MODELS, ZEROS, FittingProblem, Floats, Minimum
 
 # Columns that depend on each other to this are not told apart by any readings.
 LARGEST_CONDITION = 1e7
@@ -125,7 +125,7 @@ def fit(
     is_known = callable(position) and position in MODELS
     require(is_known, "position", position, f"must be one of the kernels {known}")
     fitted = check_flag("zeros", zeros)
-    problem = Problem(position, MODELS[position], *_check_readings(phi1, measured), fitted)
+    problem = FittingProblem(position, MODELS[position], *_check_readings(phi1, measured), fitted)
     spread = None if uncertainty is None else check_not_negative("uncertainty", uncertainty)
     lowest, highest = (float(end) for end in check_pair("ratio", ratio))
     require(math.isfinite(highest - lowest), "ratio", ratio, "must be finite")
@@ -135,7 +135,7 @@ def fit(
     return _conclude(problem, minima, spread)
 
 
-def _conclude(problem: Problem, minima: list[Minimum], uncertainty: float | None) -> Fit:
+def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float | None) -> Fit:
     """Return the least minimum; ValueError unless it is the only one, small, and sharp."""
     best, count = minima[0], problem.angles.size
     error = math.sqrt(best.square / count)

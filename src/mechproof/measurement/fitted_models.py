@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from mechproof.derivatives import differentiate
 from mechproof.kernels import elliptic_planetary, oval_planetary
-from mechproof.measurement.position import wrap_angle
+from mechproof.measurement.angle_errors import wrap_angle
 
 Floats = NDArray[np.float64]
 # The zeros of the encoders: what they read where the mechanism is at its own zero.
@@ -27,7 +27,7 @@ REFINED, TURNS, CHOSEN = 12, 4, 200
 FLATTEST = 1 - 1e-6
 
 
-class Model(NamedTuple):
+class FittedModel(NamedTuple):
     """How a position function is fitted.
 
     `fixed` are arguments that positions do not determine, `fitted` the names of those that they
@@ -40,11 +40,13 @@ class Model(NamedTuple):
     least: float = 0.0
 
 
-MODELS: Mapping[Callable[..., Any], Model] = MappingProxyType(
+MODELS: Mapping[Callable[..., Any], FittedModel] = MappingProxyType(
     {
-        elliptic_planetary.position: Model({"R2": 1.0}, {"R1/R2": "R1", "e": "e"}, 1.0, 1.0),
-        oval_planetary.position_cylindrical: Model({"R5": 1.0}, {"R4/R5": "R4", "e2": "e2"}, 2.0),
-        oval_planetary.position: Model({"e1": 0.0, "mount": 0.0}, {"e2": "e2"}, 2.0),
+        elliptic_planetary.position: FittedModel({"R2": 1.0}, {"R1/R2": "R1", "e": "e"}, 1.0, 1.0),
+        oval_planetary.position_cylindrical: FittedModel(
+            {"R5": 1.0}, {"R4/R5": "R4", "e2": "e2"}, 2.0
+        ),
+        oval_planetary.position: FittedModel({"e1": 0.0, "mount": 0.0}, {"e2": "e2"}, 2.0),
     }
 )
 
@@ -57,13 +59,13 @@ class Minimum(NamedTuple):
     square: float
 
 
-class Problem:
+class FittingProblem:
     """Readings and the model that is fitted to them."""
 
     def __init__(
         self,
         position: Callable[..., Any],
-        model: Model,
+        model: FittedModel,
         angles: Floats,
         readings: Floats,
         zeros: bool,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import (
     check_count,
     check_not_negative,

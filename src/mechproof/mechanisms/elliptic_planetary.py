@@ -25,10 +25,10 @@ from mechproof.arguments.scalars import check_real, refuse
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.mechanisms.elliptic_planetary_design import find_sizes
 from mechproof.mechanisms.extremes import PLACES, Extremes
-from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
-from mechproof.mechanisms.pointwise import pointwise_in_angles
+from mechproof.mechanisms.pointwise_types import pointwise_in_angles
+from mechproof.mechanisms.published_sizes import check_domain, choose_published
 from mechproof.mechanisms.units import Units
 
 

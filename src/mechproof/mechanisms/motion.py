@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import refuse
-from mechproof.mechanisms.pointwise import pointwise_in_angles
+from mechproof.mechanisms.pointwise_types import pointwise_in_angles
 from mechproof.mechanisms.time_derivatives import differentiate, interpolate
 from mechproof.mechanisms.units import Units, is_quantity
 from mechproof.tools.notebook import Displayed

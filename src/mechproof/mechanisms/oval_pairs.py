@@ -9,7 +9,7 @@ from typing import Any
 
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.mechanisms.exact import Given, Number, check_number
-from mechproof.mechanisms.facts import check_domain
+from mechproof.mechanisms.published_sizes import check_domain
 from mechproof.mechanisms.units import Units
 
 

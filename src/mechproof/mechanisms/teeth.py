@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_count, check_items, require
 from mechproof.mechanisms.exact import Given, check_number, check_teeth
 

@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_flag, check_pair
+from mechproof.arguments.array_checks import check_flag, check_pair
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.conformity import (
     Law,

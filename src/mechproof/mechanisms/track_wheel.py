@@ -30,9 +30,9 @@ from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import track_wheel as kernels
 from mechproof.kernels.derivatives import track_wheel as derivatives
 from mechproof.mechanisms.extremes import PLACES, Extremes
-from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import WIDENING
-from mechproof.mechanisms.pointwise import pointwise_in_angles
+from mechproof.mechanisms.pointwise_types import pointwise_in_angles
+from mechproof.mechanisms.published_sizes import check_domain
 from mechproof.mechanisms.track_wheel_design import (
     QUARTER,
     check_offset,

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from mechproof.arguments.arrays import check_flag
+from mechproof.arguments.array_checks import check_flag
 from mechproof.arguments.scalars import PLAIN, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 

@@ -10,9 +10,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
 from mechproof.latex.characters import is_digit
-from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.latex_signs import find_close, measure_depths
 from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
-from mechproof.latex.signs import find_close, measure_depths
+from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import list_signs
 
 # Letters that are functions as often as numbers.

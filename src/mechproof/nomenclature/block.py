@@ -15,8 +15,8 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from mechproof.record.units import spell_unit
-from mechproof.sources.text import Files, LocatedText, Place
+from mechproof.record.unit_notation import spell_unit
+from mechproof.sources.located_text import Files, LocatedText, Place
 
 _SHAPE = re.compile(r"\s\[?(\d+)\s*x\s*(\d+)\]?\s*\Z")
 _MOVED = re.compile(r"(?P<name>\S+)\s+(?P<shape>\d+x\d+)\s*\(\s*(?P<by>[^()]+?)\s*\)\s*\Z")

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
 from mechproof.record import find_last_place
-from mechproof.record.units import Unit, UnitError, drop_braces, read_unit, spell_unit
+from mechproof.record.unit_notation import Unit, UnitError, drop_braces, read_unit, spell_unit
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")

@@ -9,8 +9,8 @@ import sympy as sp
 
 from mechproof.latex.values import differentiate
 from mechproof.nomenclature.block import Block, Declared
-from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.names import ORDERS, TIME, print_rate
+from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.nomenclature.symbol_names import ORDERS, TIME, print_rate
 from mechproof.nomenclature.symbols import Symbols
 
 # The letter and the order of a rate, by its name.

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import accumulate, takewhile
 
-from mechproof.latex.signs import find_close
+from mechproof.latex.latex_signs import find_close
 from mechproof.latex.tokens import list_signs
 
 # The letters of last terms, behind dots.

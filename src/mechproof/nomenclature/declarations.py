@@ -11,13 +11,14 @@ from itertools import product
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import find_phases
 from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.cells import name_unit
-from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.names import (
+from mechproof.nomenclature.said_relations import narrow, read_relations
+from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.nomenclature.symbol_names import (
     ORDERS,
     TIME,
     leave_names,
@@ -28,11 +29,10 @@ from mechproof.nomenclature.names import (
     say_rate,
     set_otherwise,
 )
-from mechproof.nomenclature.relations import narrow, read_relations
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import NUMBER, Notation, Variable
-from mechproof.record.units import ONE, Unit, UnitError, read_unit, weigh_unit
-from mechproof.sources.text import Place
+from mechproof.record.unit_notation import ONE, Unit, UnitError, read_unit, weigh_unit
+from mechproof.sources.located_text import Place
 
 # The unit behind a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?\{?-?\d\}?)?)+)\s*\Z")

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.nomenclature.cells import Numeral, find_unit, name_unit, read_numeral
-from mechproof.nomenclature.letters import name_symbol
-from mechproof.record.units import ONE, Unit, read_unit
+from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.record.unit_notation import ONE, Unit, read_unit
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
 from mechproof.sources.macros import expand, find_macros
+from mechproof.sources.paper_files import Source
 
 DISPLAY = re.compile(
     r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{(?P<name>equation|align|gather|multline|eqnarray|tabular)"

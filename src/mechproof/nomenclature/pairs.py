@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from mechproof.nomenclature.block import Block, Declared
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 
 # A double sign.
 DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")

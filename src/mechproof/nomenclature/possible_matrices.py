@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from mechproof.latex.left_scripts import ACCENTS
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 
 _ACCENT = "|".join(accent[1:] for accent in ACCENTS)
 _INDEX = r"(?:_(?:\w|\\[A-Za-z]+|\{[^{}]*\}))?"

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from mechproof.nomenclature.cells import name_unit
-from mechproof.nomenclature.letters import name_symbol
-from mechproof.record.units import UnitError, read_unit
-from mechproof.sources.files import Source
+from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.record.unit_notation import UnitError, read_unit
+from mechproof.sources.paper_files import Source
 
 _NAME = r"\$(?P<name>[^$&|\n]{1,30}?)\s*=?\s*\$"
 _UNIT = (

@@ -36,7 +36,7 @@ from mechproof.latex.tree import (
     Transposed,
     walk,
 )
-from mechproof.nomenclature.letters import (
+from mechproof.nomenclature.shown_letters import (
     Collected,
     find_shapes,
     is_vector,
@@ -282,7 +282,7 @@ class Shapes:
 
 
 @dataclass(frozen=True)
-class Sizes:
+class MatrixSizes:
     """The sizes of letters, by their names; which stand in brackets, and which have several.
 
     `crosses` are the vectors that stand in brackets for the matrix of their cross product.
@@ -295,7 +295,7 @@ class Sizes:
 
 def find_sizes(
     prints: Sequence[str], collected: Collected, *, has_plain_matrices: bool = True
-) -> Sizes:
+) -> MatrixSizes:
     """Return the sizes of letters; with these more is read, which may tell others.
 
     Unless it `has_plain_matrices`, a letter is a number where neither its print nor a table of
@@ -317,5 +317,5 @@ def find_sizes(
                 tuple(name_symbol(str(symbol)) for symbol in symbols)
                 for symbols in (shapes.crosses, shapes.unclear)
             )
-            return Sizes(found, crosses, unclear)
+            return MatrixSizes(found, crosses, unclear)
         found |= known

@@ -11,10 +11,10 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.latex.values import Moving
-from mechproof.nomenclature.letters import REMEDIES, name_symbol
+from mechproof.nomenclature.shown_letters import REMEDIES, name_symbol
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
-from mechproof.record.units import UNITS
-from mechproof.sources.text import Place
+from mechproof.record.unit_notation import UNITS
+from mechproof.sources.located_text import Place
 
 
 @dataclass(frozen=True)

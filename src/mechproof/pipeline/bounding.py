@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.arguments.arrays import check_flag
+from mechproof.arguments.array_checks import check_flag
 from mechproof.arguments.scalars import (
     check_count,
     check_function,
@@ -28,8 +28,8 @@ from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import enclose_ball
 from mechproof.arithmetic.largest import bound_largest
-from mechproof.fpcore.expressions import FPCoreError, read_file
-from mechproof.fpcore.reading import read_cores
+from mechproof.fpcore.fpcore_reading import read_cores
+from mechproof.fpcore.s_expressions import FPCoreError, read_file
 from mechproof.latex import ReadingError
 from mechproof.pipeline.pasted import PastedError, read_expression
 from mechproof.pipeline.pasted_letters import Pasted

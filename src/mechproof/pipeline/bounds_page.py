@@ -16,9 +16,9 @@ from typing import Any
 from mechproof.arithmetic.largest import bound_largest
 from mechproof.comparison import fptaylor, gappa
 from mechproof.pipeline.bounding import PARTS, TOLERANCE, Bounding
-from mechproof.roundoff.assumptions import FUNCTIONS
 from mechproof.roundoff.boxed import Convention, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.premises import FUNCTIONS
 from mechproof.roundoff.steps import HALF
 from mechproof.tools.processes import WorkerError, run_tasks
 

@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.core.symbol import Str
 
 from mechproof.latex.tokens import list_signs
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.pipeline.moving_letters import (
     OTHERWISE,
     find_end,

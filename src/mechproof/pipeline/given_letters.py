@@ -11,11 +11,11 @@ import sympy as sp
 from mechproof.latex import Reader
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING
-from mechproof.nomenclature.letters import name_symbol
-from mechproof.nomenclature.relations import read_relations
+from mechproof.nomenclature.said_relations import read_relations
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
 from mechproof.record import Variable
-from mechproof.record.units import is_unit
+from mechproof.record.unit_notation import is_unit
 
 # A number, and behind a blank what may be its unit.
 _WITH_UNIT = re.compile(r"[-+\d.]+(?:\s|~|\\[,:;!])+(?:\\mathrm\s*\{)?([^\W\d_]+)\}?\s*")

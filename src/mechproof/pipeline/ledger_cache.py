@@ -15,12 +15,12 @@ from typing import Any
 
 from mechproof.chosen import find_file
 from mechproof.ledger.costs import LedgerCost
-from mechproof.ledger.findings import LedgerFinding
 from mechproof.ledger.judged import Ledger, Origin
+from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.ledger.verdict_cache import UNREAD, read_judgement
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.record import Weight
-from mechproof.sources.text import Place
+from mechproof.sources.located_text import Place
 from mechproof.tools.cache import Store, name_place
 from mechproof.tools.reads import are_unchanged, digest_program
 

@@ -16,7 +16,7 @@ from mechproof.latex.left_scripts import DOTTED, VECTORS, begins_letter
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.record import Variable
 
 # Letters that are functions of one that stands alone in a bracket behind them; of the time all are.

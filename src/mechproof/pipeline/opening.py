@@ -9,15 +9,15 @@ from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from mechproof.codegen.forms import (
+from mechproof.codegen.form_rows import (
     derivative_rows,
     form_rows,
     list_derivative_numbers,
     number_shipped,
 )
 from mechproof.derivation import DerivationError, load_paper
-from mechproof.ledger.findings import follower_rows
-from mechproof.programs.derivatives import select_wanted
+from mechproof.ledger.ledger_findings import follower_rows
+from mechproof.programs.reverse_mode import select_wanted
 from mechproof.record import Paper, Quantity, Row
 from mechproof.tools.reads import digest_program
 

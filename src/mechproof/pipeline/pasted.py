@@ -11,13 +11,12 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arguments.scalars import check_text, check_texts
-from mechproof.domains.domain import Domain
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import list_signs, tokenize
 from mechproof.latex.tree import Integration, Letter, walk
 from mechproof.latex.values import list_reached, settle_all
-from mechproof.nomenclature.relations import narrow
+from mechproof.nomenclature.said_relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
 from mechproof.pipeline.called_letters import find_unknown, take_said
 from mechproof.pipeline.pasted_letters import (
@@ -45,6 +44,7 @@ from mechproof.record import (
 )
 from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError, run_tasks
 
 NUMBER = "equation"

@@ -11,14 +11,14 @@ from sympy.core.relational import Relational
 
 from mechproof.latex import Reader
 from mechproof.latex.errors import Remedies
-from mechproof.latex.names import INDEX
+from mechproof.latex.name_table import INDEX
 from mechproof.latex.tokens import list_signs
 from mechproof.latex.undeclared import UNSURE
 from mechproof.nomenclature.adjacent_letters import find_factors, find_increments, find_phases
 from mechproof.nomenclature.counting_letters import find_counts
-from mechproof.nomenclature.letters import is_vector, name_symbol, show_letter
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
-from mechproof.nomenclature.relations import read_relations
+from mechproof.nomenclature.said_relations import read_relations
+from mechproof.nomenclature.shown_letters import is_vector, name_symbol, show_letter
 from mechproof.pipeline.bold_letters import (
     find_bold,
     is_capital,

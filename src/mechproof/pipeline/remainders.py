@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.latex.signs import measure_depths
+from mechproof.latex.latex_signs import measure_depths
 from mechproof.latex.tokens import tokenize
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import Equality, Row
+from mechproof.statement_domains.domain import Domain
 
 _GAP = r"(?:[\s,]|\\q?quad|\\[,;\s]|\\text\{\s*(?:as|for)?\s*\})*"
 _REMAINDER = re.compile(

@@ -8,8 +8,8 @@ from itertools import groupby
 
 import sympy as sp
 
+from mechproof.latex.latex_signs import find_close
 from mechproof.latex.left_scripts import ACCENTS, begins_letter
-from mechproof.latex.signs import find_close
 from mechproof.latex.tokens import list_signs
 
 EULER = r"e=\mathrm{e}"

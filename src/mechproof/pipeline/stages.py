@@ -17,14 +17,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.codegen.forms import read_derivatives_back
+from mechproof.codegen.form_rows import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
+from mechproof.lab.record_tables import PAGE, headline, list_lines
 from mechproof.lab.subject import find_subjects
-from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
 from mechproof.measured import FOLDER, QUICK, find_known, read_records, write_record
 from mechproof.pipeline.certification import certify_derivations
@@ -35,7 +35,7 @@ from mechproof.pipeline.judging import (
     refuse_failures,
     tell_nobody,
 )
-from mechproof.pipeline.validation import ValidationError, validate_derivations
+from mechproof.pipeline.validation_workers import ValidationError, validate_derivations
 from mechproof.pipeline.verification import LIMIT
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.certificate_files import write_certificates

@@ -12,16 +12,16 @@ from pathlib import Path
 from typing import TypeVar
 
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
-from mechproof.document import checking, judging
-from mechproof.ledger.findings import list_findings
+from mechproof.document import checking, judging_workers
 from mechproof.ledger.judged import JudgedPaper, Ledger, Origin
+from mechproof.ledger.ledger_findings import list_findings
 from mechproof.ledger.verdict_cache import VerdictCache, make_keys
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.opening import Opened, open_derivation
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Paper, Row
-from mechproof.sources.files import BESIDE, SUFFIXES
+from mechproof.sources.paper_files import BESIDE, SUFFIXES
 from mechproof.tools.processes import START, WorkerError, run_batches
 from mechproof.tools.reads import digest_files, note_reads
 
@@ -161,7 +161,9 @@ def _add_rest(ledger: JudgedPaper, checked: checking.CheckedPaper) -> JudgedPape
 def _check_rest(paper: Paper, limit: float, report: Callable[[str], None]) -> checking.CheckedPaper:
     assert paper.print
     try:
-        return checking.check_rest(paper.print, paper.rows, min(limit, judging.LIMIT), report)
+        return checking.check_rest(
+            paper.print, paper.rows, min(limit, judging_workers.LIMIT), report
+        )
     except ValueError as error:
         raise DerivationError(str(error)) from error
 
@@ -174,9 +176,9 @@ def _add_rows(paper: Paper, checked: checking.CheckedPaper) -> Paper:
 def _insert(rows: Sequence[R], others: Sequence[R], names: Sequence[str]) -> tuple[R, ...]:
     """Put other rows behind those whose equations stand before theirs, or before the first."""
     places = {name: place for place, name in enumerate(names)}
-    found = [(places.get(judging.name_equation(row.number)), row) for row in rows]
+    found = [(places.get(judging_workers.name_equation(row.number)), row) for row in rows]
     for other in others:
-        place = places.get(judging.name_equation(other.number), len(names))
+        place = places.get(judging_workers.name_equation(other.number), len(names))
         known = [(n, own) for n, (own, _) in enumerate(found) if own is not None]
         before = [n + 1 for n, own in known if own <= place]
         first = known[0][0] if known else len(found)
@@ -192,7 +194,7 @@ def _check_source(
     report(f"reading {location}")
     try:
         with note_reads() as read:
-            paper = checking.check(location, limit=min(limit, judging.LIMIT), report=report)
+            paper = checking.check(location, limit=min(limit, judging_workers.LIMIT), report=report)
     except ValueError as error:
         raise DerivationError(str(error)) from error
     ledger = paper.to_ledger()

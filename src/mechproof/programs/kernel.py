@@ -13,8 +13,8 @@ from functools import reduce
 
 import sympy as sp
 
+from mechproof.programs.argument_conditions import can_be_left, checked_relations
 from mechproof.programs.code import KernelCode, Stage
-from mechproof.programs.domain import can_be_left, checked_relations
 from mechproof.programs.evaluation import (
     Enclosure,
     Evaluation,
@@ -30,9 +30,9 @@ from mechproof.programs.evaluation import (
     trace_inputs,
 )
 from mechproof.programs.lowering import KNOWN, lower_conditions, lower_steps
-from mechproof.programs.names import PUBLIC_IN_MODULES, is_free
 from mechproof.programs.program import NOTHING
 from mechproof.programs.rewrites import apply_rewrites
+from mechproof.programs.step_names import PUBLIC_IN_MODULES, is_free
 from mechproof.programs.subexpressions import share_subexpressions
 from mechproof.record import Argument, Form, Paper, Quantity
 

@@ -18,9 +18,9 @@ import sympy as sp
 
 from mechproof.programs import program
 from mechproof.programs.evaluation import KeepsShape, unused_name
-from mechproof.programs.names import sort_positive_first, suggest_name
 from mechproof.programs.operations import KINDS, SYMBOLIC, Kind
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.step_names import sort_positive_first, suggest_name
 from mechproof.record.relations import is_strict
 from mechproof.record.substitution import MOST_TERMS, STEPS, write_steps
 

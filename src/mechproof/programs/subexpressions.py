@@ -13,7 +13,7 @@ from functools import lru_cache, partial
 import sympy as sp
 
 from mechproof.programs.evaluation import Evaluation, Step, entries, map_entries
-from mechproof.programs.names import suggest_name
+from mechproof.programs.step_names import suggest_name
 from mechproof.record.parts import find_free, replace_parts
 
 

@@ -15,11 +15,11 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import factor_list, is_zero, reduce_polynomial, split
-from mechproof.domains.domain import Domain
+from mechproof.proof.canonical_sums import canonicalise
 from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
-from mechproof.proof.sums import canonicalise
 from mechproof.record.parts import find_parts, has_parts
+from mechproof.statement_domains.domain import Domain
 
 _HALF = sp.Rational(1, 2)
 _ARGUMENTS = (sp.atan, sp.atan2, sp.asin, sp.acos)

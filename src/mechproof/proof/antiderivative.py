@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break, has_pole
-from mechproof.record.slopes import differentiate
+from mechproof.record.symbolic_slopes import differentiate
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "derivative, constant, continuity"
 _TRANSCENDENTAL = (

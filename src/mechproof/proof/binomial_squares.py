@@ -15,9 +15,9 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.polys.matrices import DomainMatrix
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.signs import find_sign
 from mechproof.record import Slack
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "sum of binomial squares"
 Monomial = tuple[int, ...]

@@ -13,10 +13,10 @@ from collections.abc import Iterator
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.record.parts import has_parts
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "bisection and derivatives"
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)

@@ -14,13 +14,13 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.narrowing import leaves_values
-from mechproof.domains.set_values import list_closed_ends
-from mechproof.proof.sums import write_out
+from mechproof.proof.canonical_sums import write_out
 from mechproof.record.parts import find_bound, find_free
 from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.narrowing import leaves_values
+from mechproof.statement_domains.set_values import list_closed_ends
 
 Sides = tuple[sp.Expr, sp.Expr]
 # Of both sides and the domain.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.signs import is_positive, is_within_quarter_turn
 from mechproof.record import Slack, list_needs
+from mechproof.statement_domains.domain import Domain
 
 _POLES = 4
 _EVERYWHERE = (

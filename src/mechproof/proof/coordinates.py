@@ -9,8 +9,8 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import reduce_polynomial, split
-from mechproof.domains.set_values import COUNTS
 from mechproof.record.parts import TURNING, replace_parts
+from mechproof.statement_domains.set_values import COUNTS
 
 # Functions of an angle by its sine and its cosine.
 BY_SINES: Mapping[type[sp.Expr], Callable[[sp.Expr, sp.Expr], sp.Expr]] = MappingProxyType(

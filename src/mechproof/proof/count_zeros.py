@@ -13,12 +13,12 @@ from itertools import islice
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain, Point
 from mechproof.proof.counts import has_steps, is_count
 from mechproof.proof.refutation import find_unlike_at, name_point, points_for, put_exactly
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors
 from mechproof.record.parts import find_free, find_parts
+from mechproof.statement_domains.domain import Domain, Point
 
 # At so many values of the other letters zeros are solved for.
 _SOLVED = 3

@@ -8,9 +8,9 @@ from itertools import chain, islice, permutations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain, Point
 from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain, Point
 
 # One term hides what goes wrong between terms, and none hides all of it: they are not the first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)

@@ -9,13 +9,12 @@ from typing import Any, NamedTuple
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.canonical_sums import canonicalise
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive, is_shown
-from mechproof.proof.sums import canonicalise
 from mechproof.record import (
     DerivativeWhere,
     Slack,
@@ -24,6 +23,7 @@ from mechproof.record import (
     list_needs,
     list_partial,
 )
+from mechproof.statement_domains.domain import Domain
 
 
 class InnerNeed(NamedTuple):

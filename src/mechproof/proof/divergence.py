@@ -13,7 +13,6 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain, Point
 from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
@@ -25,6 +24,7 @@ from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import list_needs, list_partial
 from mechproof.record.parts import ENDLESS, find_parts, has_parts
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain, Point
 
 RUNG = "divergence"
 _NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}

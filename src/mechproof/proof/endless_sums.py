@@ -14,13 +14,13 @@ from typing import Any
 import sympy as sp
 from sympy.concrete.gosper import gosper_sum
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.definedness import has_values
 from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import decide_by_induction, sum_up
 from mechproof.proof.signs import find_sign, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 from mechproof.record.parts import find_bound, find_parts
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "limit of partial sums"
 # Work limit: a term of more operations is not tried.

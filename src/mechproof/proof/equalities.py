@@ -7,8 +7,6 @@ from contextlib import suppress
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import prepare, take_values
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.antiderivative import decide_by_derivative
 from mechproof.proof.cases import (
@@ -34,6 +32,8 @@ from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.wave_sums import decide_by_steps
 from mechproof.record.parts import ENDLESS, has_parts
 from mechproof.record.substitution import write_steps
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare, take_values
 
 IDENTICAL = "identical"
 

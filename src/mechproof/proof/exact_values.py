@@ -9,11 +9,11 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip, show_plainly
 from mechproof.record import PrintedNumber
 from mechproof.record.parts import find_free
+from mechproof.statement_domains.domain import Domain
 
 RUNG, RECOMPUTATION = "evaluation", "recomputation"
 _SIGNS = {"==": "=", "!=": "differs from"}

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "steps of floors"
 # Work limit: places where a floor steps, within a period.

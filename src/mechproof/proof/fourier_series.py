@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.definedness import has_values
 from mechproof.proof.endless_sums import put_values, read_endless
 from mechproof.proof.signs import is_nonnegative, is_positive
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "Fourier series"
 _U = sp.Dummy("u", real=True)

@@ -15,11 +15,11 @@ from functools import lru_cache, reduce
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.orders import Order, join_logarithms, rewrite_sum
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial
+from mechproof.statement_domains.domain import Domain
 
 _Y = sp.Dummy("y", positive=True)
 # Work limits: parts of parts, and how many of them it costs to write a sum anew.

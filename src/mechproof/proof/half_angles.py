@@ -16,12 +16,12 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_workable
 from mechproof.record import RecordError, Root, Slack
 from mechproof.record.parts import has_parts
+from mechproof.statement_domains.domain import Domain
 
 _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
     sp.asin: sp.Interval(-sp.pi / 2, sp.pi / 2),

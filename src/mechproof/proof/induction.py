@@ -13,15 +13,15 @@ from contextlib import suppress
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import prepare
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.counts import find_first
 from mechproof.proof.integrals import put_values
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, is_analytic, split_powers
-from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare
 
 RUNG = "induction"
 _TO_COUNTS = (sp.Sum, sp.Product, sp.Integral)

@@ -13,19 +13,19 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import prepare
+from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.counts import find_first, let_run
 from mechproof.proof.definedness import has_values
 from mechproof.proof.half_angles import is_negative_somewhere
 from mechproof.proof.induction import follow, is_plain
 from mechproof.proof.sign_forms import drop_signed_factors
 from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
-from mechproof.proof.sums import write_out
 from mechproof.proof.telescoping import reduce_quotient
 from mechproof.record import Slack
 from mechproof.record.parts import has_parts
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare
 
 RUNG = "induction of an inequality"
 # Work limits: first numbers that are looked at singly, letters of a step, terms and operations.

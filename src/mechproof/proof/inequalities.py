@@ -16,13 +16,13 @@ from itertools import combinations, permutations
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import expand, split
-from mechproof.domains.domain import Domain
 from mechproof.proof import binomial_squares, moduli, monotonicity
 from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
 from mechproof.record.parts import has_parts
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain
 
 SQUARES = "squares of roots and moduli"
 HALF_ANGLES = "signs in half-angle tangents"

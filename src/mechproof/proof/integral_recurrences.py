@@ -15,7 +15,6 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
@@ -30,6 +29,7 @@ from mechproof.record.needs import KINKED
 from mechproof.record.parts import find_parts
 from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
 
 # Of both sides and the domain.
 Prove = Callable[..., str | None]

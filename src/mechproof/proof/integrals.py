@@ -16,7 +16,6 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise, write_by_sines
@@ -40,6 +39,7 @@ from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "antiderivative"
 # Work limit: an integrand of more operations is not tried.

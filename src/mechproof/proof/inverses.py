@@ -13,7 +13,6 @@ from math import lcm
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.coordinates import list_terms
 from mechproof.proof.inequalities import isolate_root, show_sign
@@ -21,6 +20,7 @@ from mechproof.proof.polynomial_signs import sign_of_number
 from mechproof.proof.signs import find_sign, is_positive, is_shown
 from mechproof.record import Slack
 from mechproof.record.parts import ARCS, has_parts
+from mechproof.statement_domains.domain import Domain
 
 INVERSE = "inverse function: value and range"
 ROOT = "square of a root and its sign"

@@ -7,19 +7,19 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.domains.dimensions import dimensions_of
-from mechproof.domains.domain import Domain
-from mechproof.domains.set_values import COUNTS
 from mechproof.proof.comparison_latex import write_compared
 from mechproof.proof.count_zeros import tell_division_by_zero
+from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.restatements import check_restatements
-from mechproof.proof.sides import ContradictionError
 from mechproof.proof.statement_checks import check_statement
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement
+from mechproof.statement_domains.dimension_inference import dimensions_of
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.set_values import COUNTS
 
 AS_TYPED = "as typed"
 # What SymPy's own errors mean to somebody who reads a paper.

@@ -12,11 +12,11 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.record import Slack
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)

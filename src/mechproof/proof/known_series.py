@@ -15,10 +15,10 @@ from typing import Any
 import sympy as sp
 from sympy.simplify.simplify import hypersimp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.endless_sums import put_values, read_endless
 from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "known series"
 # Work limit: so many terms before the first of a sum are tried as the beginning of the series.

@@ -15,13 +15,13 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import take_values
 from mechproof.proof import newton
-from mechproof.proof.conditions import find_condition
+from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
 from mechproof.proof.divergence import RUNG as DIVERGENCE
+from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
+from mechproof.proof.inequality_ladder import prove_relation
 from mechproof.proof.reasons import (
     count_parts,
     explain_relation,
@@ -31,8 +31,6 @@ from mechproof.proof.reasons import (
     tell_needs,
 )
 from mechproof.proof.refutation import BALLS, POINTS, find_undefined, find_violation
-from mechproof.proof.relations import prove_relation
-from mechproof.proof.sides import CROSS_EXAMINATION, decide_sides
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
 from mechproof.record import (
@@ -50,6 +48,8 @@ from mechproof.record import (
 )
 from mechproof.record.parts import find_free, has_parts
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import take_values
 
 UNCOMPARED = "nothing to compare with"
 # What was seen of a letter that is introduced.

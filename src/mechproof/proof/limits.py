@@ -12,8 +12,6 @@ from typing import Any
 import sympy as sp
 from sympy.core.symbol import Str
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import take_values
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import write_by_sines
@@ -24,6 +22,8 @@ from mechproof.proof.induction import sum_up
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import take_values
 
 FROM_SIDES = "limits from both sides"
 _MOST_DERIVATIVES = 9

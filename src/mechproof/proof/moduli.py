@@ -13,9 +13,9 @@ from itertools import product
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.continuity import find_break
 from mechproof.record import Slack
+from mechproof.statement_domains.domain import Domain
 
 SIGNS = "signs of moduli"
 MEAN_VALUE = "mean value theorem"

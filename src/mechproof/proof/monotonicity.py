@@ -16,8 +16,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.set_values import place as choose_place
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
 from mechproof.proof.definedness import has_values
@@ -28,6 +26,8 @@ from mechproof.proof.turning_points import is_analytic_inside, list_values, list
 from mechproof.record import Slack
 from mechproof.record.needs import KINKED
 from mechproof.record.parts import has_parts
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.set_values import place as choose_place
 
 RUNG = "monotonicity"
 _TRANSCENDENTAL = (

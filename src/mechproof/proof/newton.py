@@ -23,9 +23,9 @@ from mechproof.arithmetic.cover import Box, Boxes, as_box, cover_below
 from mechproof.arithmetic.intervals import Array
 from mechproof.arithmetic.layout import Values
 from mechproof.arithmetic.roots import Bracketed, frame, has_sign
-from mechproof.domains.domain import Domain
 from mechproof.record.implicit import MOST_STEPS, LastIterate, Root
 from mechproof.record.parts import find_free
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "Newton's method in balls"
 # Work limit: parts of a box.

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.coordinates import HYPERBOLIC
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import has_parts
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "logarithms and powers"
 _JUMPING = (

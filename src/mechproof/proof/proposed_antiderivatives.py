@@ -18,8 +18,8 @@ from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_positive
+from mechproof.statement_domains.domain import Domain
 
 # Work limit: a power of the variable by which waves are divided.
 _HIGHEST = 2

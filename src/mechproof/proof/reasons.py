@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof import newton
 from mechproof.proof.definedness import InnerNeed, tell
 from mechproof.proof.refutation import Comparison
@@ -15,6 +14,7 @@ from mechproof.proof.verdict import Answer, Verdict
 from mechproof.proof.witness_text import LONGEST, clip
 from mechproof.record import Slack
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain
 
 WORST_FIRST = [Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, *Verdict]
 

@@ -19,15 +19,15 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain, Point, sizes_of
+from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.counts import choose_counts, is_count
-from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point
 from mechproof.record import NthDerivative
 from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain, Point, sizes_of
 
 BALLS = "separating balls"
 POINTS = 40

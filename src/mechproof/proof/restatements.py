@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.domains.domain import Domain
 from mechproof.record import (
     Completions,
     Conjunction,
@@ -26,6 +25,7 @@ from mechproof.record import (
     Row,
     Statement,
 )
+from mechproof.statement_domains.domain import Domain
 
 _WORDS = re.compile(r"\\text\{[^{}]*\}")
 _SIGN = re.compile(r"[=<>≤≥≈≠]|\\(?:le|ge|leq|geq|leqslant|geqslant|ne|neq|approx|equiv)\b")

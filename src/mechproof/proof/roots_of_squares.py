@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.signs import is_nonzero
 from mechproof.record import list_divisors
+from mechproof.statement_domains.domain import Domain
 
 
 def write_roots(expression: sp.Expr, letters: set[sp.Basic], domain: Domain) -> sp.Expr:

@@ -16,8 +16,8 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.record.parts import CIRCULAR
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "separation bound"
 # Work limit: bits of a bound.

@@ -14,12 +14,12 @@ from itertools import permutations
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.counts import let_run
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import write_by_logarithms
 from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
+from mechproof.statement_domains.domain import Domain
 
 Form = tuple[sp.Expr, Domain]
 

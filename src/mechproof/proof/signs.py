@@ -19,7 +19,6 @@ from functools import lru_cache
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.coordinates import (
     Coordinates,
     free_tangents,
@@ -33,6 +32,7 @@ from mechproof.proof.coordinates import (
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.relations import Slack, find_slack
+from mechproof.statement_domains.domain import Domain
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
 MOST_MULTIPLIED = 100

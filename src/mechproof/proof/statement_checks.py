@@ -13,9 +13,6 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
 from mechproof.arithmetic import balls
-from mechproof.domains.assumptions import Facts, describe_excess, facts_of, find_excess
-from mechproof.domains.dimensions import DimensionError, Dimensions, infer_common
-from mechproof.domains.domain import Domain
 from mechproof.proof.signs import is_shown
 from mechproof.record import (
     Completions,
@@ -31,6 +28,9 @@ from mechproof.record import (
 )
 from mechproof.record.implicit import Implicit
 from mechproof.record.parts import find_free, find_parts
+from mechproof.statement_domains.assumptions import Facts, describe_excess, facts_of, find_excess
+from mechproof.statement_domains.dimension_inference import DimensionError, Dimensions, infer_common
+from mechproof.statement_domains.domain import Domain
 
 Side = tuple[str, sp.Basic]
 LARGEST_EXPONENT = 10**5

@@ -14,13 +14,13 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import prepare
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.powers import is_analytic, split_powers
 from mechproof.proof.signs import is_nonzero
-from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare
 
 # Work limits: factorials in a term, and coefficients of a polynomial.
 _MOST_FACTORIALS = 6

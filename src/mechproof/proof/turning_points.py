@@ -9,13 +9,13 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.continuity import find_break
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.record import Slack
 from mechproof.record.needs import KINKED
 from mechproof.record.parts import has_parts
+from mechproof.statement_domains.domain import Domain
 
 # Work limit: parts of a fraction in the exponent of a place.
 _LARGEST_EXPONENT = 50

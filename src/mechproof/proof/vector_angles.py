@@ -13,9 +13,9 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.signs import is_positive
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "arguments of vectors"
 # Work limit: so many times an angle is added.

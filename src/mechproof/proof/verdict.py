@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from mechproof.latex.sentences import is_sentence
 from mechproof.proof.anchors import name_anchor
-from mechproof.proof.numbers import describe_number
-from mechproof.sources.text import Place
+from mechproof.proof.evidence_numbers import describe_number
+from mechproof.sources.located_text import Place
 from mechproof.tools.notebook import Displayed
 
 

@@ -13,12 +13,12 @@ from dataclasses import replace
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.cases import fix
 from mechproof.proof.signs import is_nonnegative, is_positive
-from mechproof.proof.sums import write_out
 from mechproof.record.substitution import substitute
+from mechproof.statement_domains.domain import Domain
 
 RUNG = "angles that rise by the same step"
 Prove = Callable[..., str | None]

@@ -12,8 +12,6 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
-from mechproof.domains.dimensions import DimensionError, Dimensions, infer, infer_common, rescale
-from mechproof.domains.domain import Domain
 from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import show_point
@@ -30,6 +28,14 @@ from mechproof.record import (
     Statement,
 )
 from mechproof.record.parts import find_free, find_parts, has_parts
+from mechproof.statement_domains.dimension_inference import (
+    DimensionError,
+    Dimensions,
+    infer,
+    infer_common,
+    rescale,
+)
+from mechproof.statement_domains.domain import Domain
 
 # The rung of terms of unlike dimension.
 DIMENSIONS = "dimensions"
@@ -40,7 +46,7 @@ POINTS = 2
 
 
 @dataclass(frozen=True)
-class Fault:
+class IllFormedSide:
     """Why a printed side cannot be evaluated."""
 
     rung: str
@@ -50,7 +56,7 @@ class Fault:
 
 def find_faults(
     statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
-) -> list[Fault]:
+) -> list[IllFormedSide]:
     """Return every fault of the printed side; none if it is well formed.
 
     `mended`: it is corrected, so that it has to be of the dimension of the other side.
@@ -75,7 +81,7 @@ def _find_in_side(
     known: Dimensions,
     domain: Domain,
     mended: bool = False,
-) -> list[Fault]:
+) -> list[IllFormedSide]:
     printed = statement.left if isinstance(statement, Distinct) else statement.printed
     found = (
         _find_missing_differential(printed),
@@ -86,7 +92,7 @@ def _find_in_side(
     return [fault for fault in found if fault]
 
 
-def _find_missing_differential(printed: sp.Basic) -> Fault | None:
+def _find_missing_differential(printed: sp.Basic) -> IllFormedSide | None:
     integrals = find_parts(printed, IntegralWithoutDifferential)
     if not integrals:
         return None
@@ -95,19 +101,21 @@ def _find_missing_differential(printed: sp.Basic) -> Fault | None:
     witness = Evidence(
         f"no differential after the integrand {integrand}; it has the symbols {names}"
     )
-    return Fault("well-formedness", "an integral has no differential", witness)
+    return IllFormedSide("well-formedness", "an integral has no differential", witness)
 
 
-def _find_missing_argument(printed: sp.Basic) -> Fault | None:
+def _find_missing_argument(printed: sp.Basic) -> IllFormedSide | None:
     functions = find_parts(printed, FunctionWithoutArgument)
     if not functions:
         return None
     names = ", ".join(sorted(str(function.args[0]) for function in functions))
     reason = f"{names} has no argument"
-    return Fault("well-formedness", reason, Evidence(f"nothing stands behind {names}"))
+    return IllFormedSide("well-formedness", reason, Evidence(f"nothing stands behind {names}"))
 
 
-def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Fault | None:
+def _find_unbound_symbol(
+    printed: sp.Basic, known: Dimensions, domain: Domain
+) -> IllFormedSide | None:
     symbols = {*known, *domain.within, *domain.given}
     declared = {getattr(s, "label", s) for s in symbols} | symbols
     functions = {node.args[0] for node in find_parts(printed, FunctionWithoutArgument)}
@@ -117,7 +125,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
         return None
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
-    return Fault(
+    return IllFormedSide(
         "well-formedness",
         f"{names} has no value there: bound by no sum and no quantity of the paper",
         witness,
@@ -126,7 +134,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
 
 def _find_mixture(
     printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
-) -> Fault | None:
+) -> IllFormedSide | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
     if has_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
@@ -136,7 +144,7 @@ def _find_mixture(
         infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
         witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
-        return Fault(DIMENSIONS, str(error), witness) if witness else None
+        return IllFormedSide(DIMENSIONS, str(error), witness) if witness else None
     return None
 
 

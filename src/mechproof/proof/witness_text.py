@@ -7,9 +7,9 @@ import re
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.dimensions import DimensionError, infer_common, is_angle
-from mechproof.domains.domain import Domain, Point, sizes_of
 from mechproof.proof.verdict import Evidence
+from mechproof.statement_domains.dimension_inference import DimensionError, infer_common, is_angle
+from mechproof.statement_domains.domain import Domain, Point, sizes_of
 
 # Characters of an expression that a reason names.
 LONGEST = 240

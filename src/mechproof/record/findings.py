@@ -48,9 +48,10 @@ class Cost:
     """What a fault makes at one place: the printed value, the right one, and their difference.
 
     `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
-    values are those of the two sides of the row. Units are those of `mechproof.ledger.findings`.
-    `names` are what the two values are called where neither is plainly the right one; by default
-    the first is the printed one, or what a convention gives when read literally.
+    values are those of the two sides of the row. Units are those of
+    `mechproof.ledger.ledger_findings`. `names` are what the two values are called where neither is
+    plainly the right one; by default the first is the printed one, or what a convention gives when
+    read literally.
     """
 
     where: str

@@ -16,7 +16,7 @@ import sympy as sp
 
 from mechproof.arguments.scalars import check_text, refuse
 from mechproof.codegen.backends.c99 import render_c_formula
-from mechproof.codegen.backends.scripts import describe_formula, render_script
+from mechproof.codegen.backends.standalone_functions import describe_formula, render_script
 from mechproof.codegen.docstrings import find_given
 from mechproof.derivation import check_folder, find_systems, load_paper, packaged_directory
 from mechproof.programs.kernel import Kernel, build_functions

@@ -16,7 +16,7 @@ from mechproof.codegen.docstrings import capitalise, tell_unit
 from mechproof.proof.anchors import slugify
 from mechproof.report.formulas import write_print
 from mechproof.report.phrases import set_prose
-from mechproof.report.rows import MARKED
+from mechproof.report.row_views import MARKED
 
 STYLESHEET = "report.css"
 SUFFIX = ".html.jinja"

@@ -16,7 +16,7 @@ from mechproof.report.judged_derivations import (
 )
 from mechproof.report.kept_formulas import FORMULAS
 from mechproof.report.pages import STYLESHEET, read_font, read_stylesheet, render
-from mechproof.report.papers import PaperView, count_totals, describe_paper
+from mechproof.report.paper_pages import PaperView, count_totals, describe_paper
 from mechproof.report.phrases import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 from mechproof.report.pictures import (
     OVERVIEW,
@@ -27,8 +27,8 @@ from mechproof.report.pictures import (
     list_figures,
     list_overview,
 )
-from mechproof.report.quantities import QuantityView, describe_quantities
-from mechproof.report.rows import MARKED
+from mechproof.report.quantity_pages import QuantityView, describe_quantities
+from mechproof.report.row_views import MARKED
 from mechproof.tools.made import STAGED, ForeignFileError, Made
 
 INDEX = "index.html"

@@ -15,10 +15,10 @@ import numpy as np
 
 from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import EPS, ONE, Array, list_spans
-from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.interval_monomials import BoxVariables
+from mechproof.roundoff.premises import FUNCTIONS, NORMAL
 from mechproof.roundoff.sharing import share_equal_steps
 from mechproof.roundoff.steps import (
     CONSTANT,

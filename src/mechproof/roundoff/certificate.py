@@ -20,10 +20,10 @@ from mechproof.arithmetic.cover import WORST, Cover, Cuts, are_below, cover_belo
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
-from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.cuts import read_cuts, write_cuts
+from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines

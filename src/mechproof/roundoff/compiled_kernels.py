@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Any
 
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.program import Operand, Operation, Program
 from mechproof.roundoff.expansions import Expansion
 from mechproof.roundoff.running import IN_DOUBLES, run

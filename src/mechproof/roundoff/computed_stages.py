@@ -17,22 +17,22 @@ from mechproof.arithmetic.intervals import EPS, Array
 from mechproof.programs.code import Stage, map_affinely
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.operations import SYMBOLIC, Arithmetic
 from mechproof.programs.program import CONSTANTS, Program
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
-from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
-from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.homogeneity import find_scaled
+from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.regions import ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import (

@@ -16,7 +16,7 @@ from flint import arb
 from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, CONNECTIVES, FUNCTIONS
 from mechproof.arithmetic.balls import to_ball
 from mechproof.kernel_support import error_free
-from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.programs.program import CONSTANTS, Operand, Program
 from mechproof.roundoff.fused import fma

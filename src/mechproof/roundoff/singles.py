@@ -14,11 +14,11 @@ import numpy as np
 
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import SINGLE
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
-from mechproof.programs.sums import ADDED, TermLoop, fold_sums
+from mechproof.programs.term_loops import ADDED, TermLoop, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
 from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run

@@ -11,8 +11,8 @@ from typing import Any
 from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
 from mechproof.programs.program import CONSTANTS, Operand, Operation, Program
-from mechproof.roundoff.assumptions import FUNCTIONS
 from mechproof.roundoff.expansions import Expansion
+from mechproof.roundoff.premises import FUNCTIONS
 
 HALF = 0.5
 EXACT = 0.0

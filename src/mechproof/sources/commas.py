@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from mechproof.sources.displays import find_displays
-from mechproof.sources.text import LocatedText
+from mechproof.sources.located_text import LocatedText
 
 _COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
 _NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 from itertools import accumulate, count, pairwise
 
 from mechproof.sources.announcements import NOTHING, Announced
-from mechproof.sources.files import DocumentError
 from mechproof.sources.lines import begins_with_sign, cut_gaps, goes_on, join_lines, split_lines
+from mechproof.sources.located_text import Files, LocatedText, Place, join
 from mechproof.sources.macros import Defined, Macro, expand, find_macros
-from mechproof.sources.text import Files, LocatedText, Place, join
+from mechproof.sources.paper_files import DocumentError
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"

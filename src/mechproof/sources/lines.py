@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from mechproof.latex.relations import RELATIONS
-from mechproof.latex.signs import SPACING, same_sign
-from mechproof.sources.text import LocatedText, join
+from mechproof.latex.latex_signs import SPACING, same_sign
+from mechproof.latex.printed_relations import RELATIONS
+from mechproof.sources.located_text import LocatedText, join
 
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechproof.latex.sentences import find_brace
-from mechproof.sources.files import DocumentError
-from mechproof.sources.text import LocatedText, join
+from mechproof.sources.located_text import LocatedText, join
+from mechproof.sources.paper_files import DocumentError
 
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mechproof.latex.sentences import find_brace
-from mechproof.sources.files import DocumentError
 from mechproof.sources.lines import split_lines, walk_signs
+from mechproof.sources.located_text import LocatedText
 from mechproof.sources.macros import expand, find_macros
-from mechproof.sources.text import LocatedText
+from mechproof.sources.paper_files import DocumentError
 
 _BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")

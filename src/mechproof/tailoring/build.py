@@ -26,8 +26,8 @@ from mechproof.tailoring.enclosure import (
     enclose,
     seek_break,
 )
-from mechproof.tailoring.fit import fit
 from mechproof.tailoring.model import Model, PeriodReduction
+from mechproof.tailoring.polynomial_fits import fit
 from mechproof.tailoring.request import Request
 
 BITS = 53

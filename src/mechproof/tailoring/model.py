@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechproof.programs.elementary.machine import choose, copysign, fma
+from mechproof.programs.elementary.traced_machine import choose, copysign, fma
 from mechproof.programs.program import Program
 from mechproof.programs.trace import Value, trace
 

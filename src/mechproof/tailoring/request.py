@@ -23,12 +23,12 @@ from mechproof.derivation import (
     load_paper,
     packaged_directory,
 )
-from mechproof.domains.domain import Domain
-from mechproof.mechanisms.facts import check_domain
+from mechproof.mechanisms.published_sizes import check_domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Equality, Paper, Periodicity, Quantity, Root
 from mechproof.record.substitution import resolve, write_sums_out
+from mechproof.statement_domains.domain import Domain
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_mapping, check_real, check_text, require
 from mechproof.derivatives import differentiate
 from mechproof.measured import KERNELS

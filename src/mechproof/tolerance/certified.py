@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_count, check_number, check_text, require
 from mechproof.executors import BALLS, check_executor, run_in_order
 from mechproof.tolerance.problem import Bounds, Problem

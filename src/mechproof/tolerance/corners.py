@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_count, check_function, refuse, require
 from mechproof.executors import check_executor, run_in_order, slices
 from mechproof.tolerance.sizes import (

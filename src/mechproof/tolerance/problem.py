@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from mechproof.arguments.scalars import require
-from mechproof.tolerance.boxes import Box, to_values
-from mechproof.tolerance.conditions import (
+from mechproof.tolerance.box_conditions import (
     BoxCondition,
     check_relation,
     check_sets,
     is_inside,
     split,
 )
+from mechproof.tolerance.boxes import Box, to_values
 from mechproof.tolerance.sizes import Size, check_sizes
 from mechproof.tolerance.subdivision import Search
 
 if TYPE_CHECKING:
-    from mechproof.domains.domain import Domain
     from mechproof.record import Paper, Quantity
+    from mechproof.statement_domains.domain import Domain
 
 
 # Inputs at which the influence of a size may be seen.
@@ -45,7 +45,7 @@ class Problem:
 
     def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
         from mechproof.arithmetic.slopes import GradientTape
-        from mechproof.domains.domain import Domain
+        from mechproof.statement_domains.domain import Domain
 
         quantity = _find_quantity(paper, name)
         self.running = quantity.arguments[0].symbols[0]

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_count, check_function, check_probability, require
 from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
 from mechproof.laws.kinds import LAWS, list_parameters

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_function, refuse, require
 from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.tolerance.sizes import (

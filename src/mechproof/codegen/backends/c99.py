@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from mechproof.codegen.backends.angles import Angles, ask_first
+from mechproof.codegen.backends.c_angles import Angles, ask_first
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
 from mechproof.codegen.backends.scalar_texts import (
@@ -29,14 +29,14 @@ from mechproof.codegen.docstrings import (
 )
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax, write_program
-from mechproof.programs.derivatives import differentiate
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
-from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
+from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.scalar import list_scalars, list_stages, put_off_divisions
-from mechproof.programs.sums import LOOPS, fold_sums
+from mechproof.programs.term_loops import LOOPS, fold_sums
 from mechproof.record import OnePass, Paper
 
 WIDTH = 90

@@ -9,16 +9,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
-from mechproof.codegen.backends.loops import mean_term
+from mechproof.codegen.backends.loopless_kernels import mean_term
 from mechproof.codegen.backends.scalar_texts import LoopCall, ScalarKernel, is_limited
 from mechproof.codegen.languages import EXACT, NUMBA, NUMBA_FAR
-from mechproof.codegen.reading import Module, read_functions
+from mechproof.codegen.source_reading import Module, read_functions
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
 from mechproof.programs.scalar import join_stage, list_conditions, list_stages
-from mechproof.programs.sums import ADDED, TermLoop
+from mechproof.programs.term_loops import ADDED, TermLoop
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
 SCALAR, LOOP = "_scalar", "_loop"

@@ -13,7 +13,11 @@ from mechproof.codegen.backends.compiled_reading import (
     mean_elementary,
     read_compiled,
 )
-from mechproof.codegen.backends.loops import describe_calls, name_elements, take_out_loops
+from mechproof.codegen.backends.loopless_kernels import (
+    describe_calls,
+    name_elements,
+    take_out_loops,
+)
 from mechproof.codegen.backends.numpy import REGENERATED, render_python, tell_origin
 from mechproof.codegen.backends.scalar_texts import (
     LoopCall,
@@ -25,14 +29,14 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.languages import ELEMENTARY, NUMBA, NUMBA_FAR
-from mechproof.codegen.reading import compare
+from mechproof.codegen.source_reading import compare
 from mechproof.codegen.syntax import Syntax
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import list_scalars
-from mechproof.programs.sums import LOOPS, TermLoop, fold_sums
+from mechproof.programs.term_loops import LOOPS, TermLoop, fold_sums
 from mechproof.record import OnePass, Paper
 
 # What modules need beside operations.

@@ -14,24 +14,24 @@ import jinja2
 import sympy as sp
 from jinja2 import meta
 
-from mechproof.codegen.conditions import split_conditions
+from mechproof.codegen.condition_outputs import split_conditions
 from mechproof.codegen.docstrings import (
     describe_derivatives,
     describe_derivatives_module,
     describe_kernel,
     describe_module,
 )
+from mechproof.codegen.domain_and_sizes import ConditionText, SizesText, list_conditions, list_sizes
 from mechproof.codegen.escapes import ESCAPES
-from mechproof.codegen.facts import ConditionText, SizesText, list_conditions, list_sizes
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.shared_functions import list_suffixes, name_functions
 from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.code import KernelCode, Stage
-from mechproof.programs.derivatives import differentiate
 from mechproof.programs.kernel import Kernel, list_functions
-from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS, AxisReduction, Support
 from mechproof.programs.program import Program
+from mechproof.programs.reverse_mode import differentiate
+from mechproof.programs.step_names import list_imports
 from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"

@@ -11,7 +11,7 @@ from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.fits import enclose
 from mechproof.programs.elementary.formats import Format
-from mechproof.programs.elementary.functions import Function, build
+from mechproof.programs.elementary.function_programs import Function, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import COMPARISONS
 from mechproof.programs.program import NOTHING, Program
@@ -23,7 +23,7 @@ from mechproof.programs.scalar import (
     rename,
     rename_components,
 )
-from mechproof.programs.sums import TermLoop
+from mechproof.programs.term_loops import TermLoop
 from mechproof.record import OnePass
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})

@@ -48,7 +48,7 @@ NUMBERS = (
 ARRAYS = (Signature("ArrayLike", "_Out", "NDArray[Any]"),)
 
 
-class Function(NamedTuple):
+class StubFunction(NamedTuple):
     """What is printed of a function."""
 
     name: str
@@ -63,7 +63,7 @@ def render_stubs(paper: Paper) -> dict[str, str]:
         return {}
     functions = [_describe(kernel) for kernel in kernels.values()]
     passes = [
-        Function(one.name, kernels[one.quantities[0]].quantity.arguments, ARRAYS)
+        StubFunction(one.name, kernels[one.quantities[0]].quantity.arguments, ARRAYS)
         for one in paper.one_pass
     ]
     system = paper.system
@@ -74,14 +74,16 @@ def render_stubs(paper: Paper) -> dict[str, str]:
     }
 
 
-def _describe(kernel: Kernel) -> Function:
+def _describe(kernel: Kernel) -> StubFunction:
     # A sum over all axes that there are is a number, one over the last of several is none.
     of_one = (ANY,) if kernel.code.axes else NUMBERS
-    return Function(kernel.name, kernel.quantity.arguments, ARRAYS if kernel.code.shape else of_one)
+    return StubFunction(
+        kernel.name, kernel.quantity.arguments, ARRAYS if kernel.code.shape else of_one
+    )
 
 
 def _render(
-    system: str, functions: Sequence[Function], *, header: Sequence[str], beside: str = ""
+    system: str, functions: Sequence[StubFunction], *, header: Sequence[str], beside: str = ""
 ) -> str:
     """Render a stub, with all that is in the one beside it."""
     data: dict[str, object] = {

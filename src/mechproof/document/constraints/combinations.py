@@ -17,12 +17,12 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import take_values
 from mechproof.proof.ladder import decide
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, list_divisors
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import take_values
 
 # Operations of residuals beyond which no multiplier is looked for.
 LARGEST = 1000

@@ -14,10 +14,10 @@ from mechproof.document.constraints.combinations import (
 )
 from mechproof.document.constraints.witnesses import hold_together
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Holds
+from mechproof.statement_domains.domain import Domain
 
 MULTIPLE = "multiple of a constraint"
 COMBINATION = "combination of constraints"

@@ -18,11 +18,11 @@ from mechproof.document.constraints.applicable_constraints import state_at
 from mechproof.document.constraints.combinations import list_factors
 from mechproof.document.constraints.consequences import find_consequence
 from mechproof.document.tasks import Role, Task
-from mechproof.domains.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Definition, Equality, Paper
+from mechproof.statement_domains.domain import Domain
 
 ELIMINATION = "elimination"
 _NO_NUMBERS = "only equations of numbers or of printed matrices are compared with others"

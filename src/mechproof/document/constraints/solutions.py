@@ -13,18 +13,18 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from mechproof.document.misprints import Misprint, find_misprint
-from mechproof.document.slips import Entry, Sides
+from mechproof.document.slips import PrintedSides, Sides
 from mechproof.document.special_cases import state_angles
 from mechproof.document.tasks import Role, Sign, Task
-from mechproof.domains.dimensions import Dimensions, is_angle
-from mechproof.domains.domain import Domain
 from mechproof.latex import Reader
-from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.pairs import find_stem
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Conjunction, Equality, Row, Statement
+from mechproof.statement_domains.dimension_inference import Dimensions, is_angle
+from mechproof.statement_domains.domain import Domain
 
 SIGN = sp.Symbol("±", real=True)
 SUBSTITUTION = "substitution"
@@ -193,7 +193,7 @@ class Solutions:
             says = Solutions(*sides).state(domain.dimensions)
             return says.printed, says.rebuilt
 
-        entry = Entry((self.left, self.value), (not self.left.is_Symbol, True))
+        entry = PrintedSides((self.left, self.value), (not self.left.is_Symbol, True))
         # To become the constraint that it solves is what a print is mended for.
         return find_misprint(entry, given, domain, printed, state=state)
 

@@ -11,11 +11,11 @@ from collections.abc import Collection, Iterator, Sequence
 
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 # Functions that have each value once in a range, and what gives the angle there.
 _INVERSES = (

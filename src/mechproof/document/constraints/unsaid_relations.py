@@ -12,12 +12,12 @@ import sympy as sp
 
 from mechproof.document.constraints.consequences import list_letters
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
+from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
-from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Holds, Part, RecordError
 from mechproof.record.parts import TURNING
+from mechproof.statement_domains.domain import Domain
 
 _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)

@@ -19,10 +19,10 @@ import sympy as sp
 from flint import arb, arb_mat
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
-from mechproof.domains.preparation import take_values
 from mechproof.record import RecordError
 from mechproof.record.parts import TURNING
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import take_values
 
 _STARTS = 16
 _STEPS = 60

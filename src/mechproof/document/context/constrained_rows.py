@@ -18,7 +18,7 @@ from mechproof.document.context.judging_beside import (
     judge_half,
     judge_roots,
 )
-from mechproof.document.judging import Key
+from mechproof.document.judging_workers import Key
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality

@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import holds_elsewhere
 from mechproof.document.context.doubts import defines, list_printed, list_used, reach
-from mechproof.document.judging import COMPARED, Key, judge_without
+from mechproof.document.judging_workers import COMPARED, Key, judge_without
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict

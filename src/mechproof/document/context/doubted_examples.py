@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.judging import COMPARED, Key, judge_local
+from mechproof.document.judging_workers import COMPARED, Key, judge_local
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.tools.processes import run_tasks

@@ -14,9 +14,9 @@ import sympy as sp
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.context.doubts import ROUNDING, defines, list_compared, list_used
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 
 
 def doubt_by_matrices(

@@ -11,13 +11,13 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_left, is_turned
 from mechproof.document.never_true import WITH_DEFINITIONS, holds_alone
 from mechproof.document.tasks import CONSTRAINING, Role, Task
-from mechproof.domains.domain import Domain
 from mechproof.latex.characters import write_plain
-from mechproof.nomenclature.letters import name_symbol
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition, Equality
 from mechproof.record.parts import find_free
+from mechproof.statement_domains.domain import Domain
 
 # Two digits of a decimal.
 ROUNDING = sp.Rational(1, 100)

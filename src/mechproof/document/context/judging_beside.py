@@ -18,16 +18,16 @@ from mechproof.document.constraints.solutions import (
     join_values,
     write_sign,
 )
-from mechproof.document.judging import Key, open_tasks
+from mechproof.document.judging_workers import Key, open_tasks
 from mechproof.document.misprints import RUNG, Misprint, find_failure, find_misprint, holds_at_rest
-from mechproof.document.slips import Entry
+from mechproof.document.slips import PrintedSides
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
 from mechproof.latex.values import settle_all
+from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
-from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Conjunction, Definition, Equality, RecordError
+from mechproof.statement_domains.domain import Domain
 
 
 def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
@@ -196,7 +196,7 @@ def judge_half(which: tuple[Key, int, tuple[int]]) -> Judgement | None:
     if half.is_met(domain):
         reason = f"it is one of the two values of {tasks[pair].row.number}"
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
-    entry = Entry((half.left, both.left), (True, False))
+    entry = PrintedSides((half.left, both.left), (True, False))
     found = find_misprint(entry, [tasks[pair].residual], domain, _list_printed(tasks))
     if found is None or task.is_case:
         return None
@@ -214,17 +214,19 @@ def _replace(
     return replace(alone, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
 
 
-def _list_compared(task: Task, others: Sequence[Task], tasks: Sequence[Task]) -> Iterator[Entry]:
+def _list_compared(
+    task: Task, others: Sequence[Task], tasks: Sequence[Task]
+) -> Iterator[PrintedSides]:
     """Yield the sides of a row and of others; of what ties two letters those printed of both."""
     if task.sign.is_tied:
         pair = next(one for one in tasks if one.row.number == task.sign.first)
-        yield Entry(pair.sign.sides, (False, True))
+        yield PrintedSides(pair.sign.sides, (False, True))
         return
     for one in (task, *others):
         yield from _list_entries(one)
 
 
-def _list_entries(task: Task) -> Iterator[Entry]:
+def _list_entries(task: Task) -> Iterator[PrintedSides]:
     """Yield the sides of equations, entry by entry if they are matrices."""
     says, sign = task.row.says, task.sign
     worked_out = zip(sign.sides, sign.worked_out, strict=True)
@@ -236,9 +238,9 @@ def _list_entries(task: Task) -> Iterator[Entry]:
         are_printed = part.printed in printed, part.rebuilt in printed
         if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
             pairs = zip(one, other, strict=True) if one.shape == other.shape else ()
-            yield from (Entry(pair, are_printed) for pair in pairs)
+            yield from (PrintedSides(pair, are_printed) for pair in pairs)
         elif isinstance(one, sp.Expr) and isinstance(other, sp.Expr):
-            yield Entry((one, other), are_printed)
+            yield PrintedSides((one, other), are_printed)
 
 
 def _take_out(side: sp.Basic) -> sp.Basic:

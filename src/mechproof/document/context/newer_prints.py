@@ -23,7 +23,7 @@ from mechproof.document.context.doubts import (
     list_printed,
     list_used,
 )
-from mechproof.document.judging import COMPARED, Key, open_tasks
+from mechproof.document.judging_workers import COMPARED, Key, open_tasks
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.judging import Key, open_tasks
+from mechproof.document.judging_workers import Key, open_tasks
 from mechproof.document.tasks import Role, Task
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict

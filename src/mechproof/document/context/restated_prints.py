@@ -15,14 +15,14 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_plain
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.context.constrained_rows import binds
-from mechproof.document.judging import Key, judge_row, name_equation
-from mechproof.document.sides import have_same_letters
+from mechproof.document.judging_workers import Key, judge_row, name_equation
+from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
-from mechproof.domains.domain import Domain
 from mechproof.latex.values import differentiate
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
 
 

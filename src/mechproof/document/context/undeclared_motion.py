@@ -16,12 +16,12 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.context.doubts import list_compared, list_printed, reach
-from mechproof.document.judging import Key, open_tasks
+from mechproof.document.judging_workers import Key, open_tasks
 from mechproof.document.tasks import Role, Task
-from mechproof.domains.domain import Domain
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict
 from mechproof.record.parts import TURNING
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError, run_tasks
 
 _COUNT = 4

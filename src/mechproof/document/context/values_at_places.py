@@ -13,17 +13,17 @@ from mechproof.document.constraints.consequences import list_letters
 from mechproof.document.constraints.solved_places import solve_at_place
 from mechproof.document.context.constrained_rows import connect, is_constraint
 from mechproof.document.context.undeclared_motion import find_ties
-from mechproof.document.judging import Key, open_tasks
-from mechproof.document.sides import have_same_letters
+from mechproof.document.judging_workers import Key, open_tasks
+from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
-from mechproof.domains.domain import Domain
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols
+from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
-from mechproof.proof.sides import ContradictionError
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve
+from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
 
 # What may be said of one place by a condition behind it.

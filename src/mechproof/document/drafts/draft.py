@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from mechproof.document.constraints.complex_parts import find_imaginary_unit
 from mechproof.document.drafts.drafted_letters import (
-    Entry,
+    DraftedLetter,
     find_running,
     is_motion,
     list_entries,
@@ -31,19 +31,19 @@ from mechproof.document.drafts.drafted_lines import (
     write_families,
     write_letter,
 )
-from mechproof.document.drafts.extremes import ask_extremes, find_extremes
+from mechproof.document.drafts.extreme_sentences import ask_extremes, find_extremes
 from mechproof.document.drafts.said_values import (
     ask_what_follows,
     propose_relations,
     propose_values,
 )
-from mechproof.document.rows import Document
+from mechproof.document.source_rows import Document
 from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printed_units
-from mechproof.nomenclature.letters import collect_letters, name_symbol
 from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
 from mechproof.nomenclature.shapes import find_sizes
+from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
 from mechproof.sources.displays import find_displays
-from mechproof.sources.files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
+from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
 # Seconds to find out whether a letter is a matrix.
 _LIMIT = 10.0
@@ -78,7 +78,7 @@ def draft_block(source: Source) -> str:
     inline = _find_inline(source, entries)
     values = [one.value for _, one in inline if one.number is None]
     for base, by in map(split_letter, collect_letters(values, guess=True, imaginary=unit).letters):
-        entries.setdefault(name_symbol(base), Entry({base: None}, by))
+        entries.setdefault(name_symbol(base), DraftedLetter({base: None}, by))
     _take_inline(inline, entries, said)
     measures = [*find_printed_units(displays), *find_units(source), *document.find_table_units()]
     _take_units(measures, entries, said, source)
@@ -109,14 +109,18 @@ def draft_block(source: Source) -> str:
 
 
 def _write_letters(
-    entries: Mapping[str, Entry], shapes: Mapping[str, tuple[int, int]], said: Mapping[str, Said]
+    entries: Mapping[str, DraftedLetter],
+    shapes: Mapping[str, tuple[int, int]],
+    said: Mapping[str, Said],
 ) -> Iterator[str]:
     for name, entry in entries.items():
         yield from write_letter(name, entry, shapes.get(name), said.get(name))
 
 
 def _take_inline(
-    inline: Sequence[tuple[str, Inline]], entries: Mapping[str, Entry], said: dict[str, Said]
+    inline: Sequence[tuple[str, Inline]],
+    entries: Mapping[str, DraftedLetter],
+    said: dict[str, Said],
 ) -> None:
     """Enter what sentences say of letters: their units, and that those with rates move."""
     for name, one in inline:
@@ -129,7 +133,7 @@ def _take_inline(
 
 def _take_units(
     measures: Sequence[tuple[str, str, int]],
-    entries: Mapping[str, Entry],
+    entries: Mapping[str, DraftedLetter],
     said: dict[str, Said],
     source: Source,
 ) -> None:
@@ -143,7 +147,7 @@ def _take_units(
         said[name] = replace(known, unit=known.unit or measure)
 
 
-def _find_inline(source: Source, entries: Mapping[str, Entry]) -> list[tuple[str, Inline]]:
+def _find_inline(source: Source, entries: Mapping[str, DraftedLetter]) -> list[tuple[str, Inline]]:
     """Return what sentences say of letters: of each one size only, and one formula."""
     found: dict[tuple[str, bool], dict[str, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):

@@ -6,10 +6,15 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from mechproof.nomenclature.letters import Collected, drop_transposition, is_vector, name_symbol
 from mechproof.nomenclature.pairs import leave_pairs
+from mechproof.nomenclature.shown_letters import (
+    Collected,
+    drop_transposition,
+    is_vector,
+    name_symbol,
+)
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
+from mechproof.sources.paper_files import Source
 
 _RATE = re.compile(
     r"\\d{0,2}dot\s*(?:\{\s*)?(\\[A-Za-z]+(?:\s*\{\w+\})?|[A-Za-z])([^{}]*(?:\{[^{}]*\})?[^{}]*)\}?(.*)\Z",
@@ -38,7 +43,7 @@ _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 
 
 @dataclass
-class Entry:
+class DraftedLetter:
     """A letter: its prints, and the letter that it depends on."""
 
     names: dict[str, None] = field(default_factory=dict)
@@ -51,7 +56,7 @@ def list_entries(
     prints: Sequence[str],
     respect: str,
     said: Mapping[str, str],
-) -> dict[str, Entry]:
+) -> dict[str, DraftedLetter]:
     """Return the letters by the names of their symbols; a derivative says what its letter is of.
 
     So do words, `said`, of a letter whose value is printed at one place only, w(l).
@@ -59,7 +64,7 @@ def list_entries(
     largest and least values of any are. Primes are derivatives by the letter `respect`, if words
     name one.
     """
-    entries: dict[str, Entry] = {}
+    entries: dict[str, DraftedLetter] = {}
     quotients = [match for latex in prints for one in _QUOTIENTS for match in one.finditer(latex)]
     by = {name_symbol(match["of"]): match["by"] for match in quotients}
     met = drop_transposition([*collected.letters, *collected.guessed], prints)
@@ -76,7 +81,7 @@ def list_entries(
         stem = strip_arguments(letter)
         if name_symbol(stem) in functions:
             whole = functions[name_symbol(stem)]
-            entry = entries.setdefault(name_symbol(whole), Entry())
+            entry = entries.setdefault(name_symbol(whole), DraftedLetter())
             entry.names |= {whole: None, stem: None}
             continue
         base, running = split_letter(letter)
@@ -86,7 +91,7 @@ def list_entries(
         running = by.get(name_symbol(base), "")
         if running and (is_vector(base) or {name_symbol(base), name_symbol(letter)} & {*shapes}):
             base, running = letter, ""
-        entry = entries.setdefault(name_symbol(base), Entry())
+        entry = entries.setdefault(name_symbol(base), DraftedLetter())
         entry.names[base] = None
         entry.running = entry.running or running
     for letter in filter(_RATE.match, letters):
@@ -95,7 +100,7 @@ def list_entries(
         if running != "t" and name_symbol(running) in entries:
             entries[name_symbol(running)].running = "t"
     extremes = (letter for letter in met if _EXTREME.search(letter))
-    return entries | {name_symbol(letter): Entry({letter: None}) for letter in extremes}
+    return entries | {name_symbol(letter): DraftedLetter({letter: None}) for letter in extremes}
 
 
 def _find_functions(

@@ -7,16 +7,22 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
 
-from mechproof.document.drafts.drafted_letters import Entry
-from mechproof.document.rows import Document
+from mechproof.document.drafts.drafted_letters import DraftedLetter
+from mechproof.document.source_rows import Document
 from mechproof.latex.left_scripts import GREEK
 from mechproof.nomenclature.block import BlockError
 from mechproof.nomenclature.counting_letters import find_counted, find_counts
-from mechproof.nomenclature.letters import INDICES, Collected, is_vector, name_symbol, print_member
 from mechproof.nomenclature.said import Said
+from mechproof.nomenclature.shown_letters import (
+    INDICES,
+    Collected,
+    is_vector,
+    name_symbol,
+    print_member,
+)
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
-from mechproof.sources.text import Files
+from mechproof.sources.located_text import Files
+from mechproof.sources.paper_files import Source
 
 # A letter that is printed to be zero.
 _ZERO = re.compile(r"\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*=\s*0\s*[.,;]?\s*")
@@ -45,7 +51,7 @@ _ASKED = {
 
 
 def write_letter(
-    name: str, entry: Entry, size: tuple[int, int] | None, found: Said | None
+    name: str, entry: DraftedLetter, size: tuple[int, int] | None, found: Said | None
 ) -> Iterator[str]:
     """Yield the line of a letter, behind what is asked of it and where its words stand."""
     first, *alike = entry.names
@@ -71,13 +77,13 @@ def write_families(families: Iterable[str], said: Mapping[str, Said]) -> Iterato
         members = {x: print_member(family, x) for x in INDICES}
         index = next((x for x in members if name_symbol(members[x]) in said), INDICES[0])
         found = said.get(name_symbol(members[index]))
-        yield from write_letter(family, Entry({members[index]: None}, index), None, found)
+        yield from write_letter(family, DraftedLetter({members[index]: None}, index), None, found)
 
 
 def write_counts(
     prints: Sequence[str],
     plain: Iterable[str],
-    entries: Mapping[str, Entry],
+    entries: Mapping[str, DraftedLetter],
     said: Mapping[str, Said],
     words: str,
 ) -> Iterator[str]:
@@ -96,7 +102,7 @@ def write_counts(
     yield from (f"{kind} {next(iter(names))}" for kind, names in counted)
 
 
-def write_factors(factors: Iterable[str], entries: Mapping[str, Entry]) -> Iterator[str]:
+def write_factors(factors: Iterable[str], entries: Mapping[str, DraftedLetter]) -> Iterator[str]:
     """Yield the letters that a bracket behind them multiplies: they depend on nothing."""
     depending = {name for name, entry in entries.items() if entry.running}
     found = [x for x in factors if name_symbol(x).rstrip("'") not in depending]

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.document.example_values import find_example
 from mechproof.nomenclature.inline import DISPLAY, RATE, Inline, defines_nothing, say_of_others
-from mechproof.nomenclature.letters import name_symbol
 from mechproof.nomenclature.said import Said
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
+from mechproof.sources.paper_files import Source
 
 # A reference, or a number in brackets.
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")

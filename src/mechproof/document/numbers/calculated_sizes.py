@@ -18,7 +18,6 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.document.numbers.scales import RoundedSize, has_sixty, spread
 from mechproof.document.tasks import Sign
-from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.latex import ReadingError
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
@@ -26,7 +25,8 @@ from mechproof.latex.tree import Calculated, Chain, Letter, Measure, Node, Numbe
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import FREQUENCY, NUMBER
 from mechproof.record.parts import ENDLESS
-from mechproof.record.units import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
+from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
+from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
 _IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
 # In which revolutions are counted.

@@ -12,7 +12,7 @@ from mechproof.nomenclature.cells import Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 from mechproof.record.parts import ANGLES, TURNING
-from mechproof.record.units import ONE, REVOLUTIONS, Unit, is_share, read_unit
+from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, is_share, read_unit
 
 UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
 _TURNED = "turns, or radians? no letter says in which of them the calculation counts"

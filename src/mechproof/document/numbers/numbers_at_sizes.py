@@ -19,12 +19,12 @@ from mechproof.document.numbers.conversions import (
     differs_by_unit,
     round_irrational,
 )
+from mechproof.document.numbers.letter_sizes import LetterSizes, PrintedSize, show
 from mechproof.document.numbers.scales import RoundedSize, Scales, agrees, is_near
-from mechproof.document.numbers.sizes import PrintedSize, Sizes, show
 from mechproof.document.tasks import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.record import NUMBER, Equality, PrintedNumber
-from mechproof.record.units import Unit, read_unit
+from mechproof.record.unit_notation import Unit, read_unit
 from mechproof.sources.displays import Printed
 
 # One digit, or zeros of which nobody knows whether they are digits.
@@ -40,7 +40,7 @@ _BARE = "it holds for the numbers as they stand, but not in the units of their l
 
 
 def state_number(
-    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
 ) -> PrintedNumber | Equality | str | None:
     """State what a number says: at sizes, or of letters without; or say why nothing is.
 
@@ -66,7 +66,7 @@ def state_number(
     return _round(at, sign, own, printed)
 
 
-def _constrain(at: Sizes, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
+def _constrain(at: LetterSizes, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
     """State what a number says of letters whose sizes are not all known."""
     value, number = sign.value, sp.Rational(sign.number)
     scales, dimension = Scales(at.known.symbols), at.infer(sign.value)
@@ -81,7 +81,7 @@ def _constrain(at: Sizes, sign: Sign, own: sp.Basic | None) -> Equality | str | 
 
 
 def _round(
-    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
 ) -> PrintedNumber | Equality | str:
     """Return what a number says of a formula at the sizes, or why that is not judged."""
     formulas = _find_formulas(at, sign)
@@ -113,7 +113,7 @@ def _round(
 
 
 def _round_as_said(
-    at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed
+    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
 ) -> PrintedNumber | str:
     """State that a number is that of a formula at sizes that sentences say, if it is."""
     sizes, unit = at.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
@@ -128,7 +128,7 @@ def _round_as_said(
     return next(filter(agrees, stated), "")
 
 
-def _find_formulas(at: Sizes, sign: Sign) -> list[sp.Expr] | Equality | str:
+def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | str:
     """Return the formulas of a number at the sizes, or why there are none.
 
     That a formula is zero says something of letters whose sizes are not known.
@@ -146,7 +146,7 @@ def _find_formulas(at: Sizes, sign: Sign) -> list[sp.Expr] | Equality | str:
 
 
 def _excuse(
-    at: Sizes,
+    at: LetterSizes,
     sign: Sign,
     own: sp.Basic | None,
     printed: Printed,
@@ -167,7 +167,7 @@ def _excuse(
     return _SAID.format(names, show(nearest.value)) if names else ""
 
 
-def _doubt(at: Sizes, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
+def _doubt(at: LetterSizes, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
     """Say why a number may not be meant at the sizes that are printed."""
     used = at.list_used(value.free_symbols)
     units = {one.head.unit for one in used.values()}
@@ -179,7 +179,7 @@ def _doubt(at: Sizes, value: sp.Expr, unit: Unit | None, printed: Printed) -> st
     return ""
 
 
-def _name_rounded(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+def _name_rounded(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
     """Return with which numbers before it one agrees, as far as these may have been rounded."""
     last = at.list_numbers(sign, printed)
     rounded = {s: one for s, one in last.items() if not _is_exact(at, one)}
@@ -191,7 +191,7 @@ def _name_rounded(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed)
     return ", ".join(f"{s} of {one.name}" for s, one in used.items())
 
 
-def _name_said(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+def _name_said(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
     """Return which letter has a quantity that a sentence says if a number agrees with it."""
     known, scales = at.known, Scales(at.known.symbols)
     letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
@@ -206,7 +206,7 @@ def _name_said(at: Sizes, sign: Sign, own: sp.Basic | None, printed: Printed) ->
 
 
 def _is_near_at(
-    at: Sizes,
+    at: LetterSizes,
     sign: Sign,
     own: sp.Basic | None,
     given: Mapping[sp.Basic, RoundedSize],
@@ -222,7 +222,7 @@ def _is_near_at(
     return any(is_near(one, number, sizes) for one in read)
 
 
-def _is_exact(at: Sizes, one: PrintedSize) -> bool:
+def _is_exact(at: LetterSizes, one: PrintedSize) -> bool:
     """Return whether the number of a letter is that of its formula, without any rounding."""
     letter, sizes = one.head.symbol, at.list_all()
     formula = at.known.settle(letter)
@@ -232,7 +232,7 @@ def _is_exact(at: Sizes, one: PrintedSize) -> bool:
     ]
 
 
-def _are_beside(at: Sizes, used: Iterable[PrintedSize], group: int) -> bool:
+def _are_beside(at: LetterSizes, used: Iterable[PrintedSize], group: int) -> bool:
     """Return whether nothing but numbers stands between sizes and the display of a number."""
     groups = {group, *(one.group for one in used)}
     return {*range(min(groups) + 1, max(groups))} <= at.numeric

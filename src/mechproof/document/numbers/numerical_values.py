@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.numbers.scales import Scales
-from mechproof.document.sides import SLOW
+from mechproof.document.row_sides import SLOW
 from mechproof.document.tasks import Role, Sign
 from mechproof.record import Equality, Row
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.document.numbers.conversions import NEAR, UNFIT
+from mechproof.document.numbers.letter_sizes import LetterSizes, show
 from mechproof.document.numbers.numbers_at_sizes import (
     SINGLE,
     measure_off,
@@ -17,12 +18,11 @@ from mechproof.document.numbers.numbers_at_sizes import (
 )
 from mechproof.document.numbers.numerical_values import OPEN, is_of_units
 from mechproof.document.numbers.scales import RoundedSize, agrees, spread
-from mechproof.document.numbers.sizes import Sizes, show
 from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber
 from mechproof.record.parts import ANGLES
-from mechproof.record.units import Unit, is_share, read_unit
+from mechproof.record.unit_notation import Unit, is_share, read_unit
 from mechproof.sources.displays import Printed
 
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
@@ -40,7 +40,9 @@ class PutIn:
     told: str
 
 
-def state_put_in(sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes) -> PutIn | str:
+def state_put_in(
+    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
+) -> PutIn | str:
     """State that a calculation is a formula with its sizes put in; another accuses nobody."""
     calculated = [side for side in sign.sides if not side.free_symbols]
     if len(calculated) > 1 and sign.is_calculated:
@@ -80,7 +82,7 @@ def _compare(one: sp.Expr, other: sp.Expr, span: tuple[float, float] | None) -> 
 
 
 def state_result(
-    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes
+    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
 ) -> PrintedNumber | Equality | str | None:
     """State that a number is what is calculated, and in its unit what the formula before gives."""
     plain = state_number(sizes, sign, own, printed)
@@ -145,7 +147,7 @@ def may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
 
 
 def _read(
-    settled: sp.Expr, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None, sizes: Sizes
+    settled: sp.Expr, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None, sizes: LetterSizes
 ) -> Iterator[sp.Expr]:
     """Yield what a formula may give, in a unit; without one in that of its letter, or of SI."""
     yield from sizes.read([settled], own, unit)
@@ -155,7 +157,7 @@ def _read(
 
 
 def _list_settled(
-    formula: sp.Expr, sign: Sign, own: sp.Basic | None, printed: Printed, sizes: Sizes
+    formula: sp.Expr, sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
 ) -> Iterator[tuple[sp.Expr, dict[sp.Basic, sp.Expr], str]]:
     """Yield a formula of letters that have sizes, these, and what is told of them.
 

@@ -6,7 +6,7 @@ import re
 
 import sympy as sp
 
-from mechproof.document.numbers.sizes import PrintedSize, Sizes, read_size
+from mechproof.document.numbers.letter_sizes import LetterSizes, PrintedSize, read_size
 from mechproof.document.tasks import Sign
 from mechproof.nomenclature.cells import Numeral
 from mechproof.sources.displays import Printed
@@ -16,7 +16,7 @@ _DIFFERS = "{} is printed in {}: another case, or a misprint?"
 _CASE = re.compile(r"\\(?:text|mbox|q?quad)|[(\[|]|(?<![\\{])[,;](?!\s*\Z)|\\\\")
 
 
-def doubt_size(sign: Sign, printed: Printed, sizes: Sizes) -> str:
+def doubt_size(sign: Sign, printed: Printed, sizes: LetterSizes) -> str:
     """Say that a letter has another size before, if nothing tells that it may go on to others."""
     letter, moving = sign.letter, sizes.known.symbols.moving
     if letter is None or not sign.number:

@@ -15,9 +15,9 @@ from mechproof.document.numbers.scales import Scales
 from mechproof.nomenclature.cells import Head, Numeral, find_unit
 from mechproof.nomenclature.inline import Inline, SaidQuantity, find_inline, find_quantities
 from mechproof.nomenclature.symbols import Symbols
-from mechproof.record.units import Unit
+from mechproof.record.unit_notation import Unit
 from mechproof.sources.displays import Printed
-from mechproof.sources.files import Source
+from mechproof.sources.paper_files import Source
 
 # The word behind a formula, which may be its unit.
 _NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")

@@ -11,11 +11,11 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.tasks import Task
-from mechproof.domains.domain import Domain
 from mechproof.nomenclature.cells import Numeral
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, PrintedNumber
+from mechproof.statement_domains.domain import Domain
 
 _DECIMAL = re.compile(r"\d\s*(?:\.|\{,\})\s*\d")
 _OPEN = "the two sides differ, but a decimal may have been rounded"

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.domains.dimensions import DimensionError, infer
 from mechproof.nomenclature.cells import Head, Numeral
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.exact_values import decide_number
 from mechproof.proof.verdict import Verdict
 from mechproof.record import FREQUENCY, NUMBER, PrintedNumber
 from mechproof.record.parts import ANGLES, CIRCULAR
-from mechproof.record.units import REVOLUTIONS, Unit
+from mechproof.record.unit_notation import REVOLUTIONS, Unit
+from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
 _DEGREE = sp.pi / 180
 _TURN = 2 * sp.pi

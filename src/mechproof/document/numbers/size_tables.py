@@ -30,9 +30,9 @@ from mechproof.nomenclature.cells import (
 )
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Equation, Paper
-from mechproof.record.units import Unit
+from mechproof.record.unit_notation import Unit
+from mechproof.sources.located_text import Files, Place
 from mechproof.sources.tabulars import TableCell, Tabular
-from mechproof.sources.text import Files, Place
 
 # Rows in which the heads may stand: above them those of groups of columns.
 _HEAD_ROWS = 3

@@ -10,12 +10,12 @@ import sympy as sp
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.numbers.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
+from mechproof.document.numbers.letter_sizes import LetterSizes
 from mechproof.document.numbers.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.numbers.put_in_sizes import may_be_rounded, state_put_in, state_result
 from mechproof.document.numbers.repeated_sizes import doubt_size
 from mechproof.document.numbers.rounded_factors import is_far
 from mechproof.document.numbers.scales import agrees, is_near
-from mechproof.document.numbers.sizes import Sizes
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex.values import settle_all
 from mechproof.nomenclature.cells import Numeral
@@ -37,7 +37,7 @@ class StatedNumbers:
     """States what numbers say, by what is known of letters and their sizes."""
 
     known: Known
-    sizes: Sizes
+    sizes: LetterSizes
     examples: ExampleValues
 
     def state(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Stated | str:

@@ -9,7 +9,7 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from mechproof.lab.sampling.points import PointSet
+from mechproof.lab.sampling.named_sets import PointSet
 from mechproof.lab.sampling.singular_points import list_point_sets
 from mechproof.lab.sampling.usual_sizes import Sides, draw_cell, make_workload
 from mechproof.lab.subject import Subject

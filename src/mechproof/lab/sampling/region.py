@@ -11,12 +11,12 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.domains.domain import Domain
-from mechproof.domains.set_values import COUNTS
 from mechproof.lab.sampling.zero_sets import Columns, call
 from mechproof.lab.ways import Array
-from mechproof.programs.domain import set_relations
+from mechproof.programs.argument_conditions import set_relations
 from mechproof.record.relations import find_slack, is_comparison
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.set_values import COUNTS
 
 # A computed limit is kept away from by what so many roundings of the arguments move it: nearer,
 # no kernel can know on which side it is.

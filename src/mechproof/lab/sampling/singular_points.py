@@ -17,7 +17,7 @@ import sympy as sp
 
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.sampling.draws import SIGNS, Rng, count_points, draw_inside, draw_mixed, pick
-from mechproof.lab.sampling.points import PointSet, draw_ladder
+from mechproof.lab.sampling.named_sets import PointSet, draw_ladder
 from mechproof.lab.sampling.stated_sizes import FEWEST, Facts
 from mechproof.lab.sampling.zero_sets import Columns, ZeroSet, find_integers, find_roots
 from mechproof.lab.ways import Arguments, Array

@@ -9,11 +9,11 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from mechproof.domains.domain import Domain
 from mechproof.lab.sampling.region import Region
 from mechproof.lab.sampling.zero_sets import Columns, ZeroSet
 from mechproof.lab.ways import Arguments, Array
 from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
+from mechproof.statement_domains.domain import Domain
 
 # Sizes are drawn so many times smaller and larger than the usual and published ones.
 WIDE = 1e3

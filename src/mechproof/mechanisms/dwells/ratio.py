@@ -15,13 +15,13 @@ import math
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mechproof.mechanisms.dwells.balls import Open, as_ball, is_above, sure
+from mechproof.mechanisms.dwells.ball_decisions import Open, as_ball, is_above, sure
 from mechproof.mechanisms.dwells.spans import MARGIN, Place, Span
 
 End = Any  # a Fraction, or a ball
 
 
-class Asked(NamedTuple):
+class RestRequest(NamedTuple):
     """Carrier angle, largest |ratio| of a rest and the largest eccentricity, all exact."""
 
     width: Fraction
@@ -64,7 +64,7 @@ def find_longest(k: Fraction, e: Fraction, eta: Fraction) -> float:
     return both * (last - first) / (2 * float(k))
 
 
-def find_spans(k: Fraction, asked: Asked) -> list[Span]:
+def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
     """Return the intervals of eccentricities, from the least on.
 
     Raises `Open` where they could not be decided.
@@ -82,7 +82,7 @@ def find_spans(k: Fraction, asked: Asked) -> list[Span]:
     return sorted(spans, key=lambda span: span.low)
 
 
-def _write(k: Fraction, asked: Asked, place: Place, low: End, high: End) -> Span:
+def _write(k: Fraction, asked: RestRequest, place: Place, low: End, high: End) -> Span:
     """Make a span of doubles inside the interval; ends that are fractions stay exact."""
     inner = [
         low if isinstance(low, Fraction) else Fraction(math.nextafter(float(low.upper()), 1.0)),
@@ -103,7 +103,7 @@ def _write(k: Fraction, asked: Asked, place: Place, low: End, high: End) -> Span
     return Span(place, inner[0], b, exact if inner[0] <= exact <= b else None, best, width)
 
 
-def _stationary(k: Fraction, asked: Asked, a: Fraction, b: Fraction) -> list[Fraction]:
+def _stationary(k: Fraction, asked: RestRequest, a: Fraction, b: Fraction) -> list[Fraction]:
     """Return where the interval about x = 0 is longest inside: (q + 1/q) k/(1 - eta) = 2."""
     spread = 2 * float((1 - asked.eta) / k)
     if spread <= 2:
@@ -122,7 +122,7 @@ def _cut(low: list[End], high: list[End]) -> list[tuple[End, End]]:
     return [(first, last)] if sure(is_above(last, first), "both ends of an interval") else []
 
 
-def _find_about_pi(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+def _find_about_pi(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[End, End]]:
     k, least, largest = speeds
     low = [abs(k - largest) / (k + largest)]
     high = [(k - least) / (k + least), asked.largest_e]
@@ -136,7 +136,7 @@ def _find_about_pi(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, E
     return [*_cut(low, [*high, ends[0]]), *_cut([*low, ends[1]], high)]
 
 
-def _find_about_0(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+def _find_about_0(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[End, End]]:
     k, least, largest = speeds
     low = [abs(k - least) / (k + least)]
     high = [(largest - k) / (largest + k), asked.largest_e]
@@ -157,7 +157,7 @@ def _root_of(discriminant: Any) -> Any:
     return discriminant.sqrt()
 
 
-def _find_between(speeds: Speeds, half: Any, asked: Asked) -> list[tuple[End, End]]:
+def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[End, End]]:
     k, least, largest = speeds
     start = max(Fraction(0), (k - least) / (k + least), (largest - k) / (largest + k))
     if start >= asked.largest_e:

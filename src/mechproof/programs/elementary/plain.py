@@ -13,8 +13,8 @@ from typing import Any
 
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES, build
-from mechproof.programs.elementary.machine import choose
+from mechproof.programs.elementary.function_programs import BODIES, build
+from mechproof.programs.elementary.traced_machine import choose
 from mechproof.programs.operations import KINDS, NEAREST, Rounding
 from mechproof.programs.program import Program
 from mechproof.programs.trace import TRACED, Value, trace

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from mechproof.programs.error_free import Single, WholeTurnsOff
 from mechproof.programs.evaluation import Evaluation, Step
-from mechproof.programs.names import suggest_name
+from mechproof.programs.rounding_functions import Single, WholeTurnsOff
+from mechproof.programs.step_names import suggest_name
 
 
 def clenshaw(evaluation: Evaluation) -> Evaluation:

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import expm1, log1p
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.products import Factors, is_root
+from mechproof.programs.rewrites.factored_sums import Factors, is_root
 
 # For f(a) - f(b): what it equals by a, b and d = a - b, and the values that have to be positive.
 Theorem = Callable[[sp.Expr, sp.Expr, sp.Expr], tuple[sp.Expr, tuple[sp.Expr, ...]]]

@@ -11,11 +11,11 @@ from functools import partial
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import cancel
-from mechproof.programs.error_free import SmallArctan, SmallTangent, TangentQuotient
 from mechproof.programs.evaluation import Evaluation, Step
-from mechproof.programs.names import suggest_name
+from mechproof.programs.rewrites.factored_sums import Factors
 from mechproof.programs.rewrites.low_word import low_part
-from mechproof.programs.rewrites.products import Factors
+from mechproof.programs.rounding_functions import SmallArctan, SmallTangent, TangentQuotient
+from mechproof.programs.step_names import suggest_name
 
 
 def half_angle_tangent(evaluation: Evaluation) -> Evaluation:

@@ -10,9 +10,9 @@ from operator import methodcaller
 
 import sympy as sp
 
-from mechproof.programs.error_free import ProductRest, SumRest
 from mechproof.programs.evaluation import Evaluation, Step, map_entries
-from mechproof.programs.names import suggest_name
+from mechproof.programs.rounding_functions import ProductRest, SumRest
+from mechproof.programs.step_names import suggest_name
 
 Pair = tuple[sp.Symbol, sp.Symbol]
 

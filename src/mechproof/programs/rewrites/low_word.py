@@ -10,8 +10,8 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from mechproof.programs.error_free import ProductRest, QuotientRest
 from mechproof.programs.evaluation import Evaluation, Step
+from mechproof.programs.rounding_functions import ProductRest, QuotientRest
 
 
 def low_word(evaluation: Evaluation) -> Evaluation:

@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.products import Factors, is_root
+from mechproof.programs.rewrites.factored_sums import Factors, is_root
 
 
 def hypotenuse(evaluation: Evaluation) -> Evaluation:

@@ -1,0 +1,165 @@
+"""The command that proves bounds of the rounding errors of programs in doubles."""
+
+from __future__ import annotations
+
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli import options
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.fpcore.s_expressions import FPCoreError
+from mechproof.pipeline.bounding import (
+    FPCORE,
+    PARTS,
+    TOLERANCE,
+    Bounding,
+    ProvedBound,
+    bound_all,
+    bounds_to_json,
+    read_boundings,
+    read_pasted,
+)
+from mechproof.pipeline.bounds_page import CITED, compare
+from mechproof.pipeline.pasted import PastedError
+from mechproof.pipeline.pasted_letters import Pasted
+from mechproof.roundoff.boxed import Convention
+from mechproof.tools.files import write_whole
+
+DIGITS = 4
+
+
+def bound(
+    sources: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE.fpcore ... | EXPRESSION",
+            help="Files of FPCore; or LaTeX: an expression, or an equation whose right side it is.",
+        ),
+    ],
+    where: Annotated[
+        options.Texts, typer.Option("--where", help="Between which numbers a letter lies: 1<=x<=2.")
+    ] = None,
+    values: options.Values = None,
+    names: options.Names = None,
+    factors: options.Factors = None,
+    relative: Annotated[
+        bool, typer.Option("--relative", help="Bound the error over the exact value.")
+    ] = False,
+    rounded_inputs: Annotated[
+        bool,
+        typer.Option(
+            "--rounded-inputs", help="Inputs are real numbers that are rounded, not doubles."
+        ),
+    ] = False,
+    ulps: Annotated[
+        float,
+        typer.Option(
+            "--ulps", metavar="N", help="What sin, exp and their like are off by at most."
+        ),
+    ] = 1.0,
+    tolerance: Annotated[
+        float,
+        typer.Option("--tolerance", metavar="SHARE", help="To what share a bound is narrowed."),
+    ] = TOLERANCE,
+    parts: Annotated[
+        int,
+        typer.Option(
+            "--parts", metavar="N", min=1, help="The most parts that a box is divided in."
+        ),
+    ] = PARTS,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            "--table",
+            metavar="PAGE.md",
+            help="Write a page instead: these bounds beside those of Gappa and FPTaylor, where "
+            "installed, and of cited.json beside the first file.",
+        ),
+    ] = None,
+    json_file: Annotated[
+        Path | None, typer.Option("--json", help="Also write the bounds to this file.")
+    ] = None,
+) -> None:
+    """Prove how far rounding moves what straight-line programs compute in doubles.
+
+    A file of FPCore says each program and, by :pre, the box of its arguments; an expression is
+    computed as it would be emitted, its letters where --where says. What is proved holds for every
+    input of the box; the worst input that a search finds stands beside it.
+
+    Exit status 0: all are bounded; 1: one is not; 2: bad usage, or what cannot be read or is not
+    straight-line.
+    """
+    options.clear_json(json_file)
+    try:
+        convention = Convention(rounded_inputs, relative, ulps)
+        said = {"where": where, "values": values, "names": names, "factors": factors}
+        pasted = options.paste(sources[0], said)
+        boundings = _read(sources, pasted, any(said.values()))
+        if not 0 < tolerance < 1:
+            refuse(f"--tolerance {tolerance}: must be above 0 and below 1")
+        if table:
+            _write_table(table, sources, boundings)
+            return
+        bounds = []
+        with show_progress("bounding rounding errors") as report:
+            for found in bound_all(boundings, convention, tolerance, parts, report):
+                bounds.append(found)
+                for line in _tell(found):
+                    say(line)
+    except (FPCoreError, PastedError, ValueError) as error:
+        refuse(str(error))
+    except ArithmeticError as error:
+        fail(str(error))
+    options.write_json(json_file, bounds_to_json(bounds))
+    if any(found.open for found in bounds):
+        raise typer.Exit(1)
+
+
+def _write_table(page: Path, sources: list[str], boundings: list[Bounding]) -> None:
+    if not sources[0].endswith(FPCORE) or page.suffix != ".md":
+        refuse(f"--table {page}: a page is called .md, and is of files of FPCore")
+    with show_progress("comparing bounds") as report:
+        text = compare(boundings, Path(sources[0]).parent / CITED, report)
+    try:
+        write_whole(page, text)
+    except OSError as error:
+        fail(f"--table {page}: {error.strerror}")
+    say(f"wrote {page}")
+
+
+def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[Bounding]:
+    files = [source for source in sources if source.endswith(FPCORE)]
+    if len(files) < len(sources):
+        if len(sources) > 1:
+            other = next(source for source in sources if source not in files)
+            refuse(
+                f"{other}: no file of FPCore by its name; an expression is given alone, in quotes"
+            )
+        return [read_pasted(pasted)]
+    if is_said:
+        refuse("what is said of the arguments of a file stands in its :pre")
+    return [one for file in files for one in read_boundings(Path(file))]
+
+
+def _tell(found: ProvedBound) -> list[str]:
+    """Return the lines about a bound: what is proved is rounded up, what is found down."""
+    kind = "relative error" if found.relative else "error"
+    if found.open:
+        return [f"{found.name}: no bound of the {kind} is proved where {found.open}"]
+    inputs = ", inputs rounded" if found.rounded_inputs else ""
+    lines = [
+        f"{found.name}: {kind} at most {_round(found.proved, ROUND_CEILING)}{inputs}"
+        f" ({found.parts} parts, {found.seconds:.1f} s)"
+    ]
+    if found.at:
+        at = ", ".join(f"{name} = {float(value)!r}" for name, value in found.at.items())
+        lines.append(f"  found {_round(found.found, ROUND_FLOOR)} at {at}")
+    lines.append(f"  as long as {' and '.join(found.assumptions)}")
+    return lines
+
+
+def _round(number: float, rounding: str) -> str:
+    return f"{Context(prec=DIGITS, rounding=rounding).create_decimal(Decimal(number)):g}"

@@ -1,0 +1,88 @@
+"""The command that writes what is proved as scripts of Coq, and has Coq check them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from mechproof.cli import options
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.paths import find_locations, find_places, read_out
+from mechproof.pipeline.judging import PipelineError
+from mechproof.pipeline.verification import LIMIT
+from mechproof.sources.paper_files import SUFFIXES
+
+if TYPE_CHECKING:
+    from mechproof.pipeline.row_scripts import Certified
+
+
+def certify(
+    papers: options.Papers = None,
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),
+    ] = Path("coq"),
+    check: Annotated[
+        bool, typer.Option("--check", help="Have Coq check them, and write the coverage page.")
+    ] = False,
+    record: Annotated[
+        bool,
+        typer.Option(
+            "--record",
+            help="With --check: keep page and digests in DIR/../generated, and take over what "
+            "is recorded there and has not changed.",
+        ),
+    ] = False,
+    one_in: Annotated[
+        int,
+        typer.Option("--one-in", metavar="N", min=1, help="Have every N-th script checked alone."),
+    ] = 1,
+    derivations: options.Derivations = None,
+    no_cache: options.NoCache = False,
+    limit: options.Limit = LIMIT,
+) -> None:
+    """Write a Coq script for every row that is PROVED, REFUTED or CONDITIONAL, for `make`.
+
+    Each states its row in the letters of the paper, with the domain as hypotheses, and is read
+    back from its text and compared with the row before it is written. What Coq refuses by the
+    record is left out. With --check all scripts are checked, those that Coq does not accept are
+    removed, and COQ.md says of every row which file it has, or why it has none.
+
+    Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
+    does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
+    fails; 2: bad usage.
+    """
+    from mechproof.pipeline.row_scripts import certify as certify_papers
+
+    if record and (not check or one_in > 1 or papers):
+        refuse("--record: with --check, of all papers and all their scripts")
+    places = find_places(derivations, None)
+    stages = certify_papers(
+        find_locations(papers or (), places, SUFFIXES),
+        out,
+        places.generated,
+        check=check,
+        record=record,
+        one_in=one_in,
+        use_cache=not no_cache,
+        limit=limit,
+        progress=show_progress,
+    )
+    try:
+        for done in stages:
+            _tell(done, out)
+    except PipelineError as error:
+        fail(str(error))
+
+
+def _tell(done: Certified, out: Path) -> None:
+    if done.coverage is None:
+        say(f"{out}: {done.written} scripts of {done.rows} rows; `make -C {out}` checks them")
+        if done.left_out:
+            say(f"left out: {done.left_out} scripts that Coq refuses by the record")
+        return
+    say(done.coverage.count())
+    if done.lost:
+        fail("\n".join(f"not as recorded: {line}" for line in done.lost))

@@ -1,0 +1,95 @@
+"""Kernels apart from their loops over terms: in, folded kernels; out, what they make of numbers.
+
+So the loops of many sets of terms can run beside each other. A thousand sets and more then take a
+half to a tenth of the time that they take one after another, of few terms least; up to ten sets, or
+of two axes of forty terms that differ from set to set, nothing is gained.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import replace
+
+from mechproof.codegen.backends.scalar_texts import LoopCall
+from mechproof.codegen.languages import EXACT
+from mechproof.codegen.syntax import Syntax
+from mechproof.programs.code import Stage
+from mechproof.programs.evaluation import unused_name
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.program import Operand, Operation, Program
+from mechproof.programs.scalar import list_arguments, rename, rename_components
+from mechproof.programs.term_loops import LOOPS, TermLoop
+
+# Where the term of a loop is found, besides the indices.
+AT = "_at"
+
+
+def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tuple[Operation, ...]]:
+    """Return a kernel that takes what the loops of these names find, and the calls of them."""
+    if not kernel.code.indexed:
+        return kernel, ()
+    calls: dict[str, Operation] = {}
+    code = kernel.code
+    inside = _take_out(code.inside, names, calls) if code.inside else None
+    stages = tuple(_take_out_of_stage(stage, names, calls) for stage in code.stages)
+    renamed = rename_components(code, list_arguments(kernel))
+    listed = tuple(
+        replace(call, operands=tuple(renamed.get(o, o) for o in call.operands))
+        for call in calls.values()
+    )
+    return replace(kernel, code=replace(code, inside=inside, stages=stages)), listed
+
+
+def _take_out_of_stage(stage: Stage, names: Collection[str], calls: dict[str, Operation]) -> Stage:
+    assert stage.evaluate is not None
+    evaluate = _take_out(stage.evaluate, names, calls)
+    return replace(stage, running=evaluate.inputs, evaluate=evaluate)
+
+
+def _take_out(program: Program, names: Collection[str], calls: dict[str, Operation]) -> Program:
+    """Replace calls by inputs with the names of their loops; each loop is called in one way."""
+    found = {step.result: step for step in program.operations if step.kind in names}
+    calls |= {step.kind: step for step in found.values()}
+    kinds: dict[Operand, str] = {result: step.kind for result, step in found.items()}
+    kept = tuple(step for step in program.operations if step.result not in found)
+    parted = rename(replace(program, operations=kept), kinds).normal_form()
+    used = {o for step in parted.operations for o in step.operands}.union(parted.outputs)
+    inputs = (*program.inputs, *kinds.values())
+    return replace(parted, inputs=tuple(n for n in dict.fromkeys(inputs) if n in used))
+
+
+def describe_calls(
+    calls: Iterable[Operation], reductions: Iterable[TermLoop], syntax: Syntax
+) -> tuple[LoopCall, ...]:
+    """Describe calls of loops for what is printed of them."""
+    named = {found.name: found for found in reductions}
+    return tuple(
+        LoopCall(
+            call.kind,
+            tuple(map(str, call.operands)),
+            named[call.kind].axes,
+            named[call.kind].kind == "every",
+            syntax.last.get(call.kind) == EXACT,
+        )
+        for call in calls
+    )
+
+
+def name_elements(found: TermLoop) -> TermLoop:
+    """Return a loop whose term calls nothing that it takes like an argument of the loop."""
+    used = {step.result for step in found.term.operations}.union(found.term.inputs)
+    given: dict[Operand, str] = {
+        name: unused_name(f"{name}_term", used) for name in found.parameters
+    }
+    return replace(found, term=rename(found.term, given))
+
+
+def mean_term(found: TermLoop) -> Program:
+    """Return what a compiled function computes of the place of a term: elements, then the term."""
+    taken = tuple(
+        Operation(name, "element", (given, AT, *(f"{AT[0]}{LOOPS[i]}" for i in indices)))
+        for name, (given, indices) in zip(found.term.inputs, found.elements, strict=True)
+    )
+    places = (AT, *(f"{AT[0]}{letter}" for letter in LOOPS))
+    term = replace(found.term, operations=(*taken, *found.term.operations))
+    return replace(term, inputs=(*places, *found.parameters)).normal_form()

@@ -1,0 +1,287 @@
+"""Forms: in, a paper and the source emitted from it; out, the rows that say what each form is."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from mechproof.codegen.backends.numpy import FORMS, render_derivatives, render_modules
+from mechproof.codegen.formula_text import write_formula
+from mechproof.codegen.kernel_reading import check_module
+from mechproof.programs.code import Stage
+from mechproof.programs.evaluation import Enclosure, Solved
+from mechproof.programs.kernel import Kernel, build_functions, list_functions, name_rival
+from mechproof.programs.raising import WrittenForm
+from mechproof.programs.reverse_mode import differentiate
+from mechproof.record import (
+    Claim,
+    Conjunction,
+    EmittedForm,
+    Equality,
+    Form,
+    Holds,
+    Paper,
+    Part,
+    Quantity,
+    Row,
+    Statement,
+    Unwritten,
+)
+from mechproof.record.forms import DERIVATIVES, KERNEL
+from mechproof.record.implicit import LEFT, LastIterate
+from mechproof.record.relations import solve
+
+# Ends the number of the row that says that the rewrites of a form are legal.
+LEGAL = ", legal"
+# Ends the number of the row that says how near a polynomial is to what it stands for.
+NEAR_ZERO = ", near 0"
+# Ends the number of the row that says that Newton's steps lead to a root.
+CONVERGES = ", converges"
+_ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
+# Where an iterate is, in widths of the bracket from its lower end.
+_PLACE = sp.Symbol("place", real=True)
+
+
+def form_rows(paper: Paper) -> tuple[Row, ...]:
+    """Return the rows of every form: what its source computes, and that its rewrites are legal.
+
+    The source is read back first. Raises `TranslationError` where it is not the program. What has
+    no kernel has a row that says why.
+    """
+    functions = build_functions(paper)
+    read_back(_leave_out(functions.refused, paper), functions.kernels)
+    written = (
+        row
+        for kernel in functions.kernels
+        for number, stage in enumerate(kernel.code.stages)
+        for row in _state_form(kernel, number, stage, paper)
+    )
+    refused = (q for q in paper.quantities if q.name in functions.refused)
+    return (*written, *(_state_refusal(q, functions.refused[q.name]) for q in refused))
+
+
+def derivative_rows(paper: Paper) -> tuple[Row, ...]:
+    """Return the rows of the derivatives: what their source computes. It is read back first."""
+    derived = differentiate(paper)
+    kernels = read_derivatives_back(paper)
+    rows = (
+        row for kernel in kernels for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
+    )
+    return tuple(_tell_derivatives(row) for row in rows)
+
+
+def _tell_derivatives(row: Row) -> Row:
+    """Say of a row on the source of a kernel that it is on that of its derivatives."""
+    latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
+    latex = latex.replace("its definition", "what the chain rule makes of the definition")
+    return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
+
+
+def list_derivative_numbers(quantity: Quantity) -> list[str]:
+    """List the numbers that rows on the derivatives of a quantity may have; the first there is."""
+    numbers = [n for form in quantity.shipped[-1:] for n in _number_rows(quantity, form)]
+    return [f"{DERIVATIVES}{number}" for number in numbers]
+
+
+def _leave_out(names: Container[str], paper: Paper) -> Paper:
+    """Return a paper without some of its quantities, and what is computed together with them."""
+    left = tuple(q for q in paper.quantities if q.name not in names)
+    together = tuple(t for t in paper.one_pass if not any(name in names for name in t.quantities))
+    return paper if left == paper.quantities else replace(paper, quantities=left, one_pass=together)
+
+
+def _state_refusal(quantity: Quantity, reason: str) -> Row:
+    shown = _show(quantity.name)
+    number = number_form(quantity, quantity.shipped[-1])
+    return _claim_of(quantity, number, rf"\text{{{shown} has a kernel}}", Unwritten(reason))
+
+
+def _claim_of(quantity: Quantity, number: str, latex: str, says: Statement, **about: Any) -> Claim:
+    """Make a row on the source of a quantity."""
+    return Claim(number, latex, says, marks=("ours",), quantities=(quantity.name,), **about)
+
+
+def _show(name: str) -> str:
+    return name.replace("_", r"\_")
+
+
+def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
+    """Read the emitted modules of a paper back and compare them with what is meant.
+
+    Raises `SourceError`.
+    """
+    for name, source in render_modules(paper).items():
+        own = [kernel for kernel in kernels if kernel.is_shipped != name.startswith(FORMS)]
+        check_module(source, own, f"{paper.system}.")
+
+
+def read_derivatives_back(paper: Paper) -> tuple[Kernel, ...]:
+    """Return the kernels of the derivatives of a paper; the emitted module is compared with them.
+
+    Raises `SourceError`.
+    """
+    kernels = list_functions(differentiate(paper))
+    for source in render_derivatives(paper).values():
+        check_module(source, kernels, f"derivatives of {paper.system}.")
+    return kernels
+
+
+def number_form(quantity: Quantity, form: Form) -> str:
+    """Return the number of the row that says what the source of a form computes."""
+    if form is quantity.shipped[-1]:
+        return f"{KERNEL}{quantity.name}"
+    if any(form is one for one in quantity.shipped):
+        return f"{KERNEL}{quantity.name}, {form.name}"
+    return f"{KERNEL}{name_rival(quantity, form)}"
+
+
+def number_shipped(paper: Paper) -> frozenset[str]:
+    """Return the numbers of the rows on which the kernels of a paper rest."""
+    forms = ((q, form) for q in paper.quantities for form in q.shipped)
+    return frozenset(number for q, form in forms for number in _number_rows(q, form))
+
+
+def _number_rows(quantity: Quantity, form: Form) -> list[str]:
+    return [f"{number_form(quantity, form)}{end}" for end in _ENDS]
+
+
+def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
+    quantity, form = kernel.quantity, kernel.forms[place]
+    number = number_form(quantity, form)
+    shown = _show(kernel.name)
+    meant = "its definition" if kernel.is_shipped else f"the definition of {_show(quantity.name)}"
+    meant += "" if form.bound is None else " to a bound"
+    rewrites = ", ".join(form.rewrites) or "none"
+    bound = "" if form.bound is None else f"; off by at most {write_formula(form.bound, {})}"
+    definition = _write_out(quantity.definition, paper)
+    enclosures = kernel.enclosures[place]
+    states = form.states or partial(_equal_but_enclosures, enclosures, definition)
+    written = WrittenForm(quantity, kernel.code, stage)
+    on = _join_parts(quantity, form, paper)
+    note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
+    yield _claim_of(
+        quantity,
+        number,
+        rf"\text{{the source of {shown} computes {meant}}}",
+        states(written),
+        note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
+        on=on,
+        holds_on=form.holds_on,
+    )
+    obligations = kernel.obligations[place]
+    if obligations:
+        yield _claim_of(
+            quantity,
+            f"{number}{LEGAL}",
+            rf"\text{{the rewrites of {shown} are legal}}",
+            Conjunction(tuple(map(Holds, obligations))),
+            note=f"What {rewrites} ask for.",
+            on=on,
+        )
+    for solved in enclosures:
+        if isinstance(solved, Solved):
+            yield _claim_of(
+                quantity,
+                f"{number}{CONVERGES}",
+                rf"\text{{Newton's steps in {shown} lead to the one root in the bracket}}",
+                _state_steps(written, solved),
+                note=f"{solved.exact.steps} steps leave no more than 2**-64 of the bracket.",
+                on=_widen(on),
+            )
+    for enclosure in enclosures:
+        if isinstance(enclosure, Solved):
+            continue
+        yield _claim_of(
+            quantity,
+            f"{number}{NEAR_ZERO}",
+            rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
+            _state_enclosure(written, enclosure),
+            note="Beyond it what it stands for is computed.",
+            on=Part(
+                f"|{enclosure.symbol}| <= {enclosure.limit}",
+                {enclosure.symbol: sp.Interval(-enclosure.limit, enclosure.limit)},
+            ),
+        )
+
+
+def _equal_but_enclosures(
+    enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: EmittedForm
+) -> Statement:
+    """State an equality with what is enclosed in place of the steps that enclose it."""
+    exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
+    return Equality(code.output(*exact).xreplace(exact), definition)
+
+
+def _state_steps(code: EmittedForm, solved: Solved) -> Statement:
+    """State that the steps are Newton's, from any place, and that they end at the root."""
+    root = solved.exact
+    low, high = root.ends
+    # A symbol of its own would have the dimension of a number.
+    place = low + _PLACE * (high - low)
+    steps = (
+        Equality(code.step(step, before).xreplace({before: place}), root.step_from(place))
+        for before, step in pairwise(solved.iterates)
+    )
+    distance = sp.Abs(LastIterate.towards(root) - root)
+    near = Holds(sp.Le(distance, LEFT * (high - low), evaluate=False))
+    begun = Equality(code.step(solved.iterates[0]), root.start)
+    return Conjunction((begun, *steps, near))
+
+
+def _widen(on: Part | None) -> Part:
+    """Let the place of an iterate be any."""
+    on = on or Part("", {})
+    return replace(on, within={**on.within, _PLACE: sp.S.Reals})
+
+
+def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
+    """State how near the polynomial of a step is, and that its other branch is exact."""
+    value = code.step(enclosure.step)
+
+    def take(place: int) -> sp.Expr:
+        return value.replace(
+            lambda node: isinstance(node, sp.Piecewise) and node.args[0].cond == enclosure.inside,
+            lambda node: node.args[place].expr,
+        )
+
+    return Conjunction(
+        (
+            Holds(sp.Le(sp.Abs(take(0) - enclosure.exact), enclosure.bound)),
+            Equality(take(1), enclosure.exact),
+        )
+    )
+
+
+def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
+    """Return what a definition that is a declared symbol is declared to be."""
+    for _ in paper.given:
+        definition = paper.given.get(definition, definition)
+    return definition
+
+
+def _join_parts(quantity: Quantity, form: Form, paper: Paper) -> Part | None:
+    """Join where the quantity is meant, where the form is, and when it is taken."""
+    parts = [part for part in (quantity.on, form.on) if part is not None]
+    if form.when is not None:
+        parts.append(_as_part(form.when, {v.symbol: v.within for v in paper.variables}))
+    if not parts:
+        return None
+    within = {s: values for part in parts for s, values in part.within.items()}
+    where = tuple(relation for part in parts for relation in part.where)
+    return Part("; ".join(part.text for part in parts), within, where)
+
+
+def _as_part(condition: sp.Basic, sets: Mapping[sp.Basic, sp.Set]) -> Part:
+    """Return a condition as a narrower set of its symbol if it has one only, else as it stands."""
+    symbols = condition.free_symbols & sets.keys()
+    if len(symbols) == 1 == len(condition.free_symbols):
+        (symbol,) = symbols
+        narrowed = sets[symbol].intersect(solve(condition, symbol))
+        if isinstance(narrowed, sp.Interval):
+            return Part(str(condition), {symbol: narrowed})
+    return Part(str(condition), where=(condition,))

@@ -1,0 +1,244 @@
+"""What worker processes are asked for: the judgement of a row of a paper that they have read."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.constraints.consequences import GIVEN
+from mechproof.document.constraints.following import judge_following
+from mechproof.document.constraints.solutions import are_exchanged, judge_angles, judge_signs
+from mechproof.document.constraints.unsaid_relations import find_relations
+from mechproof.document.never_true import tell_never_true
+from mechproof.document.numbers.rounded_factors import judge_factor
+from mechproof.document.row_sides import have_same_letters
+from mechproof.document.slips import find_slip
+from mechproof.document.source_rows import Document
+from mechproof.document.tasks import Role, Task
+from mechproof.proof.equation_ladder import ContradictionError
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import AGREE, BOUND_AGREE
+from mechproof.proof.verdict import Judgement, Left, Verdict
+from mechproof.record import Equality, Holds, PrintedNumber, RecordError
+from mechproof.sources.paper_files import read_source
+from mechproof.statement_domains.domain import Domain
+
+# How the row of one sign of a chain is called.
+_SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
+# What is compared, even if letters that only one side has could make both sides equal.
+COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
+# Seconds for one equation.
+LIMIT = 60.0
+# What is said of a member that a row differs from.
+UNLIKE = ", which has the same letters: one is wrong, or of another case"
+TRANSPOSED = (
+    "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
+    "letter?"
+)
+# Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
+Elsewhere = frozenset[tuple[str, int]]
+# Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
+# process that was forked finds here what its parent had. SymPy would work relations out on their
+# way through a pipe.
+Key = tuple[str, str | None, Elsewhere]
+opened: dict[Key, list[Task]] = {}
+
+
+def name_equation(number: str) -> str:
+    """Return the name of the equation that a row is a sign of."""
+    return _SIGN.sub("", number)
+
+
+def leave_out(rows: Sequence[Task | Left], elsewhere: Elsewhere) -> Iterator[Task | Left]:
+    """Yield the rows that are judged nowhere else, by themselves or with all signs of their print.
+
+    A row elsewhere judges all signs of its print if it states as many things. Of what is not read
+    the signs are not known.
+    """
+    known = {text for text, _ in elsewhere}
+    equations = {*map(name_equation, known)}
+    signs = Counter(name_equation(one.row.number) for one in rows if isinstance(one, Task))
+    stated = defaultdict[str, int](int)
+    for text, parts in elsewhere:
+        stated[text] = max(stated[text], parts)
+    for one in rows:
+        row = one.row if isinstance(one, Task) else one
+        equation = name_equation(row.number)
+        is_whole = stated[equation] >= max(1, signs[equation])
+        is_told = is_whole if isinstance(one, Task) else equation in equations
+        if not (is_told or known & {row.number, row.printed_latex}):
+            yield one
+
+
+def open_tasks(key: Key) -> list[Task]:
+    """Return the rows of a paper that are judged, read again where nobody else has."""
+    if key not in opened:
+        path, content, elsewhere = key
+        found = leave_out(Document(read_source(path, content)).read(LIMIT), elsewhere)
+        opened[key] = [one for one in found if isinstance(one, Task)]
+    return opened[key]
+
+
+def judge_row(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row by itself, or beside what it is said to follow from, or say why not."""
+    tasks = open_tasks(which[0])
+    task = tasks[which[1]]
+    try:
+        return judge_following(task, tasks) if task.follows else _judge_alone(task)
+    except (RecordError, ContradictionError) as error:
+        return str(error)
+
+
+def judge_special(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row at the values that are said of its letters beside it."""
+    special = open_tasks(which[0])[which[1]].special
+    assert special is not None
+    return _judge_alone(special)
+
+
+def judge_local(which: tuple[Key, int]) -> Judgement | str:
+    """Judge a row at the values that worked examples print of its letters."""
+    local = open_tasks(which[0])[which[1]].local
+    assert local is not None
+    return _judge_alone(local)
+
+
+def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | None:
+    """Judge a row whatever defines some letters; None where that tells nothing.
+
+    What differs then is refuted only if both sides have the same letters, as identities have.
+    """
+    key, number, letters = which
+    task = open_tasks(key)[number]
+    free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
+    paper = replace(task.paper, variables=tuple(free))
+    try:
+        found = judge(task.row, paper)
+        sides = [*map(Domain.of(paper, task.row.on).resolve, task.sign.sides)]
+    except (RecordError, ContradictionError, TypeError):
+        return None
+    is_compared = task.asserts or task.sign.role in COMPARED
+    is_refuted = found.verdict is Verdict.REFUTED and is_compared and have_same_letters(sides)
+    return found if is_refuted or found.verdict is Verdict.PROVED else None
+
+
+def _judge_alone(task: Task) -> Judgement | str:
+    """Judge a row, or say why not; what asserts nothing is refuted only if it is true nowhere."""
+    try:
+        found = _find_mixture(task) or judge(task.row, task.paper)
+    except (RecordError, ContradictionError) as error:
+        return str(error)
+    if found.verdict is Verdict.DEFINITION:
+        return _say_compared(task, found)
+    if found.verdict is Verdict.REFUTED and are_exchanged(task):
+        return "both signs give the same two values, but the other way round"
+    if found.verdict is Verdict.PROVED and task.sign.role is Role.SOLUTIONS:
+        return judge_signs(task, found)
+    if found.verdict is Verdict.REFUTED and task.is_rounded and (task.asserts or task.is_either):
+        return judge_factor(task)
+    if found.verdict is Verdict.REFUTED and _holds_transposed(task):
+        return TRANSPOSED
+    if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
+        return "the pieces differ where they meet: a jump, or a misprint?"
+    if found.verdict is Verdict.REFUTED and task.is_solution:
+        return (
+            f"it differs from {task.sign.first}, but may be another solution or case; if it is "
+            f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
+        )
+    is_compared = task.asserts or task.sign.role in COMPARED
+    if found.verdict is Verdict.REFUTED and is_compared and (said := find_relations(task)):
+        return (
+            "it holds for some values of its letters; if they are meant, say so in the block of "
+            f"letters: where {said}"
+        )
+    if found.verdict is Verdict.REFUTED and task.is_alone:
+        says = task.row.says
+        if isinstance(says, PrintedNumber) and (slip := find_slip(says, says.value)):
+            return replace(found, reason=f"{found.reason}: a slip for {slip}?")
+        return f"not the value at the declared sizes: {found.reason}"
+    if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
+        reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
+        return replace(found, reason=reason)
+    if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
+        return found
+    if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
+        return turned
+    is_exact = found.verdict is Verdict.REFUTED and not task.is_rounded
+    if is_exact and (never := tell_never_true(task, found.reason)):
+        return replace(found, reason=never)
+    return _take_as_given(task, found)
+
+
+def _find_mixture(task: Task) -> Judgement | None:
+    """Judge a part with units by itself, where other letters have none."""
+    if task.mixed is None:
+        return None
+    part, paper = task.mixed
+    found = judge(replace(task.row, says=Equality(part, part, "member")), paper)
+    return found if found.verdict is Verdict.ILL_FORMED else None
+
+
+def _say_compared(task: Task, found: Judgement) -> Judgement:
+    """Say of what introduces a letter no more than what was compared."""
+    said = f"{BOUND_AGREE}; dimensions are not compared: {task.lacking}"
+    reason = found.reason.replace(AGREE, said)
+    return replace(found, reason=reason) if task.lacking else found
+
+
+def _holds_transposed(task: Task) -> bool:
+    """Return whether a matrix of derivatives is printed in the other layout.
+
+    Of derivatives by a vector each row is of one entry, or by one letter.
+    """
+    says = task.row.says
+    if r"\partial" not in task.row.printed_latex or not isinstance(says, Equality):
+        return False
+    one, other = says.printed, says.rebuilt
+    if not all(isinstance(side, sp.MatrixBase | sp.MatrixExpr) for side in (one, other)):
+        return False
+    turned = replace(task.row, says=Equality(one.T, other, "member"))
+    return one.shape == other.shape[::-1] and judge(turned, task.paper).verdict is Verdict.PROVED
+
+
+def _take_as_given(task: Task, found: Judgement) -> Judgement:
+    what = "a condition" if isinstance(task.row.says, Holds) else "a constraint"
+    reason = f"{what}, taken as given: it does not hold for all values of its letters"
+    if found.verdict is not Verdict.REFUTED:
+        if task.is_either:
+            return found
+        reason = f"{what}, taken as given"
+    return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
+
+
+def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
+    """Judge a print by the members that stand: one is enough to prove it.
+
+    It is refuted by any of them, unless they differ themselves.
+    """
+    key, number, standing = which
+    task = open_tasks(key)[number]
+    names = [name for group in standing for name in group]
+    compared = [one for one in (task, *task.others) if one.sign.first in names]
+    answers = [(_judge_alone(one), one) for one in compared]
+    for wanted in (Verdict.PROVED, Verdict.REFUTED):
+        # A member behind a step that is not shown may be meant for a case: it accuses nobody.
+        alone = answers[:1] if wanted is Verdict.REFUTED and compared[0] is task else answers
+        for found, one in alone:
+            if isinstance(found, Judgement) and found.verdict is wanted:
+                if wanted is Verdict.REFUTED and len(standing) > 1:
+                    first = task.sign.first
+                    return f"it differs from members of {first} that differ from one another"
+                beside = f"; compared with {one.sign.first}" if one.sign.first else ""
+                said = found.reason.removesuffix(beside).removesuffix(".")
+                return replace(found, reason=f"{said}{beside}")
+    own = answers[0][0]
+    judged = [(found, one) for found, one in answers[1:] if isinstance(found, Judgement)]
+    refuted = [one for found, one in judged if found.verdict is Verdict.REFUTED]
+    unlike = [one for one in refuted if have_same_letters(one.sign.sides)]
+    if unlike and isinstance(own, Judgement) and own.rung == GIVEN:
+        return replace(own, reason=f"it differs from {unlike[0].sign.first}{UNLIKE}")
+    return own

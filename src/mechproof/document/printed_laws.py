@@ -1,0 +1,106 @@
+"""Laws whose pieces are printed one by one, each with its range; what meets where they do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.piecewise_values import find_end, is_lower
+
+_CLOSED = (sp.Le, sp.Ge)
+
+
+@dataclass(frozen=True)
+class LawPiece:
+    """A value of a letter in a range of another one, `by`, and who prints it.
+
+    The ends of the range are None where there is none.
+    """
+
+    name: str
+    value: Any
+    by: sp.Basic
+    where: tuple[sp.Basic, ...]
+    low: sp.Expr | None
+    high: sp.Expr | None
+    is_closed: tuple[bool, bool]
+
+    @property
+    def range(self) -> tuple[sp.Expr | None, sp.Expr | None]:
+        """Return the ends, in one form."""
+        return _show(self.low), _show(self.high)
+
+
+@dataclass(frozen=True)
+class Seam:
+    """A place where two pieces meet; `is_shared` tells that it belongs to both."""
+
+    before: LawPiece
+    behind: LawPiece
+    place: sp.Expr
+    is_shared: bool
+
+    @property
+    def values(self) -> tuple[Any, Any]:
+        """Return what the pieces give."""
+        return self.before.value, self.behind.value
+
+
+def read_piece(
+    name: str, value: Any, relations: Sequence[sp.Basic], by: sp.Basic
+) -> LawPiece | None:
+    """Return the piece that relations say to be meant, None if they say more than a range."""
+    ends: dict[bool, tuple[sp.Expr, bool]] = {}
+    for relation in relations:
+        if not isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge):
+            return None
+        end, lower = find_end(relation, by), is_lower(relation, by)
+        if end is None or lower in ends:
+            return None
+        ends[lower] = (end, isinstance(relation, _CLOSED))
+    low, high = (ends.get(lower, (None, False)) for lower in (True, False))
+    where = tuple(relations)
+    closed = low[1], high[1]
+    return LawPiece(name, value, by, where, low[0], high[0], closed) if ends else None
+
+
+def order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
+    """Return pieces in the order in which each begins where another ends; none if they do not.
+
+    Of those with the same range the first is meant. All are ranges of the same letter.
+    """
+    ranges: dict[Any, LawPiece] = {}
+    if any(piece.by != pieces[0].by for piece in pieces):
+        return []
+    for piece in pieces:
+        ranges.setdefault(piece.range, piece)
+    starts = {low: piece for (low, _), piece in ranges.items()}
+    ends = {high for _, high in ranges}
+    first = [piece for (low, _), piece in ranges.items() if low is None or low not in ends]
+    if len(starts) < len(ranges) or len(ends) < len(ranges) or len(first) != 1:
+        return []
+    found = first[:1]
+    while found[-1].high is not None and (following := starts.get(found[-1].range[1])):
+        found.append(following)
+    return found if len(found) == len(ranges) else []
+
+
+def join_pieces(pieces: Sequence[LawPiece]) -> sp.Piecewise:
+    """Return the law that pieces are together."""
+    return sp.Piecewise(*((one.value, sp.And(*one.where)) for one in pieces))
+
+
+def find_seams(pieces: Sequence[LawPiece]) -> Iterator[Seam]:
+    """Yield where pieces that are in order meet."""
+    for before, behind in pairwise(pieces):
+        if before.high is not None:
+            shared = before.is_closed[1] and behind.is_closed[0]
+            yield Seam(before, behind, before.high, shared)
+
+
+def _show(end: sp.Expr | None) -> sp.Expr | None:
+    return None if end is None else sp.expand(end)

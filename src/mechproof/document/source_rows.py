@@ -1,0 +1,299 @@
+"""Equations of a source -> rows to be judged, each with its role; what is not read says why."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TypeVar
+
+import sympy as sp
+
+from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
+from mechproof.document.double_signs import find_double_signs, find_following
+from mechproof.document.example_values import collect_values, lend_values
+from mechproof.document.known import CHAIN_RULE, Known
+from mechproof.document.later_matrices import Later, define_later, find_later
+from mechproof.document.mentions import (
+    is_listed,
+    look_up,
+    refuse_pi,
+    refuse_powers_of_zero,
+    refuse_units,
+    refuse_unknown,
+    says_constant,
+)
+from mechproof.document.numbers.calculated_sizes import calculate_sizes
+from mechproof.document.numbers.letter_sizes import collect_sizes
+from mechproof.document.numbers.restated_sizes import RestatedSizes
+from mechproof.document.numbers.size_tables import SizeTables, find_head_units
+from mechproof.document.numbers.stated_numbers import StatedNumbers
+from mechproof.document.printed_laws import LawPiece
+from mechproof.document.printed_signs import find_roles, give_values
+from mechproof.document.seams import make_seams
+from mechproof.document.task_maker import TaskMaker
+from mechproof.document.tasks import Sign, Task
+from mechproof.document.told_characters import tell_characters
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.tree import Measure, walk
+from mechproof.nomenclature.block import Declared, read_block
+from mechproof.nomenclature.chained_rates import add_chained_rates, give_chained_rates
+from mechproof.nomenclature.declarations import add_phases, declare
+from mechproof.nomenclature.pairs import DOUBLE, add_pairs, leave_pairs
+from mechproof.nomenclature.possible_matrices import find_possible_matrices
+from mechproof.nomenclature.said import find_pi, find_said
+from mechproof.nomenclature.scopes import add_scopes
+from mechproof.nomenclature.shapes import find_sizes
+from mechproof.nomenclature.shown_letters import (
+    collect_letters,
+    drop_transposition,
+    find_shapes,
+    group_alike,
+    is_vector,
+    name_symbol,
+)
+from mechproof.proof.verdict import Left, State
+from mechproof.record import Paper
+from mechproof.sources.commas import join_thousands, mark_decimals
+from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.located_text import Place
+from mechproof.sources.paper_files import Source
+from mechproof.sources.tabulars import find_tabulars
+from mechproof.tools.processes import limit_time
+
+T = TypeVar("T")
+_ZERO = re.compile(r"(.*?)\s*=\s*0")
+_MEMBER = ", a member of a family: declare it as a letter of its own"
+UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
+# What SymPy raises where values are put in that do not fit.
+_UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
+
+
+class Document:
+    """The equations of a paper and what its block declares."""
+
+    def __init__(self, source: Source) -> None:
+        """Raise `BlockError`, or `ValueError` for letters that do not go together."""
+        source = replace(source, text=join_thousands(mark_decimals(source.text)))
+        self.source, self.files = source, source.files
+        # A paper is named as its file: letters, digits and underscores.
+        name = re.sub(r"\W", "_", Path(source.files.names[0]).stem).strip("_")
+        self.system = name if name.isidentifier() else f"paper_{name}"
+        self.printed = list(find_displays(source.text))
+        self.tables = list(find_tabulars(source.text))
+        self.told: list[tuple[Place, str]] = []
+        self.pi = find_pi(dict(find_said(source)))
+        self.block = read_block(source.lines, source.files)
+        groups = 2 + max((one.group for one in self.printed), default=0)
+        for number, latex in enumerate(self.block.claims, 1):
+            self.printed.append(Printed(f"claim {number}", latex, group=groups + number))
+        self.limit = 0.0
+        self.has_units = False
+        self.papers: dict[bool, Paper] = {}
+        self.taken: tuple[str, ...] = ()
+        self._uncollected: Mapping[str, ReadingError] = {}
+        if not source.has_block:
+            self._take_letters()
+        self.chained = add_chained_rates(self.block)
+        self.pairs = add_pairs(self.block, (one.latex.string for one in self.printed))
+        refuse_unknown(self.block, self.printed)
+        self._declare({}, {})
+
+    def _take_letters(self) -> None:
+        """Take letters that no block declares as numbers, or as the matrices they are printed.
+
+        Of a vector a size will do that follows from how it is used.
+        """
+        prints = [p.latex.string for p in self.printed]
+        self.block.imaginary = find_imaginary_unit(prints)
+        collected = collect_letters(prints, imaginary=self.block.imaginary)
+        self._uncollected = collected.unread
+        letters = drop_transposition([*collected.letters, *collected.guessed], prints)
+        letters = leave_pairs(letters, prints)
+        shapes = dict(find_shapes(prints))
+        if vectors := {name_symbol(x) for x in letters if is_vector(x)}:
+            sizes = find_sizes(prints, collected, has_plain_matrices=False).known
+            shapes = {name: sizes[name] for name in vectors & sizes.keys()} | shapes
+        self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
+        self.block.letters += [
+            Declared(names, shape=shapes.get(name_symbol(names[0])))
+            for names in group_alike(self.taken)
+        ]
+
+    def _declare(self, laws: Mapping[sp.Basic, list[LawPiece]], later: Later) -> None:
+        declared = add_phases(declare(self.block), (one.latex.string for one in self.printed))
+        self.symbols = add_scopes(declared, self.block, self.printed)
+        self.known = Known(self.symbols)
+        for text in self.block.values:
+            with self.block.blame(text):
+                give_values(text, self.known)
+        self.block.refuse_faults()
+        for rate, value in give_chained_rates(self.chained, self.symbols):
+            if rate not in self.known.values:
+                self.known.define(rate, value, CHAIN_RULE)
+        define_later(later, self.known)
+        self.known.define_laws(laws)
+
+    def _parse_all(self) -> list[list[Sign] | Left]:
+        """Read all equations once; again where letters are matrices, or laws have pieces.
+
+        Again, too, where a matrix is made of others that are printed behind it.
+        """
+        laws: dict[sp.Basic, list[LawPiece]] = {}
+        later: Later = {}
+        while True:
+            reader = self.symbols.reader()
+            read = [self._parse(printed, reader) for printed in self.printed]
+            sizes = {name_symbol(str(s)): shape for s, shape in self.known.sizes.items()}
+            if self.taken and sizes:
+                self.block.letters = [
+                    replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
+                    for x in self.block.letters
+                ]
+                self._declare(laws, later)
+                continue
+            if not laws and (laws := self.known.join_pieces()):
+                self._declare(laws, later)
+                continue
+            if len(found := find_later(self.known)) > len(later):
+                later = found
+                self._declare(laws, later)
+                continue
+            symbols, entries = self.symbols.show_entries(self.known.values)
+            if not entries or self.known.entries:
+                return read
+            self._declare(laws, later)
+            self.symbols = self.known.symbols = symbols
+            self.known.entries = entries
+
+    def find_sizes(self, limit: float) -> dict[str, tuple[int, int]]:
+        """Return the sizes of the letters that are printed to be matrices, by their names."""
+        self.limit = limit
+        self._parse_all()
+        return {name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape}
+
+    def find_table_units(self) -> Iterator[tuple[str, str, int]]:
+        """Yield the letters in heads of tables with their units, and where the table stands."""
+        return find_head_units(self.tables, self.symbols.reader())
+
+    def find_possible_matrices(self) -> dict[sp.Basic, str]:
+        """Return the letters taken as numbers that are printed as matrices are, and how."""
+        prints = [one.latex.string for one in self.printed]
+        names = self.symbols.names
+        found = dict(find_possible_matrices(self.taken, prints)) if self.taken else {}
+        return {names[x]: shown for x, shown in found.items() if names[x].is_Symbol}
+
+    def read(self, limit: float) -> list[Task | Left]:
+        """Read all equations in their order: first what they define, then what they assert.
+
+        One that takes longer than `limit` seconds is left.
+        """
+        self.limit = limit
+        read = self._parse_all()
+        if self.has_units:
+            self.symbols = self.known.symbols = self.symbols.with_units()
+        values = self.known.values = {**self.known.values, **self.known.entries}
+        real = {symbol: v for symbol, v in values.items() if not is_complex(self.known.settle(v))}
+        self.papers = {
+            with_units: self.symbols.paper(self.system, real, with_units=with_units)
+            for with_units in (True, False)
+        }
+        again = self.symbols.reader({**self.known.tied, **values})
+        tables = SizeTables(self.known, self.files, self.papers[False])
+        compared = list(tables.read(self.tables))
+        start = Place(self.files.names[0], 1, 1)
+        faults = [(place or start, reason) for place, reason in self.symbols.faults]
+        characters = tell_characters(self.printed, self.files)
+        self.told = [*faults, *tables.told, *characters]
+        unread = [one.printed_latex for one in read if isinstance(one, Left)]
+        self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
+        restated = RestatedSizes(self.source, self.symbols)
+        sizes = collect_sizes(zip(self.printed, read, strict=True), self.known, restated)
+        examples = collect_values(self.source, self.printed, self.known)
+        numbers = StatedNumbers(self.known, sizes, examples)
+        known, papers = self.known, self.papers
+        maker = TaskMaker(self.printed, self.block, known, papers, self.files, numbers, examples)
+        rows: list[Task | Left] = []
+        for printed, signs in zip(self.printed, read, strict=True):
+            if isinstance(signs, Left):
+                rows.append(signs)
+                continue
+            made = self._guard(printed, partial(maker.make, printed, signs, again))
+            rows += [made] if isinstance(made, Left) else made
+        seams = make_seams(self.printed, self.known, self.papers, self.files)
+        return [*rows, *seams, *compared]
+
+    def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        if printed.fault:
+            return self._leave(printed, State.NOT_READ, printed.fault)
+        if reason := look_up(printed, self.block.skipped):
+            return self._leave(printed, State.SKIPPED, reason)
+        if says_constant(printed.latex.string):
+            return self._leave(printed, State.NOT_JUDGED, "it says that something does not change")
+        return self._guard(printed, lambda: self._find_roles(printed, reader))
+
+    def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        self.known.said = printed.announced
+        with lend_values(self.known, printed.name) as signs:
+            found = self._find_signs(printed, reader)
+            signs += [] if isinstance(found, Left) else found
+        return found
+
+    def _find_signs(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        latex, branch = printed.latex.string, reader.notation.branch
+        held = [s for s in self._list_zeros_behind(printed) if s in self.known.constrained]
+        self.known.held[printed.name] = held
+        read = reader.parse(latex, printed.name, int(branch is None))
+        read = calculate_sizes(read, self.symbols.bare)
+        self.has_units |= any(isinstance(n, Measure) and n.factor != 1 for n in walk(read.chains))
+        if not any(chain.relations for chain in read.chains):
+            return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
+        refuse_units(read)
+        refuse_powers_of_zero(read)
+        refuse_pi(read, self.pi)
+        if branch is None and DOUBLE.search(latex):
+            return find_double_signs(printed, read, reader, self.known, self.pairs)
+        if is_listed(printed, [*self.block.follows]):
+            return find_following(printed.name, read, self.known)
+        return find_roles(printed.name, read, self.known)
+
+    def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
+        """Yield the letters that are said to be zero behind an equation in its line."""
+        names = self.symbols.names
+        line = printed.locate(self.files).line
+        for one in self.printed[self.printed.index(printed) + 1 :]:
+            said = _ZERO.fullmatch(one.latex.string)
+            if one.group != printed.group or one.locate(self.files).line != line:
+                return
+            if said and (letter := names.get(name_symbol(said[1]))):
+                yield letter
+
+    def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
+        """Do something with an equation; what it cannot be done with is left."""
+        try:
+            with limit_time(self.limit):
+                return act()
+        except ReadingError as error:
+            # Where no letters could be taken, that some are not declared is no reason.
+            return self._refuse(printed, self._uncollected.get(printed.latex.string, error))
+        except RecursionError:
+            return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
+        except TimeoutError as error:
+            return self._leave(printed, State.NOT_JUDGED, str(error))
+        except _UNFIT as error:
+            _, told, reason = str(error).partition(f"row {printed.name!r}: ")
+            # What follows tells authors of modules what to declare.
+            known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
+            known += _MEMBER if known != reason and known.endswith("]") else ""
+            return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
+
+    def _leave(self, printed: Printed, state: State, reason: str) -> Left:
+        latex = printed.latex.string
+        return Left(printed.name, printed.locate(self.files), latex, state, reason)
+
+    def _refuse(self, printed: Printed, error: ReadingError) -> Left:
+        place = printed.locate(self.files, error.place)
+        latex, reason = printed.latex.string, error.args[0]
+        return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)

@@ -1,0 +1,174 @@
+"""Reading: in, a text of FPCore; out, what each core computes, and on which box."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from inspect import signature
+from types import MappingProxyType
+
+from mechproof.fpcore.preconditions import Range, read_box
+from mechproof.fpcore.s_expressions import (
+    Atom,
+    FPCoreError,
+    Group,
+    Node,
+    read_expressions,
+    read_number,
+)
+from mechproof.programs.operations import KINDS, Kind
+from mechproof.programs.program import Operand, Operation
+from mechproof.roundoff.steps import CONSTANT, StraightLineProgram, make_step, name_constant
+
+
+def _count_operands(row: Kind) -> int:
+    """Count what a kind is put together of; the functions that are read have one operand."""
+    return len(signature(row.meaning).parameters) - 1 if row.meaning else 1
+
+
+# The operations of FPCore by the number of their operands, and what they are called here.
+OPERATIONS: Mapping[tuple[str, int], str] = MappingProxyType(
+    {(row.fpcore, _count_operands(row)): kind for kind, row in KINDS.items() if row.fpcore}
+)
+CONSTANTS: Mapping[str, str] = MappingProxyType({"PI": "#pi", "E": "#e"})
+_FORMATS: Mapping[str, str] = MappingProxyType({":precision": "binary64", ":round": "nearestEven"})
+_LETS = ("let", "let*")
+
+
+@dataclass(frozen=True)
+class Core:
+    """A straight-line program, the box of its arguments, and where it stands."""
+
+    name: str
+    straight: StraightLineProgram
+    box: Mapping[str, Range]
+    line: int
+
+
+def read_cores(text: str) -> tuple[Core, ...]:
+    """Return the cores of a text; `FPCoreError` names the line of what is not straight-line."""
+    cores = tuple(_read_core(node, number) for number, node in enumerate(read_expressions(text), 1))
+    if not cores:
+        raise FPCoreError("there is no FPCore")
+    return cores
+
+
+def _read_core(node: Node, number: int) -> Core:
+    if isinstance(node, Atom) or _text(node.parts[:1]) != "FPCore":
+        raise FPCoreError(f"line {node.line}: an FPCore begins with (FPCore")
+    parts = list(node.parts[1:])
+    name = ""
+    if parts and isinstance(parts[0], Atom):
+        name = str(_text(parts[:1]))
+        parts = parts[1:]
+    if len(parts) < 2 or not isinstance(parts[0], Group):
+        raise FPCoreError(f"line {node.line}: an FPCore has arguments and what it computes")
+    arguments = _read_arguments(parts[0])
+    properties = _read_properties(parts[1:-1])
+    title = properties.get(":name")
+    name = title.text.strip('"') if isinstance(title, Atom) else name or f"FPCore {number}"
+    box = read_box(properties.get(":pre"), arguments, node.line)
+    return Core(name, _Writer(arguments).write(parts[-1]), box, node.line)
+
+
+def _text(nodes: Sequence[Node]) -> str | None:
+    return nodes[0].text if nodes and isinstance(nodes[0], Atom) else None
+
+
+def _read_arguments(group: Group) -> tuple[str, ...]:
+    names = tuple(_text((part,)) or "" for part in group.parts)
+    if "" in names:
+        raise FPCoreError(f"line {group.line}: an argument is a name; no other form is read")
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise FPCoreError(f"line {group.line}: {twice[0]} is an argument twice")
+    return names
+
+
+def _read_properties(nodes: Sequence[Node]) -> Mapping[str, Node]:
+    properties: dict[str, Node] = {}
+    for key, value in _pair(nodes):
+        said = _text((value,))
+        if key.text in _FORMATS and said != _FORMATS[key.text]:
+            raise FPCoreError(
+                f"line {key.line}: {key.text} {said}: only {_FORMATS[key.text]} is bounded"
+            )
+        properties[key.text] = value
+    return properties
+
+
+def _pair(nodes: Sequence[Node]) -> Iterator[tuple[Atom, Node]]:
+    waiting = list(nodes)
+    while waiting:
+        key = waiting.pop(0)
+        if not isinstance(key, Atom) or not key.text.startswith(":") or not waiting:
+            raise FPCoreError(f"line {key.line}: a property is :key value")
+        yield key, waiting.pop(0)
+
+
+class _Writer:
+    """Writes the steps of an expression in the order in which FPCore evaluates them."""
+
+    def __init__(self, arguments: tuple[str, ...]) -> None:
+        self._arguments = arguments
+        self._operations: list[Operation] = []
+
+    def write(self, node: Node) -> StraightLineProgram:
+        output = self._find(node, {name: name for name in self._arguments})
+        steps = tuple(map(make_step, self._operations))
+        return StraightLineProgram(self._arguments, steps, (output,))
+
+    def _find(self, node: Node, known: Mapping[str, Operand]) -> Operand:
+        if isinstance(node, Atom):
+            return self._find_atom(node, known)
+        if not node.parts:
+            raise FPCoreError(f"line {node.line}: () computes nothing")
+        head = _text(node.parts[:1]) or "("
+        if head in _LETS:
+            return self._bind(node, known, one_by_one=head == "let*")
+        kind = OPERATIONS.get((head, len(node.parts) - 1))
+        if kind is None:
+            raise FPCoreError(f"line {node.line}: {self._refuse(head, len(node.parts) - 1)}")
+        return self._add(kind, *(self._find(part, known) for part in node.parts[1:]))
+
+    def _refuse(self, head: str, count: int) -> str:
+        if any(head == other for other, _ in OPERATIONS):
+            return f"{head} of {count} operands is no operation"
+        known = " ".join(dict.fromkeys(name for name, _ in OPERATIONS))
+        return f"{head} is not straight-line arithmetic of doubles: {known}, let and let* are"
+
+    def _find_atom(self, atom: Atom, known: Mapping[str, Operand]) -> Operand:
+        if atom.text in known:
+            return known[atom.text]
+        number = read_number(atom.text)
+        if number is None and atom.text not in CONSTANTS:
+            raise FPCoreError(f"line {atom.line}: {atom.text} is neither an argument nor a number")
+        if number is None:
+            return self._add(CONSTANT, CONSTANTS[atom.text])
+        return self._find_number(number, atom)
+
+    def _find_number(self, number: Fraction, atom: Atom) -> Operand:
+        try:
+            double = float(number)
+        except OverflowError:
+            raise FPCoreError(f"line {atom.line}: {atom.text} is beyond the doubles") from None
+        if number == double:
+            return double
+        return self._add(CONSTANT, name_constant(number))
+
+    def _bind(self, node: Group, known: Mapping[str, Operand], *, one_by_one: bool) -> Operand:
+        if len(node.parts) != 3 or not isinstance(node.parts[1], Group):
+            raise FPCoreError(f"line {node.line}: a let has ([name value] ...) and a body")
+        inside = dict(known)
+        for binding in node.parts[1].parts:
+            name = _text(binding.parts[:1]) if isinstance(binding, Group) else None
+            if name is None or not isinstance(binding, Group) or len(binding.parts) != 2:
+                raise FPCoreError(f"line {binding.line}: a binding is [name value]")
+            inside[name] = self._find(binding.parts[1], inside if one_by_one else known)
+        return self._find(node.parts[2], inside)
+
+    def _add(self, kind: str, *operands: Operand) -> Operand:
+        # Spaces are in no name of FPCore.
+        result = f"step {len(self._operations) + 1}"
+        self._operations.append(Operation(result, kind, operands))
+        return result

@@ -1,0 +1,217 @@
+"""Derivatives of expressions, limits and factorials."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex.errors import MeaningError
+from mechproof.latex.latex_signs import find_close
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.tree import (
+    Add,
+    Approach,
+    Bracket,
+    Call,
+    Derivation,
+    Letter,
+    Node,
+    Number,
+    Power,
+    PrintedFunction,
+    Product,
+)
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+LARGEST_FACTORIAL = 1000
+# A binomial over a larger number is no polynomial of so high a degree.
+_MOST_FACTORS = 12
+_FIRST: int | Node = 1
+_OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
+PARTIAL = r"\partial"
+
+
+# Derivatives ------------------------------------------------------------------------------------
+
+
+def is_derivative(parser: Parser) -> bool:
+    r"""Return whether a fraction is d…/dx: both parts begin with a d that begins no longer name.
+
+    Two \partial make a partial derivative.
+    """
+    texts = [token.text for token in parser.tokens[parser.place + 1 :]]
+    below = find_close(texts) + 1
+    starts = (parser.place + 2, parser.place + 2 + below)
+    is_d = any(
+        texts[:2] == ["{", d] and texts[below : below + 2] == ["{", d] for d in ("d", PARTIAL)
+    )
+    # A d with an index is a letter.
+    is_d &= "_" not in (texts[2:3] + texts[below + 2 : below + 3])
+    is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
+    names = [found for s in starts if (found := parser.names.match(parser.tokens, s))]
+    if all(found.end in (s + 1 for s in starts) for found in names) and names:
+        # Nobody prints a quotient of two products with the same factor d.
+        inside = texts[below + 2 : below + find_close(texts[below:])]
+        return is_d and is_alone and begins_letter(inside[0]) and not _OPERATORS & {*inside}
+    return is_d and is_alone and not names
+
+
+def read_derivative(parser: Parser) -> Node:
+    r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, of higher order too."""
+    start = parser.start
+    parser.take()
+    is_partial = parser.tokens[parser.place + 1].text == PARTIAL
+    order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
+    steps = parser.read_inside("{", lambda: _read_below(parser), "}")
+    orders = [own for _, own in steps]
+    if orders != [order] and order != sum(own for own in orders if isinstance(own, int)):
+        raise parser.refuse("a derivative of two orders", place=start)
+    if operand is None:
+        operand = parser.read_factor()
+        # A power of a letter is raised first; of a bracket its derivative may be meant.
+        is_raised = isinstance(operand, Power) and isinstance(operand.base, Bracket)
+        if not parser.ends_product():
+            parser.check_neighbours(operand)
+        is_open = parser.collects and begins_letter(parser.text)
+        if is_raised or not (parser.ends_product() or is_open):
+            raise parser.refuse(
+                "how far does the derivative reach?", "Print brackets around it.", start
+            )
+    for by, own in reversed(steps):
+        operand = Derivation(operand, by, own, is_partial, start=start, end=parser.end)
+    return operand
+
+
+def read_suffix(parser: Parser, atom: Node) -> Node | None:
+    """Read n!, or (…)' where it is known by which letter primes are; None for neither."""
+    if parser.text == "!":
+        return _read_factorial(parser, atom)
+    by, order = parser.notation.primed, 0
+    if parser.text != "'" or by is None or not isinstance(atom, Bracket):
+        return None
+    letter = Letter(by, str(by), start=parser.start, end=parser.start)
+    while parser.skip("'"):
+        order += 1
+    return Derivation(atom, letter, order, start=atom.start, end=parser.end)
+
+
+def _read_above(parser: Parser) -> tuple[int | Node, Node | None]:
+    parser.take()
+    order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
+    if parser.text == "}":
+        return order, None
+    operand = parser.read_factor()
+    if isinstance(operand, Power) or parser.text != "}":
+        raise parser.refuse("what is differentiated?", "Print brackets around it.")
+    return order, operand
+
+
+def _read_below(parser: Parser) -> list[tuple[Letter, int | Node]]:
+    """Read the letters by which it is with the order by each, of partial ones several."""
+    steps: list[tuple[Letter, int | Node]] = []
+    while not steps or parser.text == PARTIAL:
+        start = parser.take().start
+        by, order = parser.read_factor(), _FIRST
+        if isinstance(by, Power):
+            order = _read_order(by.exponent, parser)
+            by = by.base
+        if not isinstance(by, Letter):
+            raise parser.refuse("a derivative by no letter", place=start)
+        steps.append((by, order))
+    return steps
+
+
+def _read_order(node: Node, parser: Parser) -> int | Node:
+    """Read a number, or what counts: n, n+1."""
+    if isinstance(node, Letter | Add | Product):
+        return node
+    if not isinstance(node, Number) or node.text not in ("1", "2", "3", "4"):
+        reason = "a derivative whose order is none of 1, 2, 3, 4, and no letter"
+        raise parser.refuse(reason, place=node.start)
+    return int(node.text)
+
+
+# Limits -----------------------------------------------------------------------------------------
+
+
+def read_limit(parser: Parser) -> Node:
+    r"""Read \lim_{x\to a}, from one side where a^+, a+0, a- and the like say so."""
+    start = parser.take().start
+    if parser.text != "_":
+        raise parser.refuse("a limit of what?", r"Print \lim_{x\to a}.")
+    parser.take("_")
+    by, point, side = parser.read_inside("{", lambda: _read_way(parser), "}")
+    term = parser.read_product()
+    return Approach(term, by, point, side, start=start, end=parser.end)
+
+
+def _read_way(parser: Parser) -> tuple[Letter, Node, str]:
+    by = parser.read_atom()
+    if not isinstance(by, Letter) or by.indices:
+        raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
+    parser.take(r"\to")
+    start, side = parser.start, _take_side(parser)
+    # What is left of +0 and -0.
+    point = Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
+    return by, point, side
+
+
+def _take_side(parser: Parser) -> str:
+    """Return the side that a script says at its end, and leave the sign of it out."""
+    texts = [token.text for token in parser.tokens]
+    close = parser.place + find_close(["{", *texts[parser.place :]]) - 1
+    for sign in ("+", "-"):
+        for mark in (["^", "{", sign, "}"], [sign, "0"], [sign]):
+            first = close - len(mark)
+            if first >= parser.place and texts[first:close] == mark:
+                parser.tokens = (*parser.tokens[:first], *parser.tokens[close:])
+                return sign
+    return "+-"
+
+
+# Factorials -------------------------------------------------------------------------------------
+
+
+def _read_factorial(parser: Parser, atom: Node) -> Node:
+    """Read the factorial, n!, or double factorial, n!!, of a letter, a number or a bracket."""
+    sign = parser.take("!")
+    make = _make_double_factorial if parser.skip("!") else _make_factorial
+    if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):
+        raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
+    return Call(PrintedFunction("factorial", make), (atom,), start=atom.start, end=parser.end)
+
+
+def read_binomial(parser: Parser) -> Node:
+    r"""Read \binom{n}{k}, a polynomial of n for a number k, else a quotient of factorials."""
+    start = parser.start
+    parser.take()
+    numbers = (parser.read_group(), parser.read_group())
+    return Call(PrintedFunction("binomial", _make_binomial), numbers, start=start, end=parser.end)
+
+
+def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
+    for count in (part, whole - part):
+        if count.is_Integer and 0 <= count <= _MOST_FACTORS:
+            return sp.Mul(*(whole - n for n in range(count))) / sp.factorial(count)
+    above, *below = map(_make_factorial, (whole, part, whole - part))
+    return above / sp.Mul(*below)
+
+
+def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
+    """Return 2*4*...*argument or 1*3*...*argument; `MeaningError` where it is not clear which."""
+    for half in (argument / 2, (argument + 1) / 2):
+        if half.is_integer:
+            product = 2**half * _make_factorial(half)
+            return product if 2 * half == argument else _make_factorial(2 * half) / product
+    raise MeaningError(f"a factorial of what? {argument} may be even or odd")
+
+
+def _make_factorial(argument: sp.Expr) -> sp.Expr:
+    """Return a factorial; `TypeError` for what is no integer, or too large to be worked out."""
+    is_small = not argument.is_number or 0 <= argument <= LARGEST_FACTORIAL
+    if not (argument.is_integer and is_small):
+        raise TypeError(f"the factorial of {argument}")
+    return sp.factorial(argument)

@@ -1,0 +1,225 @@
+r"""Where a statement is meant: `\text{ for }x>0`, `,\ x>0`, `\quad x>0`, `(x>0)`, `\forall x>0`.
+
+A gap between two factors may part a statement from its condition; elsewhere it is a blank.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from mechproof.latex.latex_signs import CLOSING, DOTS, GAPS, OPENING, WIDE, Token, measure_depths
+from mechproof.latex.printed_functions import FUNCTIONS
+from mechproof.latex.printed_relations import join
+from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
+from mechproof.latex.words import AND, IF
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+_INEQUALITIES = ("<", ">", r"\le", r"\ge", r"\ne")
+_RELATING = (*_INEQUALITIES, "=", r"\approx", r"\equiv", r"\in")
+_UP, _DOWN = ("<", r"\le"), (">", r"\ge")
+_OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
+
+
+# Gaps -------------------------------------------------------------------------------------------
+
+
+def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
+    """Return signs without the gaps that are mere blanks: those before no condition."""
+    texts = [token.text for token in tokens]
+    depths = list(measure_depths(texts))
+    return tuple(
+        token
+        for place, token in enumerate(tokens)
+        if token.text not in GAPS or (depths[place] == 0 and _may_part(texts, depths, place))
+    )
+
+
+def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
+    """Return whether a relation stands before a gap, and what could be a condition behind it."""
+    before = next((n for n in range(place - 1, -1, -1) if texts[n] not in GAPS), None)
+    after = next((n for n in range(place + 1, len(texts)) if texts[n] not in GAPS), None)
+    if before is None or after is None or WIDE in texts[before:place]:
+        return False
+    is_sign = texts[after] == "-" and after + 1 < len(texts) and texts[after + 1] not in GAPS
+    begins = is_sign or texts[after] not in (*_OPERATORS, *OPENING[:3], *CLOSING, "-")
+    if not begins or texts[after].startswith((r"\text", r"\forall")):
+        return False
+    if texts[before] in (*_OPERATORS, "-", *IF, AND) or texts[before][1:] in FUNCTIONS:
+        return False
+    level = [t for t, depth in zip(texts, depths, strict=True) if depth == 0]
+    here = sum(depth == 0 for depth in depths[:place])
+    start = max((n + 1 for n, t in enumerate(level[:here]) if t in (",", ";")), default=0)
+    left = level[start:here]
+    if not any(text in _RELATING for text in left) or _is_integrand(left):
+        return False
+    return texts[place] == WIDE or _is_inequality_ahead(level[here + 1 :])
+
+
+def _is_integrand(texts: Sequence[str]) -> bool:
+    """Return whether an integral has begun and waits for its differential."""
+    last = max((n for n, text in enumerate(texts) if text in _RELATING), default=0)
+    inside = texts[last:]
+    return r"\int" in inside and "d" not in inside[inside.index(r"\int") :]
+
+
+def _is_inequality_ahead(texts: Sequence[str]) -> bool:
+    """Return whether the next relation is none of equality; letters in a list share it."""
+    texts = [text for text in texts if text not in GAPS]
+    first = next((n for n, text in enumerate(texts) if text in _RELATING), None)
+    if first is None or texts[first] not in (*_INEQUALITIES, r"\in"):
+        return False
+    commas = [-1, *(n for n, text in enumerate(texts[:first]) if text == ","), first]
+    return len(commas) == 2 or all(b - a == 2 for a, b in pairwise(commas))
+
+
+# Conditions -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ChainPart:
+    """A chain between commas; `said` where a word, a gap or a bracket says it is a condition."""
+
+    chain: Chain
+    said: bool = False
+
+
+def is_bracketed(parser: Parser) -> bool:
+    """Return whether a bracket with relations begins here: a condition, no factor."""
+    if parser.text not in ("(", "["):
+        return False
+    depth = 0
+    for token in parser.tokens[parser.place :]:
+        depth += (token.text in OPENING) - (token.text in CLOSING)
+        if depth == 0:
+            return False
+        if depth == 1 and token.text in (*_RELATING, *IF, r"\forall"):
+            return True
+    return False
+
+
+def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
+    """Return the statements of a print, each with the conditions that stand behind them all."""
+    statements: list[Chain] = []
+    conditions: list[Chain] = []
+    for part in _share_relations(parser, parts):
+        own = statements[-1].condition if statements else None
+        if own and _is_value(part.chain, own, *statements):
+            statements[-1] = _narrow(statements[-1], [part.chain])
+        elif part.said or _narrows(parser, statements, conditions, part.chain):
+            conditions.append(part.chain)
+        elif conditions or (own and not part.chain.condition):
+            raise parser.refuse(
+                "an equation behind a condition: is it meant under the condition, too?",
+                "Print one equation at a time, its condition behind it.",
+                part.chain.start,
+            )
+        else:
+            statements.append(part.chain)
+    if not statements:
+        raise parser.refuse("a condition without a statement", "", parts[0].chain.start)
+    _refuse_leading_condition(parser, statements)
+    return tuple(_narrow(chain, conditions) for chain in statements)
+
+
+def _narrows(
+    parser: Parser, statements: Sequence[Chain], conditions: Sequence[Chain], chain: Chain
+) -> bool:
+    """Return whether a relation that nothing calls a condition is one."""
+    says_values = bool(conditions) and {*conditions[-1].relations} <= {"=", AND}
+    if says_values and _is_value(chain, *conditions, *statements):
+        return True
+    return bool(statements) and _is_condition(parser, statements, chain)
+
+
+def _is_value(chain: Chain, *others: Chain) -> bool:
+    r"""Return whether a letter has a value behind a condition: \text{ for }x=0,\ y=0.
+
+    It is none of those that stand alone in the statement or in the condition.
+    """
+    letter, *values = chain.members
+    is_value = isinstance(letter, Letter) and not any(map(_has_letter, values))
+    is_plain = {*chain.relations} == {"="} and chain.condition is None
+    return is_value and is_plain and not any(letter in other.members for other in others)
+
+
+def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:
+    if not conditions:
+        return chain
+    said = [chain.condition] if chain.condition else []
+    return replace(chain, condition=Chain(*join([*said, *conditions])))
+
+
+def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[ChainPart]:
+    """Read x,y>0 as x>0 and y>0, 0<x,x<1 as 0<x<1; refuse 0<x,y<1."""
+    waiting: list[ChainPart] = []
+    last: Chain | None = None
+    for part in parts:
+        chain = part.chain
+        is_letter = isinstance(chain.members[0], Letter)
+        if not chain.relations and is_letter and chain.condition is None:
+            waiting.append(part)
+            continue
+        if waiting and is_letter and _is_inequality(chain):
+            for one in waiting:
+                shared = replace(chain, members=(one.chain.members[0], *chain.members[1:]))
+                yield ChainPart(shared, part.said or one.said)
+            yield replace(part, said=part.said or waiting[0].said)
+        else:
+            yield from waiting
+            _refuse_shared_bounds(parser, last, chain)
+            yield part
+        waiting, last = [], chain
+    yield from waiting
+
+
+def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> None:
+    if last is None or not (last.relations and chain.relations):
+        return
+    signs = last.relations[-1], chain.relations[0]
+    left, right = last.members[-1], chain.members[0]
+    inner = isinstance(left, Letter) and isinstance(right, Letter) and left.text != right.text
+    outer = any(_has_letter(one) for one in (last.members[0], chain.members[-1]))
+    if inner and not outer and any(set(signs) <= set(way) for way in (_UP, _DOWN)):
+        raise parser.refuse(
+            "letters between two bounds: both bounds for each of them?",
+            "Print 0<x<1,\\ 0<y<1, or x>0,\\ y<1.",
+            last.start,
+        )
+
+
+def _is_condition(parser: Parser, statements: Sequence[Chain], chain: Chain) -> bool:
+    """Return whether a relation behind statements is their condition; refuse what may be either."""
+    if not _is_inequality(chain) or not _has_letter(chain):
+        return False
+    letters = (m.inside if isinstance(m, Magnitude) else m for m in chain.members)
+    bounds_letter = any(isinstance(member, Letter) for member in letters)
+    if all(_is_inequality(one) for one in statements) and not bounds_letter:
+        raise parser.refuse(
+            "a second relation: a condition of the first, or a claim of its own?",
+            r"Print \text{ for } before a condition, claims one at a time.",
+            chain.start,
+        )
+    return True
+
+
+def _refuse_leading_condition(parser: Parser, statements: Sequence[Chain]) -> None:
+    first = statements[0]
+    if _is_inequality(first) and not all(_is_inequality(one) for one in statements):
+        raise parser.refuse(
+            "a relation before an equation: its condition, or a claim of its own?",
+            r"Print a condition behind the equation: …,\quad x>0; claims one at a time.",
+            first.start,
+        )
+
+
+def _is_inequality(chain: Chain) -> bool:
+    return bool(chain.relations) and all(sign in _INEQUALITIES for sign in chain.relations)
+
+
+def _has_letter(node: Node) -> bool:
+    return any(isinstance(part, Letter) for part in walk(node))

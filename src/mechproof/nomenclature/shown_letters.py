@@ -1,0 +1,295 @@
+"""Letters that prints show: which there are, which are one, which look like matrices."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import chain
+from types import MappingProxyType
+
+import sympy as sp
+
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.errors import Remedies
+from mechproof.latex.left_scripts import LEFT, VECTORS
+from mechproof.latex.name_table import INDEX, strip_braces
+from mechproof.latex.printed_functions import FUNCTIONS
+from mechproof.latex.tokens import tokenize
+from mechproof.latex.words import ELSE, IF, to_text
+from mechproof.nomenclature.cells import name_unit
+from mechproof.record import Notation, Variable
+
+REMEDIES = Remedies(
+    name="Declare it in the block of letters: {0} : its meaning",
+    bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
+    "letter.",
+    function=r"Say in the block of letters which function it is: function \{0} is …",
+    scope="Print another letter for '{0}' where it is bound.",
+    lower_limit="Say in the block of letters: from 0, or where else it starts.",
+    family="Declare a family in the block of letters: {0} ({1}) : its meaning",
+    membership="Say in the block of letters natural or integer for a letter that counts; "
+    "an interval is printed as a relation, 0<x<1.",
+    rate="If it is a derivative, say what {0} depends on: {0}({1}) : its meaning. Otherwise:",
+    sign=r", or declare a letter that is 1 or -1 in the block of letters, branch \sigma=\pm1",
+)
+_ASKS = re.compile(r"a bracket after (.+?): a factor")
+_INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
+_ITALICS = re.compile(r"([A-Za-z]+) in italics: a function")
+# What is mostly meant by the power -1 of a function.
+INVERSES = {
+    **{"sin": "arcsin", "cos": "arccos", "tan": "arctan"},
+    **{"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"},
+}
+_NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
+# A bracket, and what of it holds arguments: one letter, or several parts.
+_BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
+_ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
+# A power of e that is none of a length.
+_NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
+# What stands behind the first value of an index.
+_RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
+# Prints in which such a letter is no quantity.
+_NO_LETTER = {
+    "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
+    "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
+    "i": re.compile(rf"i\s*(?:=\s*\d+\s*{_RUNS_ON}|\\in)|e\s*\^{_NO_SQUARE}"),
+}
+# Letters that mostly run through families.
+INDICES = "ijklmn"
+# Signs of an increment, where they stand alone: they are letters then.
+_INCREMENTS = {
+    sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
+    for sign in (r"\delta", r"\Delta")
+}
+# The letter, where it is no sign of a transposed matrix, and no other one with an index.
+_PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z]|\s*_)")
+# The beginning of the print of a rate.
+_RATE = re.compile(r"\A\\d*dot\{")
+_MATRIX = re.compile(
+    r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
+    r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
+    # With a factor behind it it has another shape than the letter.
+    r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|end|\\|[,;]))",
+    re.DOTALL,
+)
+
+
+# The beginning of a table of equations.
+_TABLE = re.compile(
+    r"\\begin\{(?:array|matrix|aligned)\}(?:\{[lcr|]+\})?(?=[^&\\]*(?:_\{[^{}]*\}\s*)?=)"
+)
+_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{([^{}]*)\}")
+
+
+def name_symbol(latex: str) -> str:
+    """Return a name by which prints of one letter are known to be one: without braces."""
+    return strip_braces(latex).replace("*", "star")
+
+
+def show_letter(latex: str) -> str:
+    """Return how answers show a letter: as it is printed, its star in braces."""
+    return " ".join(latex.replace("^*", "^{*}").split())
+
+
+def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
+    r"""Return letters with those that print alike, \dot{x}_1 and \dot{x_1}, as one."""
+    groups: dict[str, dict[str, None]] = {}
+    for letter in letters:
+        groups.setdefault(name_symbol(letter), {})[letter] = None
+    return [tuple(group) for group in groups.values()]
+
+
+@dataclass(frozen=True)
+class Collected:
+    """Letters that are not declared, those before a bracket, functions with the power -1.
+
+    `guessed` are letters that the reader asks for, whole prints as f(x) among them; `families` are
+    those of which members stand in sums, `a_i` of `a`, `d_{bi}` of `d_{b#}`. What could not be read
+    is keyed by its print, with the refusal.
+    """
+
+    letters: list[str]
+    factors: list[str]
+    functions: Mapping[str, str]
+    unread: Mapping[str, ReadingError]
+    guessed: list[str] = field(default_factory=list)
+    imaginary: str = ""
+    families: list[str] = field(default_factory=list)
+
+
+def collect_letters(
+    printed: Iterable[str], *, guess: bool = False, imaginary: str = "", said: Collection[str] = ()
+) -> Collected:
+    """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
+
+    `imaginary` is the letter of the imaginary unit; `said` are letters that words explain.
+    """
+    prints = list(printed)
+    displays: list[list[str]] = []
+    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
+    unread: dict[str, ReadingError] = {}
+    for latex in prints:
+        found = _collect_from(latex, guesses)
+        if isinstance(found, ReadingError):
+            unread[latex] = found
+        else:
+            displays.append(found)
+    letters = dict.fromkeys(chain.from_iterable(displays))
+    families = _find_families(displays) if guess else {}
+    of_families = re.compile("|".join(families.values()) or r"(?!)")
+    kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
+    names = {*map(name_symbol, kept)}
+    guessed = [x for x in guesses.letters if name_symbol(x) not in names]
+    factors = [*guesses.factors]
+    return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
+
+
+def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
+    """Return families, and what their members are printed like, as a pattern without braces.
+
+    Their index runs through a sum somewhere. So is F_k = m_k a, beside a member of such a family.
+    """
+    summed = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
+    families = dict(summed)
+    for letters in displays:
+        indexed = [x.partition("_") for x in map(strip_braces, letters)]
+        running = {index for stem, _, index in indexed if stem in summed} & {*INDICES}
+        families |= {stem: None for stem, _, index in indexed if index in running}
+    # The last one is printed by its number: m_n, x_N.
+    index = rf"[-+\d{INDICES}MN]+"
+    names = ((x, strip_braces(print_member(x, INDEX))) for x in families)
+    return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
+
+
+def print_member(family: str, index: str) -> str:
+    """Return how a member of a family is printed."""
+    return family.replace(INDEX, index) if INDEX in family else f"{family}_{{{index}}}"
+
+
+@dataclass
+class _Guesses:
+    """What would mend refusals of the prints `all_prints`; `declares` allows letters, too.
+
+    Those that are `said` are quantities, whatever else is printed so.
+    """
+
+    all_prints: str
+    declares: bool
+    imaginary: str
+    said: Collection[str]
+    factors: dict[str, None] = field(default_factory=dict)
+    letters: dict[str, None] = field(default_factory=dict)
+    functions: dict[str, str] = field(default_factory=dict)
+
+    def take(self, error: ReadingError) -> bool:
+        """Take what would mend a refusal; return whether there is something new."""
+        inverse = _INVERSE.search(error.remedy) if self.declares else None
+        if inverse and inverse[1] in INVERSES:
+            printed = rf"\{inverse[1]}^{{-1}}"
+            is_new = printed not in self.functions
+            self.functions[printed] = rf"\{INVERSES[inverse[1]]}"
+            return is_new
+        italics = _ITALICS.search(error.reason)
+        if self.declares and italics:
+            is_new = italics[1] not in self.functions
+            self.functions[italics[1]] = rf"\{italics[1]}"
+            return is_new
+        asked = _ASKS.search(error.reason)
+        named = _NAMES.search(error.remedy)
+        if asked:
+            arguments = find_arguments(error.latex, error.place) if self.declares else ""
+            if not arguments:
+                return _enter(asked[1], self.factors)
+            return _enter(f"{asked[1]}({arguments})", self.letters)
+        if not named or self._is_taken_up(named[1]):
+            return False
+        # Where nothing is declared, such a letter may still be taken, also with an index.
+        if not (self.declares or named[1].partition("_")[0] in _NO_LETTER):
+            return False
+        sign = named[1].partition(" ")[0]
+        if sign in _INCREMENTS and _INCREMENTS[sign].search(self.all_prints):
+            return _enter(sign, self.letters)
+        return _enter(named[1], self.letters)
+
+    def _is_taken_up(self, name: str) -> bool:
+        is_open = name in _NO_LETTER and name not in self.said
+        return is_open and bool(_NO_LETTER[name].search(self.all_prints))
+
+
+def make_reader(
+    letters: Iterable[str],
+    said: Collected | _Guesses,
+    sizes: Mapping[str, tuple[int, int]] = MappingProxyType({}),
+) -> Reader:
+    """Return a reader that knows these letters, their sizes, and what else is guessed of prints."""
+    symbols = {x: sp.Symbol(x) for x in letters}
+    symbols |= {
+        x: sp.MatrixSymbol(x, *sizes[name_symbol(x)]) for x in letters if name_symbol(x) in sizes
+    }
+    names = tuple(Variable(symbol, "", latex=(x,)) for x, symbol in symbols.items())
+    functions = {x.removeprefix("\\"): FUNCTIONS[is_[1:]] for x, is_ in said.functions.items()}
+    notation = Notation(
+        factors=tuple(said.factors),
+        functions=functions,
+        name_unit=name_unit,
+        imaginary=said.imaginary,
+    )
+    return Reader(names, notation, REMEDIES)
+
+
+def _enter(name: str, names: dict[str, None]) -> bool:
+    is_new = name not in names
+    names[name] = None
+    return is_new
+
+
+def _collect_from(latex: str, guesses: _Guesses) -> list[str] | ReadingError:
+    """Return the letters of a print, or why it cannot be read."""
+    while True:
+        try:
+            found = make_reader(guesses.letters, guesses).collect(latex)
+            for letter in found:
+                # A name may have scripts that no print has: a second index behind a power.
+                tokenize(letter)
+            return found
+        except ReadingError as error:
+            if not guesses.take(error):
+                return error
+        except RecursionError:
+            return ReadingError(latex, 0, "it is nested too deeply to be read")
+
+
+def find_arguments(latex: str, place: int) -> str:
+    """Return what stands in a bracket that holds arguments and no factor."""
+    bracket = _BRACKET.match(latex, place)
+    is_list = bracket is not None and _ARGUMENTS.fullmatch(bracket["inner"])
+    return bracket["inner"].strip() if bracket and is_list else ""
+
+
+def is_vector(letter: str) -> bool:
+    """Return whether a letter is printed as a vector, or in a frame: it is no number then.
+
+    So is a rate of one.
+    """
+    return _RATE.sub("", letter).startswith((*VECTORS, LEFT))
+
+
+def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
+    """Yield the letters that are printed to be a matrix, and its numbers of rows and columns.
+
+    What has conditions in it lists cases.
+    """
+    for latex in prints:
+        for match in _MATRIX.finditer(_TABLE.sub("", latex)):
+            if not {*IF, *ELSE}.isdisjoint(map(to_text, _WORDS.findall(match["body"]))):
+                continue
+            rows = [row for row in match["body"].split(r"\\") if row.strip()]
+            columns = rows[0].count("&") + 1 if rows else 1
+            yield name_symbol(match["name"]), (len(rows), columns)
+
+
+def drop_transposition(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
+    """Return letters without a T that stands above matrices and nowhere else."""
+    is_sign = any(find_shapes(prints)) and not any(map(_PLAIN_T.search, prints))
+    return [letter for letter in letters if not (is_sign and letter == "T")]

@@ -1,0 +1,162 @@
+"""What the symbols of letters and of their derivatives are called, and how these are printed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from functools import partial
+from itertools import product
+
+import sympy as sp
+
+from mechproof.latex.left_scripts import ACCENTS
+from mechproof.latex.name_table import to_signs
+from mechproof.nomenclature.block import Declared
+from mechproof.nomenclature.shown_letters import name_symbol, show_letter
+from mechproof.record import Variable
+from mechproof.record.unit_notation import read_unit
+from mechproof.sources.located_text import Place
+
+# Derivatives of a letter that have prints of their own.
+ORDERS = (1, 2, 3)
+TIME = "t"
+# A letter with its accents, and what stands behind it.
+_ACCENT = "|".join(map(re.escape, ACCENTS))
+_STEM = re.compile(
+    rf"((?:(?:{_ACCENT})(?![A-Za-z])\s*)*(?:\\[A-Za-z]+(?:\s*\{{[^{{}}]*\}})?|\{{[^{{}}]*\}}|.))(.*)\Z",
+    re.DOTALL,
+)
+
+# A word that is an index, and how it may be set.
+_SET = (
+    r"\\(?:mathrm|text|textrm)\s*\{\s*[A-Za-z]{2,}\s*\}|"
+    r"\\rm\s+[A-Za-z]{2,}|\\(?:max|min)(?![A-Za-z])"
+)
+_INDEX = re.compile(rf"_\{{\s*(?:{_SET}|[A-Za-z]{{2,}})\s*\}}|_(?:{_SET})")
+_WORD = re.compile(r"[A-Za-z]{2,}(?=[\s}]*\Z)")
+_TYPES = (r"_{{{}}}", r"_{{\mathrm{{{}}}}}", r"_{{\text{{{}}}}}")
+
+
+def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> str:
+    """Return the name of a letter's symbol: its print, so that answers show it.
+
+    One that is printed as the derivative of another has braces around it: it is another symbol.
+    Modules name symbols without braces.
+    """
+    printed = letter.symbol or letter.names[0]
+    if assume:
+        return name_symbol(printed)
+    is_rate = not letter.symbol and name_symbol(printed) in rates
+    return f"{{{show_letter(printed)}}}" if is_rate else show_letter(printed)
+
+
+def list_rates(letter: Declared) -> list[str]:
+    """Return all prints of the derivatives of a letter; it has none if it depends on nothing."""
+    first, by = letter.names[0], letter.running
+    return [rate for order in ORDERS for rate in print_rate(first, by, order)] if by else []
+
+
+def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
+    r"""Yield how a derivative is printed: \dot x_1, x', dx/dt."""
+    match = _STEM.match(latex)
+    stem, script = (match[1], match[2]) if match else (latex, "")
+    power = f"^{{{order}}}" if order > 1 else ""
+    if by == TIME:
+        accent = (r"\dot", r"\ddot", r"\dddot")[order - 1]
+        yield rf"{accent}{{{stem}}}{script}"
+        if script:
+            yield rf"{accent}{{{latex}}}"
+    else:
+        yield latex + "'" * order
+    for d in ("d", r"\mathrm{d}"):
+        yield rf"\frac{{{d}{power}{latex}}}{{{d}{by}{power}}}"
+
+
+def say_rate(
+    letter: Declared, variables: list[Variable], scales: dict[sp.Basic, sp.Expr]
+) -> sp.Basic:
+    r"""Take what is declared of a derivative, \dot x beside x(t): meaning, unit, names."""
+    names = {*map(name_symbol, letter.names)}
+    place, rate = next(
+        (n, v) for n, v in enumerate(variables) if names & {*map(name_symbol, v.latex)}
+    )
+    if letter.unit is not None:
+        unit = read_unit(letter.unit)
+        if rate.symbol in scales and unit.dimension != rate.dimension:
+            reason = f"{letter.names[0]} is the {rate.meaning}: it has another unit"
+            raise ValueError(f"{reason} than [{letter.unit}]")
+        scales[rate.symbol] = unit.scale
+    latex = tuple(dict.fromkeys((*rate.latex, *letter.names)))
+    meaning = letter.meaning.partition("; ")[0] or rate.meaning
+    variables[place] = replace(rate, meaning=meaning, latex=latex)
+    return rate.symbol
+
+
+def refuse_twins(
+    variables: Sequence[Variable],
+    rates: Collection[sp.Basic],
+    blame: Callable[[Variable], AbstractContextManager[None]],
+) -> None:
+    """Refuse letters that are told from each other by their braces only; not so derivatives.
+
+    The second of two is to blame.
+    """
+    met: dict[str, Variable] = {}
+    for variable in variables:
+        name = variable.symbol.name
+        key = name if variable.symbol in rates else name_symbol(name)
+        other = met.setdefault(key, variable)
+        if other is not variable:
+            one, two = other.latex[0], variable.latex[0]
+            same = "is declared twice" if one == two else f"and {two} are too much alike"
+            with blame(variable):
+                raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+
+
+def leave_names(
+    variables: Sequence[Variable], places: Mapping[sp.Basic, Place | None]
+) -> tuple[list[Variable], list[tuple[Place | None, str]]]:
+    """Return variables without names that cannot be read or are those of others, and these."""
+    met: dict[tuple[str, ...], Variable] = {}
+    found, faults = [], []
+    for v in variables:
+        kept = []
+        for latex in v.latex:
+            try:
+                signs = to_signs(latex, isinstance(v.symbol, sp.IndexedBase))
+                other = met.setdefault(signs, v)
+                is_own = other.symbol == v.symbol
+                reason = "" if is_own else f"the name {latex} is that of {other.latex[0]}, too"
+            except ValueError as error:
+                reason = str(error)
+            kept += [] if reason else [latex]
+            faults += [(places[v.symbol], f"{reason}; it is left out")] if reason else []
+        found.append(replace(v, latex=tuple(kept)))
+    return found, faults
+
+
+def set_otherwise(variables: Sequence[Variable]) -> Iterator[Variable]:
+    r"""Yield variables with their names in other types, F_{\max} for F_{max}, where these are free.
+
+    A word that is an index is the same in italics and upright.
+    """
+    taken = {name: v.symbol for v in variables for name in map(_to_signs(v), v.latex)}
+    for v in variables:
+        others = {
+            _to_signs(v)(other): other
+            for latex, kind in product(v.latex, _TYPES)
+            if (other := _INDEX.sub(partial(_set, kind), latex)) != latex
+        }
+        new = {signs: other for signs, other in others.items() if signs not in taken}
+        taken |= dict.fromkeys(new, v.symbol)
+        yield replace(v, latex=(*v.latex, *new.values()))
+
+
+def _to_signs(variable: Variable) -> Callable[[str], tuple[str, ...]]:
+    return partial(to_signs, is_family=isinstance(variable.symbol, sp.IndexedBase))
+
+
+def _set(kind: str, index: re.Match[str]) -> str:
+    return kind.format(*_WORD.findall(index[0]))

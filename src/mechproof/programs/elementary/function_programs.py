@@ -1,0 +1,358 @@
+"""The elementary functions: how each is computed in plain arithmetic, for a float format.
+
+Arguments are reduced by the words of Cody and Waite (1980), each taken off by an fma; beyond
+`largest`, where the method of Payne and Hanek (1983) would be needed, a backend's own library is
+called. What is left is a polynomial or a quotient of two (`fits`). There are no tables of values as
+those of Tang (1989), and no branches up to `largest`: a loop over points is vectorised. See Muller,
+Elementary Functions (2016).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from inspect import signature
+
+import mpmath as mp
+
+from mechproof.programs.elementary import fits
+from mechproof.programs.elementary.fits import Rational, Target, fit
+from mechproof.programs.elementary.formats import DIGITS, Format
+from mechproof.programs.elementary.traced_machine import (
+    choose,
+    copysign,
+    floor,
+    fma,
+    maximum,
+    multiply_add,
+    polynomial,
+    power_of_two,
+    rint,
+    root,
+)
+from mechproof.programs.program import Program
+from mechproof.programs.trace import Value, trace
+
+Body = Callable[..., Value]
+Fitted = tuple[Target, Rational]
+# Of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its own.
+ROUNDED = 4
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function as a program. `fits` are the approximations in it.
+
+    In the program every product with a sum is fused; `parted` says of which it need not be.
+    Where the absolute value of the first argument is more than the format's `largest`, `program`
+    is wrong and `far`, where there is one, takes the functions of a backend's own library.
+    """
+
+    meaning: str
+    program: Program
+    parted: Program
+    fits: tuple[Fitted, ...]
+    far: Program | None
+
+
+# What is computed in plain arithmetic, by its name: how, of which inputs, and by which function of
+# a library beyond the largest angle.
+BODIES: dict[str, tuple[Body, tuple[str, ...], Body | None]] = {}
+
+
+def _body(far: Body | None = None) -> Callable[[Body], Body]:
+    def register(function: Body) -> Body:
+        _, *inputs = signature(function).parameters
+        BODIES[function.__name__] = function, tuple(inputs), far
+        return function
+
+    return register
+
+
+def _far_quotient(y: Value, a: Value, b: Value) -> Value:
+    t = y.apply("tan", y)
+    return t / (a + b * t * t)
+
+
+def _far(kind: str) -> Body:
+    return lambda y: y.apply(kind, y)
+
+
+class _Maker:
+    """Builds the functions of one format."""
+
+    def __init__(self, form: Format) -> None:
+        self.form = form
+        self.fits: list[Fitted] = []
+
+    def fit(self, target: Target, above: int, below: int = 0) -> Rational:
+        """Fit a target and remember it."""
+        fitted = fit(target, above, below, self.form)
+        self.fits.append((target, fitted))
+        return fitted
+
+    def reduce(self, y: Value) -> tuple[Value, Value]:
+        """Return the nearest number n of quarter turns and y less them, to an ulp of itself.
+
+        The first fma is exact: both products are multiples of one unit, their difference is
+        small. The second rounds once; three words of pi/2 leave less than an ulp of the smallest
+        difference that a number up to `largest` has from a multiple of pi/2.
+        """
+        with mp.workdps(DIGITS):
+            quarter = self.form.split(mp.pi / 2, 3)
+            per_quarter = self.form.round(2 / mp.pi)
+        n = rint(y * per_quarter)
+        r = y
+        for word in quarter:
+            r = fma(n, -word, r)
+        return n, r
+
+    def tangent_parts(self, y: Value) -> tuple[Value, Value]:
+        """Return two values whose quotient is tan(y)."""
+        n, r = self.reduce(y)
+        fitted = self.fit(fits.TANGENT, *self.form.tangent)
+        z = r * r
+        first, *others = fitted.above
+        lead = r if first == 1.0 else first * r
+        above, below = multiply_add(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
+        half = n * 0.5
+        is_even = rint(half) == half
+        return choose(is_even, above, -below), choose(is_even, below, above)
+
+    @_body(_far("tan"))
+    def tan(self, y: Value) -> Value:
+        """Return tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above / below
+
+    @_body(_far_quotient)
+    def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
+        """Return t/(a + b*t**2), t = tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above * below / multiply_add(a * below, below, b * above * above)
+
+    @_body(_far("tan"))
+    def tangent_above(self, y: Value) -> Value:
+        """Return tan(y) times what `tangent_below` returns."""
+        return self.tangent_parts(y)[0]
+
+    @_body(lambda y: y.apply("copy", 1.0))
+    def tangent_below(self, y: Value) -> Value:
+        """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
+        return self.tangent_parts(y)[1]
+
+    def sine_and_cosine(self, r: Value) -> tuple[Value, Value]:
+        """Return both of an angle of at most pi/4."""
+        odd = self.fit(fits.SINE, self.form.sine)
+        even = self.fit(fits.COSINE, self.form.cosine)
+        z = r * r
+        sine = multiply_add(r * z, polynomial(z, odd.above), r)
+        half = z * 0.5
+        # What the rounding of 1 - z/2 takes is added again, as by FreeBSD's library.
+        near = 1.0 - half
+        cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - half)
+        return sine, cosine
+
+    @_body(_far("sin"))
+    def sin(self, y: Value) -> Value:
+        """Return sin(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half) == half, sine, cosine), floor(half))
+
+    @_body(_far("cos"))
+    def cos(self, y: Value) -> Value:
+        """Return cos(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half) == half, cosine, sine), floor((n + 1.0) * 0.5))
+
+    @_body()
+    def arctan(self, y: Value) -> Value:
+        """Return atan(y)."""
+        size = abs(y)
+        is_large = size > 1.0
+        arc = self.arc(choose(is_large, 1.0 / size, size))
+        high, low = self.split_turn(0.5)
+        return copysign(choose(is_large, high - (arc - low), arc), y)
+
+    @_body()
+    def arctan_quotient(self, a: Value, b: Value) -> Value:
+        """Return atan(a/b)."""
+        rise, run = abs(a), abs(b)
+        is_large = rise > run
+        below = choose(is_large, rise, run)
+        arc = self.arc(choose(is_large, run, rise) / below)
+        high, low = self.split_turn(0.5)
+        size = choose(is_large, high - (arc - low), arc)
+        return copysign(1.0, b) * copysign(size, a)
+
+    @_body()
+    def arctan2(self, a: Value, b: Value) -> Value:
+        """Return atan2(a, b)."""
+        rise, run = abs(a), abs(b)
+        is_steep = rise > run
+        below = choose(is_steep, rise, run)
+        arc = self.arc(choose(is_steep, run, rise) / choose(below == 0.0, 1.0, below))
+        is_behind = copysign(1.0, b) < 0.0
+        (half, half_low), (whole, whole_low) = map(self.split_turn, (0.5, 1))
+        high = choose(is_steep, half, choose(is_behind, whole, 0.0))
+        low = choose(is_steep, half_low, choose(is_behind, whole_low, 0.0))
+        turned = choose(is_steep, choose(is_behind, arc, -arc), choose(is_behind, -arc, arc))
+        return copysign(high + (low + turned), a)
+
+    def arc(self, w: Value) -> Value:
+        """Return atan(w) for 0 <= w <= 1."""
+        fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
+        z = w * w
+        return multiply_add(w * z, polynomial(z, fitted.above), w)
+
+    @_body()
+    def small_arctan(self, y: Value) -> Value:
+        """Return atan(y) for |y| <= 1/sqrt(3)."""
+        fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
+        z = y * y
+        return multiply_add(y * z, polynomial(z, fitted.above), y)
+
+    @_body()
+    def small_tangent(self, y: Value) -> Value:
+        """Return tan(y) for y the half of a low word."""
+        return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
+    def split_turn(self, part: float) -> tuple[float, ...]:
+        """Return a part of pi as two numbers of the format."""
+        with mp.workdps(DIGITS):
+            return self.form.split(mp.pi * part, 2)
+
+    @_body()
+    def exp(self, y: Value) -> Value:
+        """Return exp(y).
+
+        The first fma is exact, as for angles. The power of two is a product of two, of which the
+        second alone rounds: where the result is subnormal.
+        """
+        with mp.workdps(DIGITS):
+            words = self.form.split(mp.log(2), 2)
+            per_word = self.form.round(1 / mp.log(2))
+            top = float(mp.ceil(self.form.exponent * mp.log(2)))
+            bottom = float(mp.floor((2 - self.form.exponent - self.form.bits) * mp.log(2)))
+        inside = choose(y > top, top, choose(y < bottom, bottom, y))
+        n = rint(inside * per_word)
+        r = inside
+        for word in words:
+            r = fma(n, -word, r)
+        odd = self.fit(fits.ODD_EXPONENTIAL, self.form.exponential)
+        even = self.fit(fits.EVEN_EXPONENTIAL, self.form.exponential)
+        z = r * r
+        bent = multiply_add(r, polynomial(z, odd.above), polynomial(z, even.above))
+        half = floor(n * 0.5)
+        return (1.0 + multiply_add(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
+
+    @_body()
+    def normal_tail(self, y: Value) -> Value:
+        """Return the mass of the standard normal law beyond |y|.
+
+        The square of |y| is taken with the rest of its rounding: the tail is as exact far out.
+        """
+        size = abs(y)
+        x = choose(size > fits.TAIL_END, fits.TAIL_END, size)
+        fitted = self.fit(fits.NORMAL_TAIL, self.form.tail)
+        scaled = polynomial((x - fits.TAIL) / (x + fits.TAIL), fitted.above) / (1.0 + x)
+        square = x * x
+        return self.exp(square * -0.5) * multiply_add(fma(x, x, -square) * -0.5, scaled, scaled)
+
+    @_body()
+    def hypot(self, a: Value, b: Value) -> Value:
+        """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
+        one, other = abs(a), abs(b)
+        size = choose(one > other, one, other)
+        large, small = 2.0**self.form.squares, 2.0**-self.form.squares
+        factor = choose(
+            size > large,
+            2.0**-self.form.scale,
+            choose(size < small, 2.0**self.form.scale, 1.0),
+        )
+        x, y = one * factor, other * factor
+        return root(multiply_add(x, x, y * y)) / factor
+
+    @_body()
+    def sign(self, y: Value) -> Value:
+        """Return 1 for y > 0, -1 for y < 0, else y."""
+        return choose(y > 0.0, 1.0, choose(y < 0.0, -1.0, y))
+
+    @_body()
+    def minimum(self, a: Value, b: Value) -> Value:
+        """Return the smaller number, NaN if one is."""
+        return -maximum(-a, -b)
+
+    @_body()
+    def mod(self, a: Value, b: Value) -> Value:
+        """Return a less a whole multiple of b, between 0 and b."""
+        rest = a.apply("fmod", a, b)
+        return choose(rest * copysign(1.0, b) < 0.0, rest + b, rest)
+
+    @_body(lambda y: y.apply("sin", y) / y)
+    def sinc(self, y: Value) -> Value:
+        """Return sin(y)/y, 1 at 0."""
+        return choose(y == 0.0, 1.0, self.sin(y) / y)
+
+    @_body()
+    def product_rest(self, a: Value, b: Value, p: Value) -> Value:
+        """Return a*b - p."""
+        return fma(a, b, -p)
+
+    @_body()
+    def quotient_rest(self, a: Value, b: Value, q: Value) -> Value:
+        """Return a/b - q."""
+        return fma(-q, b, a) / b
+
+    @_body()
+    def sum_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s."""
+        # Dekker's sum (1971), exact where |b| <= |a|.
+        return b - (s - a)
+
+    @_body()
+    def total_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s, whichever of both is larger."""
+        # Knuth's sum (1969), exact in either order.
+        part = s - a
+        return (a - (s - part)) + (b - part)
+
+    @_body()
+    def nonnegative(self, total: Value, size: Value) -> Value:
+        """Return a sum, 0 where it is negative by no more than terms of that size are rounded."""
+        rounding = ROUNDED * self.form.eps * size
+        beyond = maximum(-total - rounding, 0.0)
+        return maximum(total, 0.0 - beyond)
+
+
+def _turn(value: Value, half_turns: Value) -> Value:
+    """Return a value with the sign that a whole number of half turns gives it."""
+    half = half_turns * 0.5
+    return choose(floor(half) == half, value, -value)
+
+
+@cache
+def build(kind: str, form: Format) -> Function:
+    """Return the function of a kind of operation in a format.
+
+    Raises `KeyError` for a kind that is an operation of the machine.
+    """
+    body, inputs, far = BODIES[kind]
+    maker = _Maker(form)
+    program = trace(lambda *values: body(maker, *values), inputs)
+    far_program = trace(far, inputs) if far else None
+    return Function(str(body.__doc__), _fuse(program), program, tuple(maker.fits), far_program)
+
+
+def _fuse(program: Program) -> Program:
+    """Return a program with an fma for every product that is added."""
+    operations = (
+        replace(step, kind="fma") if step.kind == "multiply_add" else step
+        for step in program.operations
+    )
+    return replace(program, operations=tuple(operations))

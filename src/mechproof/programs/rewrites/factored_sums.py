@@ -1,0 +1,83 @@
+"""Products: in, a polynomial; out, its factors with every sum inside them as a named step.
+
+SymPy flattens (1 - e) + (1 + e)*t**2 into one sum of four terms and prints it in its own order,
+which cancels as e -> 1. A named factor keeps its bracket.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from mechproof.arithmetic.polynomials import factor_list
+from mechproof.programs.evaluation import Evaluation, Step
+from mechproof.programs.step_names import suggest_name
+
+
+class Factors:
+    """The named sums of one evaluation; `steps` defines them and grows."""
+
+    def __init__(self, evaluation: Evaluation) -> None:
+        self.steps: list[Step] = []
+        self._evaluation = evaluation
+
+    def name_sums(self, polynomial: sp.Expr) -> sp.Expr:
+        """Factor over the integers and name every sum."""
+        return self.multiply(polynomial, self._name)
+
+    def by_powers(self, polynomial: sp.Expr, *variables: sp.Symbol) -> sp.Expr:
+        """Factor; a factor with `variables` is a sum of powers with factored coefficients."""
+
+        def convert(base: sp.Expr) -> sp.Expr:
+            if not base.has(*variables):
+                return self._name(base)
+            terms = sp.Poly(base, *variables).terms()
+            return sp.Add(
+                *(
+                    self.name_sums(c) * sp.prod(map(sp.Pow, variables, powers))
+                    for powers, c in terms
+                )
+            )
+
+        return self.multiply(polynomial, convert)
+
+    def multiply(self, polynomial: sp.Expr, convert: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
+        """Multiply the converted factors, their signs as people write them.
+
+        Raises ValueError for what is no polynomial.
+        """
+        try:
+            number, factors = factor_list(polynomial)
+        except sp.PolynomialError as error:
+            raise ValueError(f"factors: {polynomial} is no polynomial") from error
+        # The number is multiplied last: 2*(1 - e) with one sum only would become 2 - 2*e in SymPy.
+        sign, result = sp.sign(number), sp.S.One
+        for base, power in factors:
+            if base.is_Add and _reads_better_negated(base, sign * result, power):
+                base, sign = sp.expand(-base), sign * (-1) ** power
+            converted = convert(base) if base.is_Add else base
+            if converted.is_Add and all(t.could_extract_minus_sign() for t in converted.args):
+                converted, sign = -converted, sign * (-1) ** power
+            result *= converted**power
+        return sign * abs(number) * result
+
+    def _name(self, base: sp.Expr) -> sp.Symbol:
+        for symbol, value in self.steps:
+            if value == base:
+                return symbol
+        return self._evaluation.add_step(suggest_name(base, "factor"), base, self.steps)
+
+
+def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
+    """Prefer 1 - e to e - 1, and R - A to a minus sign before the product."""
+    number = base.as_coeff_Add()[0]
+    if number:
+        return bool(number < 0)
+    signs = {term.could_extract_minus_sign() for term in base.args}
+    return len(signs) == 2 and power % 2 == 1 and product.could_extract_minus_sign()
+
+
+def is_root(node: sp.Basic) -> bool:
+    """Tell whether a node is a square root."""
+    return isinstance(node, sp.Pow) and node.exp == sp.S.Half

@@ -1,0 +1,181 @@
+"""The rungs of an equation: two sides and their domain -> an answer, cheapest rung first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import chain, product
+from typing import Any
+
+import sympy as sp
+
+from mechproof.proof.algebra import explain_unequal
+from mechproof.proof.antiderivative import explain_break
+from mechproof.proof.any_functions import decide_any, has_any_functions
+from mechproof.proof.count_zeros import find_count_without_value, tell_zero_quotients
+from mechproof.proof.definedness import (
+    list_needed,
+    list_unshown,
+    list_unshown_inside,
+    narrow_to,
+    need_the_same,
+    put_in,
+)
+from mechproof.proof.divergence import RUNG as DIVERGENCE, lack_values_alike, tell_divergence
+from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
+from mechproof.proof.equalities import prove_equal, prove_where_defined
+from mechproof.proof.exact_values import decide_endless
+from mechproof.proof.fourier_series import RUNG as FOURIER_SERIES, settle_waves
+from mechproof.proof.integral_recurrences import settle_by_parts
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, find_counterexample, settle_improper
+from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
+from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
+from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
+from mechproof.proof.reasons import (
+    WORST_FIRST,
+    count_parts,
+    join_answers,
+    join_rungs,
+    report_unproved,
+    tell_inside,
+    tell_needs,
+)
+from mechproof.proof.refutation import BALLS, EVERY_POINT, compare, find_unlike
+from mechproof.proof.verdict import Answer, Evidence, Verdict
+from mechproof.proof.witness_text import clip
+from mechproof.record import DerivativeWhere, Slack
+from mechproof.record.parts import find_parts, has_parts
+from mechproof.statement_domains.domain import Domain
+
+CROSS_EXAMINATION = 4
+CROSS_PRECISION = (64,)
+_SETTLED = {
+    KNOWN_INTEGRAL: settle_known_integrals,
+    ANTIDERIVATIVE: settle_improper,
+    PARTIAL_SUMS: settle_endless,
+    KNOWN_SERIES: settle_series,
+    FOURIER_SERIES: settle_waves,
+}
+
+
+class ContradictionError(RuntimeError):
+    """A rung proved what balls refute: a fault of the ladder itself."""
+
+
+def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
+    """Decide whether two sides are the same wherever they have values."""
+    if has_any_functions(printed, rebuilt):
+        return decide_any(printed, rebuilt, domain, decide_sides)
+    sides = [settle_limits(put_in(side, domain), domain) for side in (printed, rebuilt)]
+    for rung, settle in _SETTLED.items():
+        printed, rebuilt = (settle(side, domain) for side in sides)
+        if [printed, rebuilt] != sides:
+            answer = decide_sides(printed, rebuilt, domain)
+            return replace(answer, rung=f"{rung}, {answer.rung}")
+    if found := settle_by_parts(printed, rebuilt, domain, prove_equal):
+        answer = decide_sides(found.printed, found.rebuilt, domain)
+        return replace(answer, rung=f"{found.rung}, {answer.rung}")
+    if told := tell_missing_limit((printed, rebuilt), domain):
+        return Answer(Verdict.REFUTED, FROM_SIDES, told, (Evidence(told),))
+    if told := tell_divergence((printed, rebuilt), domain):
+        return Answer(Verdict.REFUTED, DIVERGENCE, told, (Evidence(told),))
+    if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
+        return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
+    if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
+        return _decide_matrices(printed, rebuilt, domain)
+    return _decide_scalars(printed, rebuilt, domain)
+
+
+def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
+    shapes = [getattr(side, "shape", "of a number") for side in (printed, rebuilt)]
+    if shapes[0] != shapes[1]:
+        reason = f"the printed side has the shape {shapes[0]}, the other {shapes[1]}"
+        return Answer(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
+    places = list(product(range(printed.rows), range(printed.cols)))
+    entries = {place: _decide_scalars(printed[place], rebuilt[place], domain) for place in places}
+    found = {answer.verdict for answer in entries.values()}
+    # Those are told that are judged worst.
+    verdict = min(found, key=WORST_FIRST.index, default=Verdict.PROVED)
+    told = {place: answer for place, answer in entries.items() if answer.verdict is verdict}
+    rung = f"entrywise, {join_rungs([answer.rung for answer in told.values()])}"
+    if verdict is Verdict.PROVED:
+        return Answer(verdict, rung, f"{count_parts(len(told))} entries agree")
+    named = {f"entry ({row + 1}, {column + 1})": a for (row, column), a in told.items()}
+    return join_answers(named, rung)
+
+
+def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
+    sides = printed, rebuilt
+    if found := decide_endless(sides):
+        return found
+    if rung := prove_equal(printed, rebuilt, domain):
+        return _report_equal(sides, domain, rung)
+    if rung := prove_where_defined(printed, rebuilt, domain):
+        if not any(has_parts(side, sp.Integral, sp.Sum, sp.Product) for side in sides):
+            return _report_equal(sides, domain, rung)
+        if lack_values_alike(sides, domain):
+            return _report_equal(sides, domain, rung, is_alike=True)
+        needed = tell_needs([list_unshown(side, domain) for side in sides])
+        reason = f"both sides agree where {needed}, which is not said"
+        return Answer(Verdict.UNDECIDED, rung, reason)
+    comparison = compare(printed, rebuilt, domain)
+    if example := comparison.counterexample or find_counterexample(sides, domain):
+        reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
+        return Answer(Verdict.REFUTED, BALLS, reason, (example,))
+    why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
+    return report_unproved(comparison, why)
+
+
+def _report_equal(
+    sides: tuple[sp.Expr, sp.Expr], domain: Domain, rung: str, is_alike: bool = False
+) -> Answer:
+    """Answer for sides that are equal where both have values: PROVED if they have them alike.
+
+    `is_alike`: beyond what they need it is shown that both have none.
+    """
+    needs = [list_unshown(side, domain) for side in sides]
+    part = narrow_to(domain, [*chain(*needs)]) if is_alike else None
+    inside = [list_unshown_inside(side, part or domain) for side in sides]
+    if {*inside[0]} != {*inside[1]}:
+        return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
+    needed = tell_needs(needs)
+    if told := tell_jump(sides, domain):
+        return Answer(Verdict.UNDECIDED, rung, f"what is differentiated jumps: {told}")
+    if any(has_parts(side, DerivativeWhere) for side in sides):
+        domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
+    undefined = _cross_examine(*sides, part) if part else _find_break(sides, needs, domain)
+    if undefined:
+        reason = f"both sides agree where both are defined, which fails at {undefined}"
+        unsaid = f"; what is not said: {needed}" if needed else ""
+        return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
+    where = f"where {needed}" if needed else "wherever they are defined"
+    said = filter(None, (f"both sides agree {where}", tell_zero_quotients(sides, domain)))
+    return Answer(Verdict.PROVED, rung, "; ".join(said))
+
+
+def _find_break(
+    sides: tuple[sp.Expr, sp.Expr], needs: Sequence[list[Slack]], domain: Domain
+) -> str:
+    """Return an interior point at which only one side has a value, empty if none is met.
+
+    Where no point gives values to both, that is told as well.
+    """
+    undefined = _cross_examine(*sides, domain)
+    if undefined == EVERY_POINT and any(needs):
+        # Few points lie where more than one letter has to be positive.
+        part = narrow_to(domain, [*chain(*needs)])
+        undefined = _cross_examine(*sides, part) if part else undefined
+    undefined = undefined or find_count_without_value(sides, domain)
+    if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
+        return undefined
+    return find_unlike(sides, domain)
+
+
+def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
+    """Return an interior point at which only one side has a value, empty if there is none."""
+    if printed == rebuilt and compare(printed, rebuilt, domain, 1, CROSS_PRECISION).agreeing:
+        return ""
+    comparison = compare(printed, rebuilt, domain, CROSS_EXAMINATION, CROSS_PRECISION)
+    if comparison.counterexample:
+        raise ContradictionError(f"proved, yet {comparison.counterexample}: {printed} = {rebuilt}")
+    return comparison.undefined

@@ -1,0 +1,264 @@
+"""Elementary functions of compiled kernels: in, the programs that are printed; out, their errors.
+
+Nothing is written down anew. Without its decisions a program is rational: its roundings are bounded
+as those of kernels are, and its value is held against the function over the whole interval. So de
+Dinechin, Lauter and Melquiond (2011) prove functions of CRlibm, with Gappa and with hints for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from flint import arb
+
+from mechproof.arithmetic.intervals import EPS, ONE, PI, Array, Interval, careful, exactly
+from mechproof.programs.elementary.fits import MARGIN, Sides, enclose_pieces
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.function_programs import build
+from mechproof.programs.program import Program
+from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.error_tables import ErrorTable, find_highest
+from mechproof.roundoff.grouping import Rows, split_cases
+from mechproof.roundoff.homogeneity import find_scaled
+from mechproof.roundoff.interval_monomials import BoxVariables
+from mechproof.roundoff.reduction import NEAR, bound_reduction
+from mechproof.roundoff.running import IN_BALLS, run
+from mechproof.roundoff.specialisation import REST, Case, Resolved, Whole, name_size, resolve
+from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed
+from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
+
+# So many pieces has a quarter turn, or an interval of the other functions.
+PIECES = 64
+QUARTERS = 4
+# Beyond what an interval ends at, as a share of it.
+BEYOND = 1 + MARGIN / 2
+Series = Any
+# Sine and cosine of a rest and so many quarter turns.
+SINES: tuple[Callable[[Series], Series], ...] = (
+    lambda r: r.sin(),
+    lambda r: r.cos(),
+    lambda r: -r.sin(),
+    lambda r: -r.cos(),
+)
+
+
+def _sine(rest: Series, quarters: int) -> Series:
+    return SINES[quarters % QUARTERS](rest)
+
+
+def _cosine(rest: Series, quarters: int) -> Series:
+    return _sine(rest, quarters + 1)
+
+
+# Of an angle: the two sides that are to be equal, for the program's last quotient.
+ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Series]]] = (
+    MappingProxyType(
+        {
+            "tan": lambda a, b, r, n: (a * _cosine(r, n), b * _sine(r, n)),
+            "sin": lambda a, b, r, n: (a, b * _sine(r, n)),
+            "cos": lambda a, b, r, n: (a, b * _cosine(r, n)),
+        }
+    )
+)
+
+
+@cache
+def prove(kind: str) -> ErrorTable:
+    """Bound the error of a function piece by piece; ValueError for a program without a rule."""
+    return _PROVED[kind](kind)
+
+
+def _prove_angle(kind: str) -> ErrorTable:
+    edges = _list_angles()
+    reduced, unreduced = np.zeros(len(edges) - 1), np.full(len(edges) - 1, np.nan)
+    for quarters in range(QUARTERS):
+        number = Whole(Fraction(QUARTERS), Fraction(quarters))
+        found = resolve(build(kind, DOUBLE).program, Case(number))
+        # Of the other sign it is off as much, or this is an error.
+        find_parities(found.straight, {REST: ODD})
+        places, low, high = _list_rests(edges, quarters)
+        straight = _leave_quotient(found.straight)
+        off = _enclose_angle(kind, found, quarters, low, high)
+        bounds = _put_on(_bound_reduced(replace(found, straight=straight), low, high), off)
+        if not quarters:
+            unreduced[places] = _put_on(_bound(straight, {REST: None}, low, high), off)
+            # Beyond `near`, too, the nearest number may be none, and then the angle is not reduced.
+            bounds = np.maximum(bounds, unreduced[places])
+        reduced[places] = np.maximum(reduced[places], bounds)
+    # Where the number is none, whatever is rounded.
+    near = float((PI * exactly(0.25)).low) * (1 - MARGIN)
+    tables = find_highest(reduced), find_highest(unreduced)
+    return ErrorTable(edges, *tables, near=near, largest=DOUBLE.largest)
+
+
+def _leave_quotient(straight: StraightLineProgram) -> StraightLineProgram:
+    """Return the steps with a last quotient that is exact: its two sides are what counts."""
+    *others, last = straight.steps
+    if last.kind != "divide":
+        return straight
+    return replace(straight, steps=(*others, replace(last, ulps=EXACT)))
+
+
+def _enclose_angle(kind: str, found: Resolved, quarters: int, low: Array, high: Array) -> Array:
+    """Bound the error of the approximation, in eps, for so many quarter turns."""
+    *_, last = found.straight.steps
+    outputs = last.operands if last.kind == "divide" else found.straight.outputs
+    plain = keep_needed(replace(found.straight, outputs=outputs))
+
+    def sides(rest: Series) -> tuple[Series, Series]:
+        above, *below = run(plain, {REST: rest}, IN_BALLS)
+        return ANGLES[kind](above, (*below, arb(1))[0], rest, quarters)
+
+    return _enclose(sides, low, high)
+
+
+def _enclose(sides: Sides, low: Array, high: Array) -> Array:
+    # What may vanish is expanded where it does.
+    start = np.where(low < high - low, 0.0, low)
+    pieces = zip(map(arb, start.tolist()), map(arb, high.tolist()), strict=True)
+    return np.array(enclose_pieces(sides, pieces)) / EPS
+
+
+def _list_angles() -> Array:
+    quarter = float((PI * exactly(0.5)).high) * BEYOND
+    inner = np.linspace(0, quarter, PIECES + 1)[1:-1]
+    return np.array([0.0, NEAR, *inner, np.pi / 2 - 2 * NEAR, quarter])
+
+
+def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
+    """Return which pieces have so many quarter turns, and how large their rests are."""
+    least, most = edges[:-1], edges[1:]
+    if quarters % 2:
+        half = PI * exactly(0.5)
+        rests = half - Interval(least, most)
+        least, most = np.maximum(rests.low, 0.0), np.maximum(rests.high, -rests.low)
+    end = float((PI * exactly(0.25)).high) * BEYOND
+    (places,) = np.nonzero(least < end)
+    return places, least[places], np.minimum(most[places], end)
+
+
+def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
+    """Bound the roundings, that of what is left of the angle among them."""
+    reduction, bounds = bound_reduction(found.per, found.words), np.empty(len(low))
+    for rows, ulps in ((low < NEAR, reduction.near), (low >= NEAR, reduction.far)):
+        made = (
+            Step("rounded", "copy", ("angle",), HALF),
+            Step(REST, "approximate", ("rounded",), ulps),
+        )
+        straight = replace(found.straight, steps=(*made, *found.straight.steps))
+        bounds[rows] = _bound(straight, {"angle": None}, low[rows], high[rows])
+    return bounds
+
+
+def _bound(
+    straight: StraightLineProgram, given: Mapping[str, float | None], low: Array, high: Array
+) -> Array:
+    """Bound the roundings of steps in eps of their value; what is not given is in the pieces."""
+
+    def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
+        variables = BoxVariables([Interval(low[rows], high[rows])], [True], 0, forced)
+        monomials = {
+            name: variables.variable(0) if value is None else variables.constant(exactly(value))
+            for name, value in given.items()
+        }
+        with careful(moves=False):
+            evaluation = ErrorAnalysis(straight, variables, monomials, {}, None)
+            return np.broadcast_to(
+                evaluation.sum_errors(straight.outputs[0], ErrorScale(None, True)), len(rows)
+            )
+
+    return split_cases(compute, len(low))
+
+
+def _put_on(bounds: Array, off: Array) -> Array:
+    """Return bounds of roundings with that of the approximation."""
+    return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
+
+
+def _prove_quotient(kind: str) -> ErrorTable:
+    """Bound the arctangent of a quotient, its place that of the quotient."""
+    program = build(kind, DOUBLE).program
+    _check_signs(program, program.inputs)
+    return _tabulate_arcs(kind, (False,))
+
+
+def _prove_direction(kind: str) -> ErrorTable:
+    """Bound the angle of a point that is not the origin, its place that of the quotient."""
+    program = build(kind, DOUBLE).program
+    _check_signs(program, program.inputs[:1])
+    return _tabulate_arcs(kind, (False, True))
+
+
+def _tabulate_arcs(kind: str, behind: Sequence[bool]) -> ErrorTable:
+    edges = np.linspace(0.0, 1.0, PIECES + 1)
+    flat, steep = (
+        np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
+        for s in (False, True)
+    )
+    # All reciprocals that are rounded to zero have a place, too.
+    places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
+    return ErrorTable(places, find_highest(np.array([*flat, *steep[::-1]])))
+
+
+def _check_signs(program: Program, arguments: Sequence[str]) -> None:
+    """Require that the sign turns with that of each of some arguments; ValueError if not."""
+    for turned in arguments:
+        parities = find_parities(program, {n: ODD if n == turned else EVEN for n in program.inputs})
+        if any(parities[str(output)] == EVEN for output in program.outputs):
+            raise ValueError(f"the sign is not that of {turned}")
+
+
+def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
+    """Bound the angle of quotients, or of their reciprocals, of at most 1."""
+    program = build(kind, DOUBLE).program
+    found = resolve(program, case)
+    one, other = map(name_size, program.inputs)
+    # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
+    sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
+    scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
+    straight = replace(found.straight, scaled=scaled)
+    above, below = (other, one) if case.is_larger else (one, other)
+    quarters = 1 if case.is_larger else 2 * case.is_behind
+    is_backward = case.is_larger != case.is_behind
+
+    def sides(w: Series) -> tuple[Series, Series]:
+        (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)
+        start = arb.pi() * quarters / 2
+        return value, start - w.atan() if is_backward else start + w.atan()
+
+    bounds = _bound(straight, {above: None, below: 1.0}, low, high)
+    return _put_on(bounds, _enclose(sides, low, high))
+
+
+def _prove_small(kind: str) -> ErrorTable:
+    """Bound the arctangent of what is meant to be at most 1/sqrt(3)."""
+    (name,) = build(kind, DOUBLE).program.inputs
+    found = resolve(build(kind, DOUBLE).program, Case())
+    find_parities(found.straight, {name: ODD})
+    legal = float(np.nextafter((ONE / exactly(3.0)).sqrt().high, 1.0))
+    end = legal * BEYOND
+
+    def sides(y: Series) -> tuple[Series, Series]:
+        (value,) = run(found.straight, {name: y}, IN_BALLS)
+        return value, y.atan()
+
+    edges = np.linspace(0.0, end, PIECES + 1)
+    off = _enclose(sides, edges[:-1], edges[1:])
+    bounds = _put_on(_bound(found.straight, {name: None}, edges[:-1], edges[1:]), off)
+    return ErrorTable(edges, find_highest(bounds), legal=legal)
+
+
+_PROVED: Mapping[str, Callable[[str], ErrorTable]] = MappingProxyType(
+    {
+        **dict.fromkeys(ANGLES, _prove_angle),
+        "arctan_quotient": _prove_quotient,
+        "arctan2": _prove_direction,
+        "small_arctan": _prove_small,
+    }
+)

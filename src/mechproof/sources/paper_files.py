@@ -1,0 +1,184 @@
+r"""Files of a paper -> one text: LaTeX with what it inputs, or Markdown, without comments.
+
+The block of letters stands in comments (`%% mechproof` to `%% end`; in Markdown between
+`<!-- mechproof` and `-->`), or in a file beside the paper that is called like it, `.letters`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from mechproof.sources.located_text import Files, LocatedText, Place, join
+
+STDIN = "-"
+BESIDE = ".letters"
+MARKDOWN = (".md", ".markdown", ".mmd")
+# What the files of papers are called.
+SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
+_DEEPEST = 20
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+_VERBATIM = re.compile(r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}", re.DOTALL)
+# A branch of TeX, and its end.
+_BRANCH = re.compile(r"\\(?:(?!iff\b|ifthenelse)if[a-zA-Z]*|fi)(?![a-zA-Z])")
+_VERB = re.compile(r"\\verb\*?([^A-Za-z*\s]).*?\1")
+_END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
+_FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
+# A fenced formula is a display.
+_MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
+# A formula that is a line of its own is a display.
+_ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
+# What Markdown needs a backslash before, so that it is no emphasis.
+_ESCAPED = re.compile(r"\\(_)")
+_INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
+# How a block of letters begins, what its lines begin with, and how it ends.
+LATEX_BLOCK = "%% mechproof", "%% ", "%% end"
+MARKDOWN_BLOCK = "<!-- mechproof", "", "-->"
+_BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MULTILINE)
+_OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
+_HIDDEN = re.compile(r"^<!--\s*mechproof\s*$(.*?)^-->\s*$", re.DOTALL | re.MULTILINE)
+_LINE = re.compile(r"[^\n]+")
+_MARK = re.compile(r"%+\s?")
+
+
+class DocumentError(ValueError):
+    """A file of a paper, or its block of letters, cannot be read."""
+
+
+@dataclass
+class Source:
+    """The text of a paper, the lines of its blocks of letters, and what was not found."""
+
+    files: Files
+    text: LocatedText
+    lines: list[LocatedText] = field(default_factory=list)
+    has_block: bool = False
+    missing: list[tuple[Place, str]] = field(default_factory=list)
+
+
+def read_source(path: str, content: str | None = None) -> Source:
+    """Read a paper; `content` is what came from elsewhere, from stdin or a test.
+
+    Raises `DocumentError` for a file that cannot be read and for a block without an end.
+    """
+    source = Source(Files(), LocatedText("", ()))
+    folder = Path(path).resolve().parent if content is None else None
+    source.text = _read(path, _open(Path(path)) if content is None else content, source, folder, ())
+    beside = Path(path).with_suffix(BESIDE) if content is None else None
+    if beside and beside.is_file():
+        source.has_block = True
+        _take_lines(source.files.add(str(beside), _open(beside)), source)
+    return source
+
+
+def is_file(name: str) -> bool:
+    """Return whether there is a file; an equation may be no name at all."""
+    try:
+        return Path(name).is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def is_markdown_name(name: str) -> bool:
+    """Return whether a file is Markdown, by its name."""
+    return Path(name).suffix in MARKDOWN
+
+
+def _open(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "is not UTF-8"
+        raise DocumentError(f"{path}: {reason}") from error
+
+
+def _read(
+    name: str, content: str, source: Source, folder: Path | None, above: tuple[str, ...]
+) -> LocatedText:
+    """Return a file without comments, and in it the files that it inputs."""
+    text = source.files.add(name, content)
+    is_markdown = is_markdown_name(name)
+    patterns = (_HIDDEN, _BLOCK) if is_markdown else (_BLOCK,)
+    found = (match for pattern in patterns for match in pattern.finditer(content))
+    blocks = sorted(found, key=lambda match: match.start())
+    if len(blocks) < len(_OPENED.findall(content)):
+        *_, end = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
+        raise DocumentError(f"{name}: its block of letters has no end: a line {end}")
+    for match in blocks:
+        source.has_block = True
+        _take_lines(text[match.start(1) : match.end(1)], source)
+    if is_markdown:
+        shown = _show(text.replace(_BLOCK, lambda match: "\n"), _MATH)
+        shown = shown.replace(_FENCE, lambda match: "\n")
+        return _show(shown.replace(_ESCAPED, lambda match: match[1]), _ALONE)
+    plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
+    plain = _drop_false(plain.replace(_VERB, lambda match: " "))
+    if last := _END.search(plain.string):
+        plain = plain[: last.start()]
+    return _insert(plain, source, folder, (*above, name))
+
+
+def _drop_false(text: LocatedText) -> LocatedText:
+    r"""Leave out what stands between \iffalse and its \fi, with the branches inside."""
+    parts, last, depth = [], 0, 0
+    for match in _BRANCH.finditer(text.string):
+        if depth == 0 and match[0] == r"\iffalse":
+            parts.append(text[last : match.start()])
+            depth = 1
+        elif depth:
+            depth += -1 if match[0] == r"\fi" else 1
+            last = match.end()
+    return text if depth else join([*parts, text[last:]])
+
+
+def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
+    """Put what a pattern encloses between the dollars of a display."""
+    parts, last = [], 0
+    for match in pattern.finditer(text.string):
+        parts += [text[last : match.start()], text.put("$$", match.start())]
+        parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1) - 1)]
+        last = match.end()
+    return join([*parts, text[last:]])
+
+
+def _take_lines(block: LocatedText, source: Source) -> None:
+    for match in _LINE.finditer(block.string):
+        mark = _MARK.match(match[0].lstrip())
+        line = block[match.start() : match.end()].strip()
+        line = line[mark.end() :].strip() if mark else line
+        is_edge = line.string in ("mechproof", "end", *MARKDOWN_BLOCK)
+        if len(line) and not (is_edge or line.string.startswith("#")):
+            source.lines.append(line)
+
+
+def _insert(
+    text: LocatedText, source: Source, folder: Path | None, above: tuple[str, ...]
+) -> LocatedText:
+    parts, last = [], 0
+    for match in _INPUT.finditer(text.string):
+        parts.append(text[last : match.start()])
+        last = match.end()
+        place = source.files.locate(text.offsets[match.start()])
+        if file := _find(match[1], folder, above, place, source):
+            parts.append(_read(str(file), _open(file), source, folder, above))
+    return join([*parts, text[last:]])
+
+
+def _find(
+    name: str, folder: Path | None, above: tuple[str, ...], place: Place, source: Source
+) -> Path | None:
+    """Return the file that is input; one that is not inside the folder of the paper is told."""
+    if folder is None:
+        source.missing.append((place, f"{name} is not read: what is piped in has no folder"))
+        return None
+    for file in (folder / name, folder / f"{name}.tex"):
+        if not file.resolve().is_relative_to(folder):
+            source.missing.append((place, f"{name} is not read: it lies outside {folder}"))
+            return None
+        if file.is_file():
+            if len(above) > _DEEPEST:
+                raise DocumentError(f"{place}: files input each other, {_DEEPEST} deep")
+            return file
+    source.missing.append((place, f"{name} is not read: there is no such file"))
+    return None

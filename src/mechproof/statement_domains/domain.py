@@ -1,0 +1,349 @@
+"""Where a statement is meant to hold, and exact points inside it.
+
+The points are those of Halton's sequence (1960), of rational numbers and the same each time: any
+number of them is spread evenly, which random ones are not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from itertools import islice, product
+from types import MappingProxyType
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.record import NUMBER, Dimension, Paper, Part, PublishedSizes, RecordError, Toleranced
+from mechproof.record.parts import find_free, find_parts
+from mechproof.record.substitution import resolve
+from mechproof.statement_domains.dimension_inference import dimensions_of
+from mechproof.statement_domains.domain_checks import check_given, check_relation, check_set
+from mechproof.statement_domains.narrowing import Values, leaves_values, search
+from mechproof.statement_domains.set_values import (
+    contains,
+    list_closed_ends,
+    list_special_values,
+    place,
+    radical_inverse,
+)
+
+Point = dict[sp.Basic, sp.Expr]
+_NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
+_NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
+
+_TRIES_PER_POINT = 60
+# After so many tries without a point, points are searched for; how many are enough then.
+_BARREN = 80
+_FEW = 12
+# Angles at which a reader looks first.
+_ROUND_ANGLES = tuple(
+    sp.pi * sp.Rational(degrees, 180) for degrees in (30, 45, 60, 90, 120, 150, 180, 270, 360)
+)
+_ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
+# Points for each choice of sizes and angles: of what is neither, a few values.
+_EACH = 3
+# What tells how a letter is set.
+_SETTING = str.maketrans("", "", "\\{} ")
+
+
+@dataclass(frozen=True)
+class Domain:
+    """Sets of the free symbols, relations between them, and symbols given by others.
+
+    `published` and `usual` sizes and `dimensions` decide nothing: they say at which points a
+    difference is looked for first, and how it is shown.
+    """
+
+    within: Mapping[sp.Basic, sp.Set]
+    where: tuple[sp.Basic, ...]
+    given: Mapping[sp.Basic, sp.Expr]
+    published: tuple[PublishedSizes, ...] = field(default=(), compare=False)
+    dimensions: Mapping[sp.Basic, Dimension] = field(
+        default_factory=lambda: _NO_DIMENSIONS, compare=False
+    )
+    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: _NO_VALUES, compare=False)
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Of names and relations alone, once: SymPy takes long over the hash of a set."""
+        return hash((frozenset(self.within), self.where, frozenset(self.given)))
+
+    @classmethod
+    def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
+        """Build the domain of a paper, set anew by a part and narrowed to what lies `inside`.
+
+        Raises `RecordError` for sets, assumptions and relations that cannot be meant.
+        """
+        within = {v.symbol: v.within for v in paper.variables if v.given is None}
+        given = paper.given
+        parts = [part for part in (on, inside) if part]
+        named = [(symbol, values) for part in parts for symbol, values in part.within.items()]
+        for symbol, values in (*within.items(), *named):
+            check_set(symbol, values)
+        for symbol, definition in given.items():
+            check_given(symbol, definition)
+        for symbol in dict.fromkeys(symbol for symbol, _ in named if symbol in given):
+            _make_free(symbol, within, given)
+        within |= dict(on.within) if on else {}
+        for symbol, values in inside.within.items() if inside else ():
+            within[symbol] = within.get(symbol, sp.S.Reals).intersect(values)
+        where = paper.list_relations(*parts)
+        for relation in where:
+            check_relation(relation, {*within, *given})
+        domain = cls(within, (), given, paper.published, dimensions_of(paper), paper.usual)
+        resolved = tuple(domain.resolve(relation) for relation in where)
+        for relation, found in zip(where, resolved, strict=True):
+            if found == sp.false:
+                raise RecordError(f"the domain is empty: {relation} is always false")
+        return replace(domain, where=tuple(r for r in resolved if r != sp.true))
+
+    def resolve(self, expression: sp.Basic) -> sp.Basic:
+        """Substitute the given symbols until only free ones are left."""
+        return resolve(expression, self.given)
+
+    def set_of(self, symbol: sp.Basic) -> sp.Set:
+        """Return the set of a symbol (of its base, for an indexed one)."""
+        base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
+        return self.within.get(base, sp.S.Reals)
+
+    def with_set(self, symbol: sp.Basic, values: sp.Set) -> Domain:
+        """Return the domain on which a symbol of no relation has this set."""
+        where = tuple(relation for relation in self.where if symbol not in relation.free_symbols)
+        return replace(self, within={**self.within, symbol: values}, where=where)
+
+    def allows(self, point: Point) -> bool:
+        """Return whether no set and no relation that the point decides excludes it."""
+        relations = [r for r in self.where if find_free(r) <= point.keys()]
+        inside = (contains(self.set_of(s), v) != sp.false for s, v in point.items())
+        return all(inside) and _allowed(relations, point)
+
+    def is_interior(self, point: Point) -> bool:
+        """Return whether no value of the point is an end of its interval."""
+        return not any(v in list_closed_ends(self.set_of(s)) for s, v in point.items())
+
+    def points(
+        self,
+        symbols: list[sp.Basic],
+        count: int,
+        fixed: Values = _NO_VALUES,
+    ) -> list[Point]:
+        """Return `count` exact interior points, then the corners of closed finite ends.
+
+        `fixed` values are taken over. Raises `RecordError` if no point is found.
+        """
+        names, relations = self._connect(set(symbols) | fixed.keys(), fixed)
+        ordered = sorted(names - fixed.keys(), key=_plain)
+        wanted = count if ordered else 1
+        walk = self._walk(ordered, wanted)
+        first = self._complete(islice(walk, _BARREN), relations, fixed)
+        interior = list(islice(first, wanted))
+        if interior:
+            rest = self._complete(walk, relations, fixed)
+            interior += islice(rest, wanted - len(interior))
+        if len(interior) < wanted:
+            sets = {symbol: self.set_of(symbol) for symbol in ordered}
+            few = min(wanted - len(interior), _FEW)
+            found = self._complete(search(sets, relations, fixed, few), relations, fixed)
+            interior += islice((point for point in found if point not in interior), few)
+        if not interior:
+            raise RecordError(f"no point found in the domain where {_say(relations)}: is it empty?")
+        corners = self._corners({s: interior[0][s] for s in ordered})
+        return interior + list(self._complete(corners, relations, fixed))
+
+    def _complete(
+        self, points: Iterable[Point], relations: list[sp.Basic], fixed: Values
+    ) -> Iterator[Point]:
+        """Yield those of the points that all relations allow, with the fixed values."""
+        free = [relation for relation in relations if relation.args[0] not in fixed]
+        tied = (_tie(free, {**fixed, **point}) for point in points)
+        return (point for point in tied if _allowed(relations, point))
+
+    def reaches(self, chosen: Point) -> bool:
+        """Return whether a point with these values is found, for all that relations tie to them."""
+        names, relations = self._connect(set(chosen), chosen)
+        sets = {symbol: self.set_of(symbol) for symbol in names - chosen.keys()}
+        if not relations:
+            return True
+        if not leaves_values(sets, relations, chosen):
+            return False
+        with suppress(RecordError):
+            return bool(self.points(list(chosen), 1, chosen))
+        return False
+
+    def points_at(
+        self,
+        sizes: Mapping[sp.Basic, sp.Expr],
+        symbols: list[sp.Basic],
+        fixed: Values = _NO_VALUES,
+    ) -> Iterator[Point]:
+        """Yield points at sizes and round angles; what is neither is any value inside.
+
+        Nothing comes of sizes that the domain does not allow, and where nothing is known.
+        """
+        names, _ = self._connect(set(symbols) | fixed.keys(), fixed)
+        known = {s: value for s, value in sizes.items() if s in names}
+        if not self.allows(known) or (sizes and not known):
+            return
+        for angles in self._round_angles(names - known.keys() - fixed.keys()):
+            with suppress(ValueError):
+                if known or angles:
+                    yield from self.points(symbols, _EACH, {**fixed, **known, **angles})[:_EACH]
+
+    def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
+        """Yield unlike round angles for the angles among the symbols; nothing for none of them."""
+        free = sorted((s for s in symbols if self.dimension_of(s).is_angle), key=str)
+        inside = {s: [a for a in _ROUND_ANGLES if contains(self.set_of(s), a)] for s in free}
+        allowed = [(s, values) for s, values in inside.items() if values]
+        for turn in range(max((len(values) for _, values in allowed), default=1)):
+            yield {s: values[(turn + k) % len(values)] for k, (s, values) in enumerate(allowed)}
+
+    def dimension_of(self, symbol: sp.Basic) -> Dimension:
+        """Return the dimension of a symbol (of its base, for an indexed one)."""
+        base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
+        return self.dimensions.get(base, NUMBER)
+
+    def _connect(self, names: set[sp.Basic], fixed: Values) -> tuple[set[sp.Basic], list[sp.Basic]]:
+        """Add the symbols that relations tie to the names, through others too, and the relations.
+
+        Relations of families are taken for the elements whose numbers are among the names.
+        """
+        indices = {k for s in names if isinstance(s, sp.Indexed) for k in s.indices}
+        numbers = sorted(indices, key=sp.default_sort_key)
+        stated = dict.fromkeys(r for whole in self.where for r in _write(whole, numbers, fixed))
+        tied: list[sp.Basic] = []
+        for _ in stated:
+            tied = [relation for relation in stated if _symbols(relation) & names]
+            names = names.union(*map(_symbols, tied))
+        return names, tied
+
+    def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
+        tries = count * (_TRIES_PER_POINT if self.where else 1)
+        for step in range(1, tries + 1):
+            yield {
+                symbol: place(self.set_of(symbol), radical_inverse(step, sp.prime(k)), step)
+                for k, symbol in enumerate(ordered, start=1)
+            }
+
+    def special_points(self, inside: Point, landmarks: Sequence[sp.Expr] = ()) -> list[Point]:
+        """Return points that differ from one inside by zero, one, fractions of a turn, ends.
+
+        With landmarks also by these, one symbol at a time, counts included.
+        """
+        found = {s: list_special_values(self.set_of(s)) for s in inside if not s.is_integer}
+        single = [{**inside, s: value} for s, values in found.items() for value in values]
+        single += [
+            {**inside, s: value}
+            for s in inside
+            for value in landmarks
+            if contains(self.set_of(s), value) == sp.true
+        ]
+        longest = max(map(len, found.values()), default=0)
+        joint = [
+            {**inside, **{s: values[k % len(values)] for s, values in found.items() if values}}
+            for k in range(longest)
+        ]
+        small = [[v for v in (sp.S.Zero, sp.S.One, -sp.S.One) if v in found[s]] for s in found]
+        if 1 < len(small) <= 3:
+            joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
+        counts = {s: value for s, value in inside.items() if s.is_integer}
+        _, tied = self._connect(set(inside), counts)
+        relations = [relation for relation in tied if _symbols(relation) <= inside.keys()]
+        return list(self._complete(single + joint, relations, {}))
+
+    def _corners(self, inside: Point) -> Iterator[Point]:
+        ends = {symbol: list_closed_ends(self.set_of(symbol)) for symbol in inside}
+        for symbol, values in ends.items():
+            for value in values:
+                yield {**inside, symbol: value}
+        several = [s for s in ends if ends[s]]
+        if 1 < len(several) <= 4:
+            for corner in product(*(ends[s] for s in several)):
+                yield {**inside, **dict(zip(several, corner, strict=True))}
+
+
+def sizes_of(published: PublishedSizes) -> Point:
+    """Return the published sizes, nominal ones where there are limits."""
+    return {
+        symbol: size.nominal if isinstance(size, Toleranced) else sp.sympify(size)
+        for symbol, size in published.sizes.items()
+    }
+
+
+def _make_free(
+    symbol: sp.Basic, within: dict[sp.Basic, sp.Set], given: dict[sp.Basic, sp.Expr]
+) -> None:
+    """Turn x = g(phi, ...) round into phi = h(x, ...), phi being linear in g and unrestricted."""
+    definition = given.pop(symbol)
+    for candidate in sorted(definition.free_symbols, key=str):
+        slope = sp.diff(definition, candidate)
+        if within.get(candidate) == sp.S.Reals and slope != 0 and not slope.has(candidate):
+            rest = definition.subs(candidate, 0)
+            given[candidate] = (symbol - rest) / slope
+            del within[candidate]
+            within[symbol] = sp.S.Reals
+            return
+    raise RecordError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
+
+
+@lru_cache(maxsize=512)
+def _symbols(relation: sp.Basic) -> frozenset[sp.Basic]:
+    """Return the elements and the symbols of a relation, without the labels of its elements."""
+    items = find_parts(relation, sp.Indexed)
+    labels = {item.base.label for item in items} | find_parts(relation, sp.IndexedBase)
+    return frozenset(items | (find_free(relation) - labels))
+
+
+def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterator[sp.Basic]:
+    """Yield a relation for the elements of families with these numbers, any other as it stands."""
+    if not relation.has(sp.Indexed):
+        yield relation
+        return
+    written = relation
+    if relation.has(sp.Sum):
+        met = find_free(relation)
+        written = _write_sums(relation, tuple((s, v) for s, v in fixed.items() if s in met))
+    if written.has(sp.Sum):
+        return
+    free = {k for item in written.atoms(sp.Indexed) for k in item.indices if k.is_Symbol}
+    for values in product(numbers, repeat=len(free)):
+        one = written.xreplace(dict(zip(sorted(free, key=str), values, strict=True)))
+        if one.atoms(sp.Indexed):
+            yield one
+
+
+@lru_cache(maxsize=512)
+def _write_sums(relation: sp.Basic, fixed: tuple[tuple[sp.Basic, sp.Expr], ...]) -> sp.Basic:
+    """Write the sums of a relation out; those of a domain are met at every point of every row."""
+    return relation.subs(fixed).doit()
+
+
+def _plain(symbol: sp.Basic) -> str:
+    """Return a name without what sets it: how a letter is set tells no values."""
+    return str(symbol).translate(_SETTING)
+
+
+def _say(relations: list[sp.Basic]) -> str:
+    return " and ".join(map(str, relations)) or "its sets"
+
+
+def _tie(relations: list[sp.Basic], point: Point) -> Point:
+    """Give elements on the left of an equation the values that it gives them."""
+    for relation in relations:
+        if isinstance(relation, sp.Eq) and relation.lhs in point:
+            point = {**point, relation.lhs: relation.rhs.xreplace(point)}
+    return point
+
+
+def _allowed(relations: list[sp.Basic], point: Point) -> bool:
+    return all(
+        # Equal fractions are equal, whatever their balls say.
+        (isinstance(relation, sp.Eq) and relation.xreplace(point) == sp.true)
+        or balls.truth(relation, point) is True
+        for relation in relations
+    )
