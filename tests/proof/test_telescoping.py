@@ -33,6 +33,16 @@ TABLES = {
         (r"\sum_{k=1}^nk\binom nk=n\cdot2^{n-1}", r"\sum_{k=1}^nk\binom nk=n\cdot2^n-n", ""),
         (r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}", r"\sum_{k=0}^nk\binom nk=n\cdot2^{n-1}+n-1", ""),
         (
+            r"\sum_{k=0}^nk^2\binom nk=n(n+1)2^{n-2}",
+            r"\sum_{k=0}^nk^2\binom nk=n(n+1)2^{n-2}+n-1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^nk^3\binom nk=n^2(n+3)2^{n-3}",
+            r"\sum_{k=0}^nk^3\binom nk=n(n+3)2^{n-2}",
+            "",
+        ),
+        (
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{n+1}",
             r"\sum_{k=0}^n\frac{(-1)^k}{k+1}\binom nk=\frac1{2n}",
             "",

@@ -22,7 +22,7 @@ from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare
 
-# Work limits: factorials in a term, and coefficients of a polynomial.
+# Work limits: factorials in a term, and coefficients of a polynomial beside those of a factor.
 _MOST_FACTORIALS = 6
 _MOST_UNKNOWN = 4
 RUNG = "Wilf-Zeilberger pair"
@@ -120,24 +120,32 @@ def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
 def _find_part(step: sp.Expr, term: sp.Expr, k: sp.Symbol, domain: Domain) -> sp.Expr | None:
     """Return R for which step*term is shown to be the difference of R*term, None for none."""
     growth = reduce_quotient(term.subs(k, k + 1) / term)
-    part = None if growth is None else _solve(step, growth, k)
+    part = None if growth is None else _solve(step, growth, _find_polynomial(term, k), k)
     if growth is None or part is None:
         return None
     return part if decide_equal(part.subs(k, k + 1) * growth - part, step, domain) else None
 
 
-def _solve(step: sp.Expr, growth: sp.Expr, k: sp.Symbol) -> sp.Expr | None:
-    """Solve for R = v(k - 1)*P/w, P a polynomial, v and w what growth and step are divided by.
+def _find_polynomial(term: sp.Expr, k: sp.Symbol) -> sp.Expr:
+    """Return the factors of a term that are polynomials in k."""
+    return sp.Mul(*(f for f in sp.Mul.make_args(term) if f.has(k) and f.is_polynomial(k)))
 
-    That is faster than Gosper's algorithm where factors are squares.
+
+def _solve(step: sp.Expr, growth: sp.Expr, factor: sp.Expr, k: sp.Symbol) -> sp.Expr | None:
+    """Solve for R = v(k - 1)*P/(f*w), P a polynomial, f the factor of the term that is one.
+
+    v and w are what the growth of the rest and the step are divided by. That is faster than
+    Gosper's algorithm where factors are squares.
     """
-    unknown = sp.symbols(f"c:{_MOST_UNKNOWN}", cls=sp.Dummy)
-    form = sp.denom(growth).subs(k, k - 1) / sp.denom(step)
+    rest = sp.cancel(growth * factor / factor.subs(k, k + 1))
+    form = sp.denom(rest).subs(k, k - 1) / (factor * sp.denom(step))
+    count = _MOST_UNKNOWN + sp.degree(factor, k)
+    unknown = sp.symbols(f"c:{count}", cls=sp.Dummy)
     form *= sp.Add(*(c * k**power for power, c in enumerate(unknown)))
     # The unknowns stand in the identity linearly: its numerator gives one equation for each power
     # of k.
-    rest = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - step))
-    found = next(iter(sp.linsolve(sp.Poly(rest, k).coeffs(), unknown)), None)
+    left = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - step))
+    found = next(iter(sp.linsolve(sp.Poly(left, k).coeffs(), unknown)), None)
     values = {} if found is None else dict(zip(unknown, found, strict=True))
     return form.xreplace(values).subs(dict.fromkeys(unknown, 0)) if values else None
 
