@@ -129,10 +129,15 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
 
 
 def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
-    """Return the product of limits that are no infinities, and 0 where its logarithm says so."""
+    """Return the product of limits, also infinite ones; 0 where its logarithm says so."""
     limits = [_find(factor, domain, depth) for factor in node.args]
-    if all(limit is not None and not limit.is_infinite for limit in limits):
-        return sp.Mul(*limits)
+    known = [limit for limit in limits if limit is not None]
+    if len(known) == len(limits):
+        if not any(limit.is_infinite for limit in known):
+            return sp.Mul(*known)
+        ways = [way for limit in known if (way := _direction(limit, domain))]
+        if len(ways) == len(known):
+            return sp.Mul(*ways) * sp.oo
     if (found := _find_like(node, domain, depth)) is not None:
         return found
     _, rest = node.as_independent(_Y)
