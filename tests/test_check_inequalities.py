@@ -50,6 +50,10 @@ PROVED = [
     (r"\frac{x-a}x<\ln\frac xa", ("x>a>0",)),
     (r"\sqrt{l^2-r^2}>l-r", ("l>r>0",)),
     (r"\sqrt x-\sqrt a<\frac{x-a}{2\sqrt a}", ("x>a>0",)),
+    # Of integrals and endless sums, by their values.
+    (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx>1", ()),
+    (r"\int_0^1\frac{dx}{\sqrt x}\le2", ()),
+    (r"\sum_{n=1}^\infty\frac1{n^2}<2", ()),
 ]
 NOT_PROVED = [
     # Others are said not to be equal, or that is not enough.
@@ -89,6 +93,11 @@ NOT_PROVED = [
     (r"\frac{x-a}x<\ln\frac xa", (r"x\ge a>0",)),
     (r"\sqrt{l^2-r^2}>l-r", (r"l\ge r>0",)),
     ("x^2<y^2", ("x<y",)),
+    # A peak that is narrow; a value that is met; none.
+    (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx<1", ()),
+    (r"\int_0^1\frac{dx}{\sqrt x}<2", ()),
+    (r"\sum_{n=1}^\infty\frac1{n^2}<\frac{164}{100}", ()),
+    (r"\int_0^1\frac{dx}x<2", ()),
 ]
 
 

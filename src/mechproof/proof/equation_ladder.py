@@ -86,6 +86,16 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
     return _decide_scalars(printed, rebuilt, domain)
 
 
+def settle_all(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
+    """Put the values of integrals and endless sums in their places; name the rungs that do."""
+    rungs = []
+    for rung, settle in _SETTLED.items():
+        settled = tuple(settle(side, domain) for side in sides)
+        if settled != (*sides,):
+            sides, rungs = settled, [*rungs, rung]
+    return (*sides,), rungs
+
+
 def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     shapes = [getattr(side, "shape", "of a number") for side in (printed, rebuilt)]
     if shapes[0] != shapes[1]:

@@ -19,7 +19,7 @@ from mechproof.proof import newton
 from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
 from mechproof.proof.divergence import RUNG as DIVERGENCE
-from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides
+from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_all
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
 from mechproof.proof.inequality_ladder import prove_relation
 from mechproof.proof.reasons import (
@@ -107,8 +107,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if relation in (sp.true, sp.false) or not find_free(relation):
         if any(inside):
             return Answer(Verdict.UNDECIDED, "none", tell_inside(inside))
-        sign = getattr(statement.relation, "rel_op", "")
-        return decide_exact(relation, resolve_sides(statement.relation, domain), sign)
+        return _decide_numbers(statement.relation, relation, domain)
     if isinstance(relation, sp.Equality):
         return decide_sides(relation.lhs, relation.rhs, domain)
     # What points refute need not be tried by every rung.
@@ -133,7 +132,18 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
     if not isinstance(relation, Relational):
         return domain.resolve(relation)
     sides = [put_in(side, domain) for side in relation.args]
-    return relation if sides == [*relation.args] else relation.func(*sides)
+    # SymPy would compare integrals by values that it does not bound.
+    return relation.func(*sides, evaluate=False)
+
+
+def _decide_numbers(printed: sp.Basic, relation: sp.Basic, domain: Domain) -> Answer:
+    """Decide a relation without letters, with the values of its integrals and endless sums."""
+    sides, rungs = settle_all(resolve_sides(printed, domain), domain)
+    if rungs:
+        settled, _ = settle_all(relation.args, domain)
+        relation = relation.func(*settled, evaluate=False)
+    answer = decide_exact(relation, sides, getattr(printed, "rel_op", ""))
+    return replace(answer, rung=", ".join([*rungs, answer.rung]))
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
