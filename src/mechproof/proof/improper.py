@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.proof.coordinates import write_by_sines
+from mechproof.proof.coordinates import parametrise, write_by_sines
 
 _MOST_ZEROS = 12
 
@@ -41,12 +41,20 @@ def is_iterated(integral: sp.Integral) -> bool:
 def list_poles(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
-    """List numbers between the limits at which the integrand is divided by zero."""
-    below = sp.Mul.make_args(sp.fraction(sp.together(write_by_sines(integrand)))[1])
+    """List places between the limits at which the integrand is divided by zero.
+
+    Between limits with letters they are found where the variable is written by a number.
+    """
+    place, ends = variable, (lower, upper)
+    if not (lower.is_number and upper.is_number):
+        place, run = parametrise(variable, lower, upper)
+        integrand, ends = integrand.subs(variable, place), (run.start, run.end)
+    divisor = sp.fraction(sp.together(write_by_sines(integrand)))[1]
+    below = sp.Mul.make_args(divisor if place == variable else sp.factor_terms(divisor))
     bases = [factor.as_base_exp()[0] for factor in below]
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
-    poles = {zero for base in bases for zero in list_zeros_between(base, variable, lower, upper)}
-    return sorted(poles, key=sp.N)
+    poles = {zero for base in bases for zero in list_zeros_between(base, variable, *ends)}
+    return [place.subs(variable, pole) for pole in sorted(poles, key=sp.N)]
 
 
 def list_zeros_between(
