@@ -74,6 +74,8 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^\infty\frac{\sin x}xdx=%s", r"\frac\pi2", r"\pi", ()),
+    (r"\int_{-1}^1\frac{\sin x}xdx=%s", r"2\mathrm{Si}(1)", r"\mathrm{Si}(1)", ()),
+    (r"\int_{-a}^a\frac{\sin x}xdx=%s", r"2\int_0^a\frac{\sin x}xdx", "0", ("a>0",)),
     (r"\int_{-\infty}^\infty\frac{\sin x}xdx=%s", r"\pi", r"\frac\pi2", ()),
     (r"\int_0^\infty\frac{\sin ax}xdx=%s", r"\frac\pi2", r"\frac\pi{2a}", ("a>0",)),
     (r"\int_0^\infty\frac{\sin^2x}{x^2}dx=%s", r"\frac\pi2", r"\pi", ()),
@@ -212,6 +214,8 @@ NOT_SAID = [
 ]
 # What does not converge, with what a number is printed for.
 DIVERGENT = [
+    (r"\int_{-a}^a\frac{dx}x=0", ("a>0",)),
+    (r"\int_0^{2a}\frac{dx}{x-a}=0", ("a<0",)),
     (r"\int_{-1}^1\frac{dx}x=0", ()),
     (r"\int_0^\pi\tan x\,dx=0", ()),
     (r"\int_0^2\frac x{x^2-1}dx=\frac12\ln3", ()),

@@ -33,17 +33,17 @@ CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
 }
 
 ENTIRE = (
-    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
+    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc, sp.Si),
     *(sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
 )
 
-# Flint calls them as SymPy does.
+# Flint calls them as SymPy does, in small letters.
 _ALIKE = (
     *(*ENTIRE, sp.log, sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
     *(sp.sinc, sp.floor, sp.zeta, sp.gamma),
 )
 FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
-    **{kind: methodcaller(kind.__name__) for kind in _ALIKE},
+    **{kind: methodcaller(kind.__name__.lower()) for kind in _ALIKE},
     # Flint gives [-pi, pi] where the vector may be zero, which has no argument.
     sp.atan2: lambda y, x: NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x),
     sp.factorial: lambda x: (x + 1).gamma(),

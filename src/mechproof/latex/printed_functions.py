@@ -50,6 +50,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.sign: ("sgn", "sign"),
     sp.erf: ("erf",),
     sp.erfc: ("erfc",),
+    sp.Si: ("Si",),
     sp.Max: ("max",),
     sp.Min: ("min",),
 }
