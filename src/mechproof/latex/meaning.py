@@ -74,6 +74,7 @@ from mechproof.record import (
     list_divisors,
     list_partial,
 )
+from mechproof.record.estimates import without_estimates
 
 LARGEST_EXPONENT = 1000
 _UNFIT = "numbers, matrices or their shapes do not fit together here"
@@ -117,6 +118,7 @@ class Meaning:
         self.divisors: dict[sp.Expr, sp.Expr] = {}
         self.lost: dict[sp.Expr, None] = {}
 
+    @without_estimates()
     def side(self, node: Node) -> Any:
         """Return the expression of a node, with the parts that SymPy has cancelled as its needs.
 

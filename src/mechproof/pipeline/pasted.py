@@ -42,6 +42,7 @@ from mechproof.record import (
     Row,
     Variable,
 )
+from mechproof.record.estimates import without_estimates
 from mechproof.record.parts import find_bound
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
@@ -117,6 +118,7 @@ def judge_equation(
     return judge_pasted(pasted)
 
 
+@without_estimates()
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read.
 

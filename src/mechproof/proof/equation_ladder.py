@@ -86,7 +86,7 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
     return _decide_scalars(printed, rebuilt, domain)
 
 
-def settle_all(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
+def settle_sides(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
     """Put the values of integrals and endless sums in their places; name the rungs that do."""
     rungs = []
     for rung, settle in _SETTLED.items():

@@ -17,6 +17,7 @@ from mechproof.proof.statement_checks import check_statement
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement
+from mechproof.record.estimates import without_estimates
 from mechproof.statement_domains.dimension_inference import dimensions_of
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import COUNTS
@@ -31,6 +32,7 @@ _TOLD: Mapping[type[Exception], str] = {
 }
 
 
+@without_estimates()
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 

@@ -19,7 +19,7 @@ from mechproof.proof import newton
 from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
 from mechproof.proof.divergence import RUNG as DIVERGENCE
-from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_all
+from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_sides
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
 from mechproof.proof.inequality_ladder import prove_relation
 from mechproof.proof.reasons import (
@@ -46,6 +46,7 @@ from mechproof.record import (
     Statement,
     Unwritten,
 )
+from mechproof.record.estimates import without_estimates
 from mechproof.record.parts import find_free, has_parts
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
@@ -57,6 +58,7 @@ BOUND_AGREE = "bound symbols agree"
 AGREE = f"dimensions and {BOUND_AGREE}"
 
 
+@without_estimates()
 def decide(statement: Statement, domain: Domain) -> Answer:
     """Decide one statement on one domain."""
     return _RULES[type(statement)](statement, domain)
@@ -138,9 +140,9 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
 
 def _decide_numbers(printed: sp.Basic, relation: sp.Basic, domain: Domain) -> Answer:
     """Decide a relation without letters, with the values of its integrals and endless sums."""
-    sides, rungs = settle_all(resolve_sides(printed, domain), domain)
+    sides, rungs = settle_sides(resolve_sides(printed, domain), domain)
     if rungs:
-        settled, _ = settle_all(relation.args, domain)
+        settled, _ = settle_sides(relation.args, domain)
         relation = relation.func(*settled, evaluate=False)
     answer = decide_exact(relation, sides, getattr(printed, "rel_op", ""))
     return replace(answer, rung=", ".join([*rungs, answer.rung]))
