@@ -88,7 +88,7 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
 
 def settle_sides(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
     """Put the values of integrals and endless sums in their places; name the rungs that do."""
-    rungs = []
+    rungs: list[str] = []
     for rung, settle in _SETTLED.items():
         settled = tuple(settle(side, domain) for side in sides)
         if settled != (*sides,):

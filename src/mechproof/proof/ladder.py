@@ -170,6 +170,12 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     return Answer(Verdict.PROVED, rung, reason, evidence)
 
 
+def _decide_printed_number(statement: PrintedNumber, domain: Domain) -> Answer:
+    (value,), rungs = settle_sides((domain.resolve(statement.value),), domain)
+    answer = decide_number(statement, value)
+    return replace(answer, rung=", ".join([*rungs, answer.rung]))
+
+
 def _decide_completions(statement: Completions, domain: Domain) -> Answer:
     sides = (statement.first, statement.second)
     answers = [_decide_completion(side, statement.missing, domain) for side in sides]
@@ -200,9 +206,7 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     Equality: _decide_equality,
     Distinct: _decide_distinct,
     Holds: _decide_relation,
-    PrintedNumber: lambda statement, domain: decide_number(
-        statement, domain.resolve(statement.value)
-    ),
+    PrintedNumber: _decide_printed_number,
     Definition: lambda statement, domain: Answer(
         Verdict.DEFINITION, "definition", f"introduces a symbol; {AGREE}"
     ),
