@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from sympy import (
+    Derivative,
     Eq,
     Ge,
     Gt,
@@ -64,6 +65,10 @@ i, j, n = symbols("i j n", integer=True)
 PICKED = Sum(KroneckerDelta(i, j) * q[i] * q[j], (i, 1, n), (j, 1, n))
 WITHIN = (Lt(0, x, evaluate=False), Lt(0, y, evaluate=False), *SHARE)
 TURN = (Lt(x, 1, evaluate=False), Lt(0, x, evaluate=False))
+RATIO = (1 - e**2) / (1 - e * cos(x))
+POLE = Ne(1 - e * cos(x), 0)
+APART = Lt(0, y**2 - x**2, evaluate=False)
+TURNING = 2 * tan(x) / (1 + 4 * x**2) + atan(2 * x) / cos(x) ** 2
 
 
 def state(conclusion: object, *hypotheses: object) -> Theorem:
@@ -103,6 +108,18 @@ PAIRS = {
     "hypothesis": (
         state(equal(sqrt(x**2), x), Ge(x, 0, evaluate=False)),
         state(equal(sqrt(x**2), x)),
+    ),
+    "derivative": (
+        state(equal(Derivative(RATIO, x), RATIO * e * sin(x) / (e * cos(x) - 1)), *SHARE, POLE),
+        state(equal(Derivative(RATIO, x), RATIO * e * sin(x) / (1 - e * cos(x))), *SHARE, POLE),
+    ),
+    "derivative of a root": (
+        state(equal(Derivative(sqrt(y**2 - x**2), x), -x / sqrt(y**2 - x**2)), *WITHIN[:2], APART),
+        state(equal(Derivative(sqrt(y**2 - x**2), x), x / sqrt(y**2 - x**2)), *WITHIN[:2], APART),
+    ),
+    "derivative of an arctangent": (
+        state(equal(Derivative(atan(2 * x) * tan(x), x), TURNING), Ne(cos(x), 0)),
+        state(equal(Derivative(atan(3 * x) * tan(x), x), TURNING), Ne(cos(x), 0)),
     ),
     "quotient": (
         state(equal(sqrt(1 - x**2 / y**2), sqrt(y**2 - x**2) / y), *LENGTHS),

@@ -14,6 +14,7 @@ from mechproof.coq.theorems import build_theorems
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     ANGLE,
+    Differentiated,
     Distinct,
     Equality,
     Equation,
@@ -29,6 +30,8 @@ e, x = symbols("e x", real=True)
 EQUAL = Equality(sin(x) ** 2 / (1 - e), (1 - cos(x) ** 2) / (1 - e))
 RATIO = Holds(sp.Lt((1 - e) / (1 + e), 2, evaluate=False))
 NUMBER = PrintedNumber("1.414", sqrt(2))
+WAVE = sin(x) ** 2 / (1 - e)
+SLOPE = Equality(WAVE.diff(x), WAVE.diff(x), differentiated=Differentiated(WAVE, (x,)))
 
 
 def write(statement: object, verdict: Verdict = Verdict.PROVED, where: tuple = ()) -> tuple:
@@ -39,7 +42,7 @@ def write(statement: object, verdict: Verdict = Verdict.PROVED, where: tuple = (
     return write_script("mine", theorems), theorems
 
 
-@pytest.mark.parametrize("statement", [EQUAL, RATIO, NUMBER])
+@pytest.mark.parametrize("statement", [EQUAL, RATIO, NUMBER, SLOPE])
 def test_a_script_says_what_it_was_written_from(statement: object) -> None:
     text, theorems = write(statement)
     compare_script(text, theorems)
@@ -58,6 +61,10 @@ def test_a_script_says_what_it_was_written_from(statement: object) -> None:
         (RATIO, "1 + ", "1 - "),
         (RATIO, "< 2)", "< 3)"),
         (NUMBER, "2000", "20000"),
+        (SLOPE, "(sin x) ^ 2", "(sin x) ^ 3"),
+        (SLOPE, "(is_derive (fun x : R => ", "(is_derive (fun e : R => "),
+        (SLOPE, ")))) x (", ")))) e ("),
+        (SLOPE, "(2 * ", "((- 2) * "),
     ],
 )
 def test_a_changed_script_is_refused(statement: object, old: str, new: str) -> None:
@@ -65,6 +72,27 @@ def test_a_changed_script_is_refused(statement: object, old: str, new: str) -> N
     assert old in text
     with pytest.raises(ReadBackError):
         compare_script(text.replace(old, new), theorems)
+
+
+@pytest.mark.parametrize(
+    ("function", "rebuilt", "is_stated"),
+    [
+        (WAVE, WAVE.diff(x), True),
+        (WAVE, 2 * sin(x) * sqrt(1 - sin(x) ** 2) / (1 - e), False),
+        (sp.Abs(sin(x)), sp.Integer(0), False),
+        (sqrt(1 + sqrt(1 + x**2)), sqrt(1 + sqrt(1 + x**2)).diff(x), False),
+        (sqrt(1 + sqrt(2 + e)) * x, sqrt(1 + sqrt(2 + e)), True),
+        (e + sp.Piecewise((x, x < 0), (2 * x, True)), S.One, False),
+        (cos(e), S.Zero, False),
+    ],
+)
+def test_a_slope_is_stated_where_both_sides_are_one(
+    function: sp.Expr, rebuilt: sp.Expr, is_stated: bool
+) -> None:
+    slope = WAVE.diff(x) if function is WAVE else rebuilt
+    differentiated = Differentiated(function, (x,))
+    _, theorems = write(Equality(slope, rebuilt, differentiated=differentiated))
+    assert [t.conclusion.has(sp.Derivative) for t in theorems] == [is_stated]
 
 
 def test_letters_with_one_published_value_are_told_apart() -> None:

@@ -17,10 +17,11 @@ from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import Enclosure, Solved
 from mechproof.programs.kernel import Kernel, build_functions, list_functions, name_rival
 from mechproof.programs.raising import WrittenForm
-from mechproof.programs.reverse_mode import differentiate
+from mechproof.programs.reverse_mode import differentiate, select_wanted
 from mechproof.record import (
     Claim,
     Conjunction,
+    Differentiated,
     EmittedForm,
     Equality,
     Form,
@@ -69,10 +70,22 @@ def derivative_rows(paper: Paper) -> tuple[Row, ...]:
     """Return the rows of the derivatives: what their source computes. It is read back first."""
     derived = differentiate(paper)
     kernels = read_derivatives_back(paper)
+    wanted = {quantity.name: quantity for quantity in select_wanted(paper)}
     rows = (
-        row for kernel in kernels for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
+        _note_differentiated(row, wanted[kernel.quantity.name])
+        for kernel in kernels
+        for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
     )
     return tuple(_tell_derivatives(row) for row in rows)
+
+
+def _note_differentiated(row: Row, quantity: Quantity) -> Row:
+    """Say of what an equality with derivatives has them."""
+    if not isinstance(row.says, Equality):
+        return row
+    letters = tuple(argument.symbols[0] for argument in quantity.arguments)
+    differentiated = Differentiated(quantity.definition, letters)
+    return replace(row, says=replace(row.says, differentiated=differentiated))
 
 
 def _tell_derivatives(row: Row) -> Row:

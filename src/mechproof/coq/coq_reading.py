@@ -158,7 +158,9 @@ class _Parser:
         return Joined(sign, tuple(found)) if sign else found[0]
 
     def relation(self) -> Read:
-        """Read two terms and the sign between them, or relations in parentheses."""
+        """Read two terms and the sign between them, a derivative, or relations in parentheses."""
+        if self.next == "is_derive":
+            return self.derivative()
         start = self.at
         try:
             left = self.sum()
@@ -170,6 +172,15 @@ class _Parser:
             self.take(")")
             return replace(inner, is_enclosed=True) if isinstance(inner, Joined) else inner
         return relate(left, self.sum(), evaluate=False)
+
+    def derivative(self) -> sp.Basic:
+        """Read that a function has a derivative where its own letter is: the same one outside."""
+        self.take("is_derive")
+        letter, body = self.function("R")
+        place, slope = self.atom(), self.atom()
+        if place != letter:
+            raise ValueError(f"Coq text: the derivative by {letter} at {place}")
+        return sp.Eq(sp.Derivative(body, letter, evaluate=False), slope, evaluate=False)
 
     def sum(self) -> sp.Expr:
         """Read terms with plus and minus between them."""

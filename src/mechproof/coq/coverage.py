@@ -31,9 +31,11 @@ each piece, under its condition; sums go to any whole number, over families of a
 file is read back from its text by a reader of its own and compared with the row before it is
 written.
 
-Of some rows a theorem says no more than A = A: both sides are one formula once they are read and
-worked out, as where a form is what the paper prints, or where SymPy has taken a derivative. Coq
-adds nothing to what was read then, so that they are counted apart.
+Where both sides are one formula that is the derivative of a known one, the theorem says so, and Coq
+differentiates, too. Of some rows a theorem says no more than A = A: both sides are one formula once
+they are read and worked out, as where a form is what the paper prints, or where SymPy has taken a
+derivative of what the row does not name. Coq adds nothing to what was read then, so that they are
+counted apart.
 
 No file has an axiom of its own. What the theorems rest on is what Coq's real numbers rest on
 ({assumed}) and, where numbers are computed, the machine integers and floats of coq-interval

@@ -11,7 +11,7 @@ from importlib.resources import files
 LIBRARIES = ("Mechproof", "Calculus", "Sums")
 _NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
 # What a library takes from others and scripts use by its name.
-_EXPORTED = {"Calculus": ("RInt",)}
+_EXPORTED = {"Calculus": ("RInt", "is_derive")}
 
 
 @cache

@@ -19,6 +19,8 @@ from mechproof.coq.families import has_families
 from mechproof.coq.first_tactics import EstablishedFacts, introduce, turn_right
 from mechproof.coq.roots_of_quotients import clear_roots, open_arctangents
 from mechproof.coq.sign_proofs import BITS, ORDERED, find_factors, prove_order, write_product
+from mechproof.coq.slope_proofs import prove_slope
+from mechproof.coq.slope_statements import states_slope
 from mechproof.coq.terms import Names, write_relation, write_term
 from mechproof.coq.theorems import Theorem
 from mechproof.record.parts import find_parts
@@ -38,6 +40,8 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
         return [prove_at_point((theorem.conclusion, *theorem.hypotheses))]
     if is_the_same(theorem.conclusion, names):
         return [introduce(theorem, names), "reflexivity."]
+    if states_slope(theorem.conclusion):
+        return prove_slope(theorem, names)
     theorem, opened = open_arctangents(theorem, names)
     if not opened and (find_parts(theorem.conclusion, sp.Integral) or _has_other_angles(theorem)):
         return prove_by_derivative(theorem, names)
@@ -64,7 +68,7 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
 
 def is_the_same(conclusion: sp.Basic, names: Names) -> bool:
     """Return whether both sides of an equality are written alike."""
-    if not isinstance(conclusion, sp.Eq):
+    if not isinstance(conclusion, sp.Eq) or states_slope(conclusion):
         return False
     left, right = (write_term(side, names) for side in conclusion.args)
     return left == right

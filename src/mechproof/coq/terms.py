@@ -21,7 +21,7 @@ _NO_NAMES: Names = MappingProxyType({})
 _TAKEN = re.compile(
     "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|RInt|sinh|cosh|tanh|forall|"
     "exists|fun|in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|"
-    "cofix|IF|E|F|INR|nat|sum_to|kronecker|[HKSQNMDIVWZ][0-9]+"
+    "cofix|IF|E|F|INR|nat|sum_to|kronecker|is_derive|[HKSQNMDIVWZ][0-9]+"
 )
 
 
@@ -62,8 +62,17 @@ def write_relation(relation: sp.Basic, names: Names) -> str:
         return "(" + sign.join(write_relation(part, names) for part in parts) + ")"
     if not isinstance(relation, Relational):
         raise UnwritableError(f"{type(relation).__name__} is no relation")
+    if isinstance(relation.lhs, sp.Derivative):
+        return _write_derivative(relation.lhs, relation.rhs, names)
     left, right = (write_term(side, names) for side in relation.args)
     return f"({left} {_RELATIONS[relation.func]} {right})"
+
+
+def _write_derivative(derivative: sp.Derivative, slope: sp.Basic, names: Names) -> str:
+    """Write that a function of a letter has a derivative where the letter is, and which."""
+    letter = names[derivative.variables[0]]
+    body, value = (write_term(part, names) for part in (derivative.expr, slope))
+    return f"(is_derive (fun {letter} : R => {body}) {letter} {value})"
 
 
 def name_symbols(symbols: Iterable[sp.Basic], known: Names = _NO_NAMES) -> Names:

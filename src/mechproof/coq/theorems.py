@@ -12,6 +12,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
 from mechproof.coq.piecewise_laws import list_cases
+from mechproof.coq.slope_statements import differentiate_alike
 from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
@@ -104,7 +105,8 @@ def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
             for part in statement.parts:
                 yield from _list_relations(part, domain)
         case Equality():
-            yield from _equate(statement.printed, statement.rebuilt, domain)
+            relations = list(_equate(statement.printed, statement.rebuilt, domain))
+            yield from differentiate_alike(relations, statement.differentiated, domain)
         case Holds():
             relation = prepare(domain.resolve(statement.relation))
             yield from relation.args if isinstance(relation, sp.And) else (relation,)

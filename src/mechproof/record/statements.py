@@ -16,18 +16,29 @@ _DECIMAL = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 
 @dataclass(frozen=True)
+class Differentiated:
+    """The derivatives of an expression by letters, in their order."""
+
+    expression: sp.Expr
+    by: tuple[sp.Symbol, ...]
+
+
+@dataclass(frozen=True)
 class Equality:
     """`printed` equals `rebuilt` everywhere on the domain (expressions or matrices).
 
     The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
     is built from the print itself, or from the declaration of the symbol that is printed,
     `rebuilt_from` says so: equality proves nothing then. Two members of one print are both the
-    paper's: their faults are its own.
+    paper's: their faults are its own. `rebuilt` may be the derivatives of what is
+    `differentiated`, an entry for each letter: where both sides are one formula, only that is left
+    to be checked.
     """
 
     printed: sp.Basic
     rebuilt: sp.Basic
     rebuilt_from: Literal["mechanics", "member", "print", "declaration"] = "mechanics"
+    differentiated: Differentiated | None = None
 
     def __post_init__(self) -> None:
         make_exact(self, "printed", "rebuilt")

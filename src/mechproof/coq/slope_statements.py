@@ -1,0 +1,67 @@
+"""Statements of derivatives, which Coq computes once more.
+
+A row may compare derivatives with the same formula: SymPy has differentiated on both sides. What
+is left to be proved is that the formula is the derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from mechproof.record import Differentiated
+from mechproof.record.parts import find_free, list_parts
+from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare
+
+# What Coq can differentiate; a tangent is written out.
+_DIFFERENTIATED = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log)
+
+
+def states_slope(conclusion: sp.Basic) -> bool:
+    """Return whether it is said what the derivative of a function is."""
+    return isinstance(conclusion, sp.Eq) and isinstance(conclusion.lhs, sp.Derivative)
+
+
+def differentiate_alike(
+    relations: Sequence[sp.Basic], differentiated: Differentiated | None, domain: Domain
+) -> Iterator[sp.Basic]:
+    """Yield equalities; of those with the same sides, that this is the derivative by a letter."""
+    if differentiated is None:
+        yield from relations
+        return
+    whole = prepare(domain.resolve(differentiated.expression))
+    for relation, letter in zip(relations, differentiated.by, strict=True):
+        if _can_be_stated(relation, whole, letter, domain):
+            derivative = sp.Derivative(whole, letter, evaluate=False)
+            yield sp.Eq(derivative, relation.rhs, evaluate=False)
+        else:
+            yield relation
+
+
+def _can_be_stated(relation: sp.Basic, whole: sp.Basic, letter: sp.Symbol, domain: Domain) -> bool:
+    """Return whether both sides are one, and the letter is free in what can be differentiated."""
+    is_free = letter in find_free(whole) and domain.resolve(letter) == letter
+    if relation.lhs != relation.rhs or not is_free:
+        return False
+    return all(map(_is_smooth, list_parts(whole))) and not _has_nested_roots(whole, letter)
+
+
+def _has_nested_roots(whole: sp.Basic, letter: sp.Symbol) -> bool:
+    """Return whether a letter is under roots under a root, which no tactic compares in time."""
+    return any(
+        letter in find_free(inner)
+        for root in filter(_is_root, list_parts(whole))
+        for inner in filter(_is_root, list_parts(root.base))
+    )
+
+
+def _is_root(part: sp.Basic) -> bool:
+    return isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.q == 2
+
+
+def _is_smooth(part: sp.Basic) -> bool:
+    if isinstance(part, sp.Pow):
+        return bool(part.exp.is_Rational and part.exp.q <= 2)
+    return isinstance(part, _DIFFERENTIATED) or part.is_Symbol or part.is_number
