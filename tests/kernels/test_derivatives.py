@@ -40,7 +40,7 @@ from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs import reverse_mode
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Quantity
+from mechproof.record import Equality, Quantity
 
 GENERATED = Path(__file__).parents[2] / "generated"
 EPS = 2.0**-52
@@ -221,6 +221,17 @@ def test_a_wrong_derivative_is_refuted(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reverse_mode, "_go_back", double)
     (row,) = derivative_rows(paper)
     assert judge(row, reverse_mode.differentiate(paper)).verdict is Verdict.REFUTED
+
+
+def test_a_row_on_derivatives_says_of_what_they_are() -> None:
+    whole = elliptic_planetary.PAPER
+    one = next(q for q in whole.quantities if q.name == "largest_ratio")
+    (row,) = derivative_rows(replace(whole, quantities=(one,), one_pass=()))
+    assert isinstance(row.says, Equality)
+    of = row.says.differentiated
+    assert of is not None
+    assert of.expression == one.definition
+    assert list(of.by) == [argument.symbols[0] for argument in one.arguments]
 
 
 def test_derivatives_whose_source_says_something_else_are_refused(
