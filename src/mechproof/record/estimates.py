@@ -6,27 +6,35 @@ comparison. Of an integral it then adds up values at points and may miss a narro
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any, NoReturn
+from contextvars import ContextVar
+from functools import partial
+from typing import Any
 
 import sympy as sp
 from sympy.core.evalf import evalf_table
 
-_ESTIMATED = (sp.Integral, sp.Sum, sp.Product)
+_are_refused: ContextVar[bool] = ContextVar("_are_refused", default=False)
 
 
 @contextmanager
 def without_estimates() -> Iterator[None]:
-    """Let SymPy find no number for an integral, a sum or a product."""
-    kept = {kind: evalf_table[kind] for kind in _ESTIMATED}
-    evalf_table.update(dict.fromkeys(_ESTIMATED, _refuse))
+    """Let SymPy find no number for an integral, a sum or a product, in this thread alone."""
+    token = _are_refused.set(True)
     try:
         yield
     finally:
-        evalf_table.update(kept)
+        _are_refused.reset(token)
 
 
-def _refuse(*asked: Any) -> NoReturn:
-    """Answer as SymPy does for what it cannot evaluate."""
-    raise NotImplementedError
+def _estimate(estimate: Callable[..., Any], *asked: Any) -> Any:
+    if _are_refused.get():
+        # So SymPy answers for what it cannot evaluate.
+        raise NotImplementedError
+    return estimate(*asked)
+
+
+# SymPy has one table for all threads: it is changed once, and stays as it is.
+for _kind in (sp.Integral, sp.Sum, sp.Product):
+    evalf_table[_kind] = partial(_estimate, evalf_table[_kind])
