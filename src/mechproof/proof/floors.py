@@ -20,7 +20,11 @@ _MOST_STEPS = 200
 
 def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if left = right for all numbers by the steps within a period."""
-    difference = sp.expand(domain.resolve(left - right))
+    difference = domain.resolve(left - right)
+    # Most statements have none, and to expand some takes seconds.
+    if not difference.has(sp.floor):
+        return None
+    difference = sp.expand(difference)
     floors = sorted(difference.atoms(sp.floor), key=sp.default_sort_key)
     letters = difference.free_symbols
     if not floors or len(letters) != 1:
