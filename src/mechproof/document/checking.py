@@ -57,6 +57,7 @@ from mechproof.ledger.judged import JudgedPaper
 from mechproof.ledger.ledger_findings import list_findings
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equation, Paper, Row
+from mechproof.record.estimates import without_estimates
 from mechproof.record.statements import list_parts
 from mechproof.sources.displays import EXPECTED
 from mechproof.sources.located_text import Place
@@ -165,6 +166,7 @@ def check_rest(
     return _check((str(path), None, elsewhere), limit, report)
 
 
+@without_estimates()
 def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:
     path, content, elsewhere = key
     source = read_source(path, content)

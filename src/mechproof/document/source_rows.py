@@ -56,6 +56,7 @@ from mechproof.nomenclature.shown_letters import (
 )
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper
+from mechproof.record.estimates import without_estimates
 from mechproof.sources.commas import join_thousands, mark_decimals
 from mechproof.sources.displays import Printed, find_displays
 from mechproof.sources.located_text import Place
@@ -185,6 +186,7 @@ class Document:
         found = dict(find_possible_matrices(self.taken, prints)) if self.taken else {}
         return {names[x]: shown for x, shown in found.items() if names[x].is_Symbol}
 
+    @without_estimates()
     def read(self, limit: float) -> list[Task | Left]:
         """Read all equations in their order: first what they define, then what they assert.
 
