@@ -278,6 +278,7 @@ def planted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, s
     text = write_script("axiom", [state(equal(Integer(1), Integer(1)))])
     text = text.replace("Theorem", "Axiom wrong : 1 = 2.\nTheorem")
     text = text.replace("at_point.", "pose proof wrong. lra.")
+    text = text.replace(f"Import {LIBRARIES[0]}.", f"Import {LIBRARIES[-1]}.")
     (folder / AXIOM).write_text(text, encoding="utf-8")
     return folder, dict(check_files(folder, [AXIOM]))
 

@@ -10,7 +10,9 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.coq.checker import CheckerError
 from mechproof.fpcore.s_expressions import FPCoreError
+from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import (
     FPCORE,
     PARTS,
@@ -27,6 +29,7 @@ from mechproof.pipeline.pasted import PastedError
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.roundoff.boxed import Convention
 from mechproof.tools.files import write_whole
+from mechproof.tools.made import ForeignFileError
 
 DIGITS = 4
 
@@ -79,6 +82,14 @@ def bound(
             "installed, and of cited.json beside the first file.",
         ),
     ] = None,
+    coq: Annotated[
+        Path | None,
+        typer.Option(
+            "--coq",
+            metavar="FOLDER",
+            help="Have Coq prove the bounds, too, and write the scripts that it accepts.",
+        ),
+    ] = None,
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the bounds to this file.")
     ] = None,
@@ -109,13 +120,30 @@ def bound(
                 bounds.append(found)
                 for line in _tell(found):
                     say(line)
-    except (FPCoreError, PastedError, ValueError) as error:
+        if coq:
+            _prove(boundings, bounds, convention, coq)
+    except (FPCoreError, PastedError, ForeignFileError, ValueError) as error:
         refuse(str(error))
-    except ArithmeticError as error:
+    except (ArithmeticError, CheckerError) as error:
         fail(str(error))
+    except OSError as error:
+        fail(f"--coq {coq}: {error.strerror}")
     options.write_json(json_file, bounds_to_json(bounds))
     if any(found.open for found in bounds):
         raise typer.Exit(1)
+
+
+def _prove(
+    boundings: list[Bounding], bounds: list[ProvedBound], convention: Convention, folder: Path
+) -> None:
+    with show_progress("running Coq") as report:
+        proved = [found.proved for found in bounds]
+        checked = prove_in_coq(boundings, proved, convention, folder, report)
+    for one in checked:
+        told = f"no proof in Coq: {one.reason}"
+        if one.bound is not None:
+            told = f"Coq proves {_round(one.bound, ROUND_CEILING)} ({folder / one.file})"
+        say(f"{one.name}: {told}")
 
 
 def _write_table(page: Path, sources: list[str], boundings: list[Bounding]) -> None:

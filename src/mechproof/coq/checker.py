@@ -9,13 +9,15 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from mechproof.coq.libraries import LIBRARIES
+from mechproof.coq.libraries import LIBRARIES, ROUNDINGS, list_required
 from mechproof.coq.scripts import write_assumptions
 from mechproof.tools.processes import count_processors
 
 # Seconds of a processor for a file; what is recorded as accepted took a third of it at most.
 LIMIT = 150.0
 RECORD_LIMIT = 50.0
+# For the bound of a program; of one that does not hold everywhere Coq mostly knows within seconds.
+BOUND_LIMIT = 60.0
 # Files whose assumptions Coq prints at once; the time grows faster than their number beyond.
 BATCH = 64
 # What Coq's real numbers rest on, by name, and the modules of the machine integers and floats with
@@ -60,10 +62,12 @@ def check_files(
     Raises `CheckerError` where Coq is not installed or refuses what all of them require.
     """
     find_version()
-    for library in LIBRARIES:
+    listed = list(names)
+    texts = ((folder / name).read_text(encoding="utf-8") for name in listed)
+    required = {library for text in texts for library in list_required(text)}
+    for library in (one for one in (*LIBRARIES, ROUNDINGS) if one in required):
         if wrong := _run(folder, f"{library}.v", limit)[0]:
             raise CheckerError(f"{library}.v: {wrong}")
-    listed = list(names)
     found = {}
     with ThreadPoolExecutor(count_processors()) as threads:
         outcomes = threads.map(lambda name: _run(folder, name, limit)[0], listed)

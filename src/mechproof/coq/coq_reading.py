@@ -12,10 +12,12 @@ from typing import TypeAlias
 
 import sympy as sp
 
-_TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
-_STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : (.*)\.\nProof\.", re.MULTILINE)
+_TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|:=|\d+|[A-Za-z_][\w']*|[-+*/^()=<>:,.])")
+_STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : ((?:.|\n)*?)\.\nProof\.", re.MULTILINE)
 _DEFINITION = re.compile(r"^Definition (shared_\d+) : R := (.*)\.$", re.MULTILINE)
 _GROUP = r"[\w' ]+ : [\w>\- ]+"
+# To the nearest double, in statements on programs.
+ROUNDED = sp.Function("rounded")
 _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin,
     "cos": sp.cos,
@@ -33,6 +35,7 @@ _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "tanh": sp.tanh,
     "Rmin": sp.Min,
     "Rmax": sp.Max,
+    "rounded": ROUNDED,
 }
 _TWO_ARGUMENTS = ("Rmin", "Rmax", "atan2")
 _RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
@@ -87,7 +90,7 @@ def _read_term(text: str, letters: Mapping[str, sp.Expr]) -> sp.Expr:
 
 
 def _read(name: str, body: str, defined: Mapping[str, sp.Expr]) -> ReadStatement:
-    found = re.match(rf"(forall|exists) ({_GROUP}|\({_GROUP}\)(?: \({_GROUP}\))*), ", body)
+    found = re.match(rf"(forall|exists) ({_GROUP}|\({_GROUP}\)(?: \({_GROUP}\))*),\s", body)
     quantifier, binders = found.groups() if found else ("", "")
     variables = tuple(_read_binders(binders))
     letters = {letter: sp.Symbol(letter) for letter, kind in variables if kind == "R"}
@@ -141,12 +144,22 @@ class _Parser:
             raise ValueError(f"Coq text: {self.next!r} after the end")
 
     def implications(self) -> list[Read]:
-        """Read relations joined by arrows."""
+        """Read relations joined by arrows, the last of them after what is named for it."""
         found = [self.relations()]
         while self.next == "->":
             self.take()
+            self.named()
             found.append(self.relations())
         return found
+
+    def named(self) -> None:
+        """Read names of terms, each of which is known to those after it."""
+        while self.next == "let":
+            self.take()
+            name = self.take()
+            self.take(":=")
+            self.letters = {**self.letters, name: self.sum()}
+            self.take("in")
 
     def relations(self) -> Read:
         """Read relations joined by one sign for and, or by one for or."""

@@ -12,7 +12,13 @@ from itertools import pairwise
 from pathlib import Path
 
 from mechproof.coq.families import name_letters
-from mechproof.coq.libraries import LIBRARIES, digest_required, read_library
+from mechproof.coq.libraries import (
+    LIBRARIES,
+    ROUNDINGS,
+    digest_required,
+    list_required,
+    read_library,
+)
 from mechproof.coq.proofs import is_the_same
 from mechproof.coq.script_comparison import compare_script
 from mechproof.coq.scripts import write_assumptions, write_script
@@ -28,18 +34,18 @@ LIST = "mechproof-coq.sha256"
 # What of a ledger says that something is proved, of all values, at a point, or of each a part.
 CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED, Verdict.CONDITIONAL)
 ASSUMPTIONS = "Assumptions.v"
-_MAKEFILE = f"""# Has Coq check every file, and print what all of them assume: make -j2
-LIBRARIES := {" ".join(f"{name}.v" for name in LIBRARIES)}
-SCRIPTS := $(filter-out $(LIBRARIES) {ASSUMPTIONS}, $(wildcard *.v))
+_MAKEFILE = """# Has Coq check every file, and print what all of them assume: make -j2
+LIBRARIES := {libraries}
+SCRIPTS := $(filter-out $(LIBRARIES) {assumptions}, $(wildcard *.v))
 
 all: $(SCRIPTS:.v=.vo)
-\tcoqc -q -w none {ASSUMPTIONS}
+\tcoqc -q -w none {assumptions}
 
 %.vo: %.v
 \tcoqc -q -w none $<
 
 $(SCRIPTS:.v=.vo): $(LIBRARIES:.v=.vo)
-{"".join(f"{b}.vo: {a}.vo{chr(10)}" for a, b in pairwise(LIBRARIES))}
+{chain}
 clean:
 \trm -f *.vo *.vok *.vos *.glob .*.aux
 
@@ -108,8 +114,15 @@ def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:
     """Return the text of every file of the folder by its name."""
     scripts = {c.file: c.text for c in certificates if c.text}
     assumptions = write_assumptions([name.removesuffix(".v") for name in scripts])
-    libraries = {f"{name}.v": read_library(name) for name in LIBRARIES}
-    return {**libraries, **scripts, ASSUMPTIONS: assumptions, "Makefile": _MAKEFILE}
+    required = {name for text in scripts.values() for name in list_required(text)}
+    libraries = [name for name in (*LIBRARIES, ROUNDINGS) if name in required]
+    makefile = _MAKEFILE.format(
+        libraries=" ".join(f"{name}.v" for name in libraries),
+        assumptions=ASSUMPTIONS,
+        chain="".join(f"{b}.vo: {a}.vo\n" for a, b in pairwise(libraries)),
+    )
+    texts = {f"{name}.v": read_library(name) for name in libraries}
+    return {**texts, **scripts, ASSUMPTIONS: assumptions, "Makefile": makefile}
 
 
 def write_folder(folder: Path, certificates: Sequence[RowScript]) -> None:

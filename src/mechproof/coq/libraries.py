@@ -9,6 +9,8 @@ from importlib.resources import files
 
 # From what all scripts require to what few do.
 LIBRARIES = ("Mechproof", "Calculus", "Sums")
+# What scripts on bounds of roundings require, and nothing else.
+ROUNDINGS = "Roundings"
 _NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
 # What a library takes from others and scripts use by its name.
 _EXPORTED = {"Calculus": ("RInt", "is_derive")}
@@ -30,6 +32,8 @@ def find_library(text: str) -> str:
 def list_required(text: str) -> tuple[str, ...]:
     """Return the libraries that a script requires, by what it says itself."""
     found = re.search(r"^Require Import (\w+)\.", text, re.MULTILINE)
+    if found and found[1] == ROUNDINGS:
+        return (ROUNDINGS,)
     return LIBRARIES[: LIBRARIES.index(found[1]) + 1] if found else ()
 
 
@@ -40,7 +44,7 @@ def digest_required(text: str) -> str:
 
 
 def digest_libraries() -> str:
-    """Return the SHA-256 of all libraries."""
+    """Return the SHA-256 of all libraries of rows."""
     return sha256("".join(map(read_library, LIBRARIES)).encode()).hexdigest()
 
 

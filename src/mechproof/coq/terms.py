@@ -18,7 +18,7 @@ from mechproof.programs.operations import KINDS
 Names = Mapping[sp.Basic, str]
 _NO_NAMES: Names = MappingProxyType({})
 # Names that a letter of a paper must not take.
-_TAKEN = re.compile(
+TAKEN = re.compile(
     "R|PI|sin|cos|tan|atan|atan2|asin|acos|exp|ln|sqrt|Rabs|Rmin|Rmax|RInt|sinh|cosh|tanh|forall|"
     "exists|fun|in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|"
     "cofix|IF|E|F|INR|nat|sum_to|kronecker|is_derive|[HKSQNMDIVWZ][0-9]+"
@@ -80,7 +80,7 @@ def name_symbols(symbols: Iterable[sp.Basic], known: Names = _NO_NAMES) -> Names
     names = dict(known)
     for symbol in symbols:
         plain = re.sub(r"\W+", "_", str(symbol), flags=re.ASCII).strip("_") or "x"
-        plain = f"{plain}_" if _TAKEN.fullmatch(plain) or plain[0].isdigit() else plain
+        plain = f"{plain}_" if TAKEN.fullmatch(plain) or plain[0].isdigit() else plain
         while plain in names.values():
             plain += "_"
         names[symbol] = plain

@@ -9,12 +9,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from shutil import which
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from mechproof.arithmetic.largest import bound_largest
 from mechproof.comparison import fptaylor, gappa
+from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import PARTS, TOLERANCE, Bounding
 from mechproof.roundoff.boxed import Convention, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input
@@ -30,12 +33,17 @@ HEADS = {
     "doubles": "Inputs are doubles",
     "rounded": "Inputs are real numbers, which are rounded first",
 }
+_COLUMNS = (
+    *("program", "proved", "Coq", "found", "Gappa", "FPTaylor"),
+    *("ours/best run", "cited", "ours/cited"),
+)
 _TITLE = """# Bounds of rounding errors
 
 `mechproof bound docs/fpbench/benchmarks.fpcore --table docs/bounds.md` writes this page: absolute
 errors in doubles of programs of [FPBench](fpbench/benchmarks.fpcore), as they are proved here, and
 by Gappa and FPTaylor, which are run on the same steps with the same conventions (Gappa plainly and
-with the box cut into some 256 parts, of which the better bound counts). What is *cited* is the
+with the box cut into some 256 parts, of which the better bound counts). *Coq* is the least of some
+shares of our bound that Coq proves once more, with `--coq FOLDER`. What is *cited* is the
 lowest bound that others publish. *found* is the error at the worst input that a search of fixed
 budget found. A dash means: none, not run, or not published. Functions are taken as rounded to
 nearest, as FPTaylor takes them.
@@ -52,6 +60,7 @@ class Compared:
     gappa: float | None
     fptaylor: float | None
     cited: tuple[float, str] | None
+    coq: float | None = None
 
     @property
     def others(self) -> list[float]:
@@ -73,16 +82,35 @@ def compare(
             if isinstance(row, WorkerError):
                 raise ValueError(f"{boundings[number].name}: {row}")
             found[number] = row
-        parts.append("\n".join(_write_table(head, [found[n] for n in range(len(tasks))])))
+        rows = _put_coq(boundings, [found[n] for n in range(len(tasks))], _choose(inputs), report)
+        parts.append("\n".join(_write_table(head, rows)))
     sources = [f"- {name}: {text}." for name, text in known.get("sources", {}).items() if text]
     parts.append("\n".join(("## Sources of what is cited", "", *sources)))
     return "\n".join(parts) + "\n"
 
 
+def _choose(inputs: str) -> Convention:
+    return Convention(rounded_inputs=inputs == "rounded", ulps=HALF)
+
+
+def _put_coq(
+    boundings: Sequence[Bounding],
+    rows: list[Compared],
+    convention: Convention,
+    report: Callable[[str], None],
+) -> list[Compared]:
+    """Return the rows with what Coq proves, where it is installed."""
+    if which("coqc") is None:
+        return rows
+    with TemporaryDirectory() as folder:
+        proved = [row.proved for row in rows]
+        found = prove_in_coq(boundings, proved, convention, Path(folder), report)
+    return [replace(row, coq=one.bound) for row, one in zip(rows, found, strict=True)]
+
+
 def _compare(task: tuple[Bounding, str, Mapping[str, Any]]) -> Compared:
     bounding, inputs, cited = task
-    convention = Convention(rounded_inputs=inputs == "rounded", ulps=HALF)
-    program = put_in_box(bounding.straight, bounding.ranges, convention)
+    program = put_in_box(bounding.straight, bounding.ranges, _choose(inputs))
     largest = bound_largest(program.bound, program.box, TOLERANCE, PARTS)
     has_functions = any(step.kind in FUNCTIONS for step in program.straight.steps)
     boxes = (program.box, *largest.highest)
@@ -103,14 +131,14 @@ def _compare(task: tuple[Bounding, str, Mapping[str, Any]]) -> Compared:
 def _write_table(head: str, rows: Sequence[Compared]) -> Iterator[str]:
     yield f"## {head}"
     yield ""
-    yield "| program | proved | found | Gappa | FPTaylor | ours/best run | cited | ours/cited |"
-    yield "|---|---|---|---|---|---|---|---|"
+    yield f"| {' | '.join(_COLUMNS)} |"
+    yield f"|{'---|' * len(_COLUMNS)}"
     for row in rows:
         others, cited = row.others, row.cited
         run = _write_ratio(row.proved / min(others)) if others else "-"
         told = f"{cited[0]:.3g} ({cited[1]})" if cited else "-"
         share = _write_ratio(row.proved / cited[0]) if cited else "-"
-        found = (row.proved, row.found, row.gappa, row.fptaylor)
+        found = (row.proved, row.coq, row.found, row.gappa, row.fptaylor)
         bounds = ("-" if bound is None else f"{bound:.4g}" for bound in found)
         yield f"| {row.name} | {' | '.join(bounds)} | {run} | {told} | {share} |"
     yield ""
@@ -121,13 +149,14 @@ def _write_table(head: str, rows: Sequence[Compared]) -> Iterator[str]:
 def _count(rows: Sequence[Compared]) -> str:
     run = [row.proved / min(row.others) for row in rows if row.others]
     cited = [row.proved / row.cited[0] for row in rows if row.cited]
+    checked = [row.coq / row.proved for row in rows if row.coq]
     also = [row.gappa / row.proved for row in rows if row.gappa]
     return (
         f"Others were run on {len(run)}: {sum(r <= NEAR for r in run)} bounds are within {NEAR} of "
         f"the best of theirs, {sum(r <= BELOW for r in run)} at least 1 % below all. Of "
         f"{len(cited)} with a cited bound {sum(r <= NEAR_CITED for r in cited)} are within "
         f"{NEAR_CITED} of the best. Gappa proves {sum(r <= NEAR for r in also)} within {NEAR} of "
-        "ours."
+        f"ours, Coq {sum(r <= NEAR for r in checked)} of the {len(checked)} that it proves."
     )
 
 

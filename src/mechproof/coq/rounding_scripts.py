@@ -1,0 +1,196 @@
+"""Rounding scripts: in, a straight-line program and a bound; out, a script with the proof by Coq.
+
+Coq runs an analysis in intervals and halves the box until the bound holds everywhere. The analysis
+is a program of Coq that `Roundings.v` proves correct once and for all: errors are linear forms of
+the roundings as in FPTaylor (Solovyev et al. 2018), with differences in place of derivatives, so
+that no term of second order is left over. VCFloat (Appel and Kellison 2024) proves bounds in Coq,
+too, with a tactic for each operation.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from types import MappingProxyType
+
+from mechproof.coq.terms import TAKEN, UnwritableError
+from mechproof.programs.program import Operand
+from mechproof.roundoff.running import IN_DOUBLES
+from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step, StraightLineProgram
+
+Range = tuple[Fraction, Fraction]
+# Of an operation: its name in the analysis, and how it is written.
+_OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
+    {
+        "copy": ("Copied", "{}"),
+        "negate": ("Opposite", "- {}"),
+        "add": ("Sum", "{} + {}"),
+        "subtract": ("Difference", "{} - {}"),
+        "multiply": ("Product", "{} * {}"),
+        "divide": ("Quotient", "{} / {}"),
+        "fma": ("Fused", "{} * {} + {}"),
+        "sqrt": ("Root", "sqrt {}"),
+    }
+)
+# Halvings, one after another, after which the analysis gives up.
+_HALVINGS, _HALVINGS_RELATIVE = 100, 3000
+_LETTER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
+@dataclass(frozen=True)
+class BoundTheorem:
+    """That a program is off by no more than a bound, for all inputs in their ranges.
+
+    With `relative` the bound is a share of the size of the exact value.
+    """
+
+    straight: StraightLineProgram
+    ranges: Mapping[str, Range]
+    bound: Fraction
+    relative: bool = False
+
+
+def write_bound_script(title: str, theorem: BoundTheorem) -> str:
+    """Write the script of one program. Raises `UnwritableError` for what Coq does not analyse."""
+    return "\n".join(
+        (
+            f"(* {title} *)",
+            "Require Import Roundings.\nOpen Scope R_scope.\n",
+            *_Writer(theorem).write(),
+            "Definition all_parts := (bound).\n",
+        )
+    )
+
+
+class _Writer:
+    """The parts of a script; constants are steps of their own, each once."""
+
+    def __init__(self, theorem: BoundTheorem) -> None:
+        self._theorem = theorem
+        straight = theorem.straight
+        if len(straight.outputs) != 1 or not isinstance(straight.outputs[0], str):
+            raise UnwritableError("a program has one output, which is a result")
+        self._steps = tuple(_state_constants(straight.steps))
+        names = [name_letter(name) for name in straight.inputs]
+        results = [step.result for step in self._steps]
+        self._names = dict(zip(straight.inputs, names, strict=True))
+        self._computed, self._exact = (
+            self._names | {result: f"{letter}{n}" for n, result in enumerate(results, start=1)}
+            for letter in "vw"
+        )
+        if len(set(names)) < len(names):
+            raise UnwritableError("two inputs have one name")
+        if results[-1:] != [straight.outputs[0]]:
+            raise UnwritableError("the last step is the output")
+
+    def write(self) -> Iterator[str]:
+        theorem, inputs = self._theorem, self._theorem.straight.inputs
+        names = [self._names[name] for name in inputs]
+        ranges = [theorem.ranges[name] for name in inputs]
+        yield f"Theorem bound : forall {' '.join(names)} : R,"
+        for name, (low, high) in zip(names, ranges, strict=True):
+            yield f"  {_write(low)} <= {name} -> {name} <= {_write(high)} ->"
+        for named in (self._computed, self._exact):
+            for step in self._steps:
+                text = _write_step(step, named, named is self._computed)
+                yield f"  let {named[step.result]} := {text} in"
+        last = self._steps[-1].result
+        computed, exact = self._computed[last], self._exact[last]
+        share = f" * Rabs {exact}" if theorem.relative else ""
+        yield f"  Rabs ({computed} - {exact}) <= {_write(theorem.bound)}{share}."
+        yield "Proof."
+        yield from self._write_proof(names, ranges)
+        yield "Qed.\n"
+
+    def _write_proof(self, names: Sequence[str], ranges: Sequence[Range]) -> Iterator[str]:
+        theorem = self._theorem
+        relative = "true" if theorem.relative else "false"
+        halvings = _HALVINGS_RELATIVE if theorem.relative else _HALVINGS
+        boxes = "; ".join(f"({_pair(low)}, {_pair(high)})" for low, high in ranges)
+        turn = "; ".join(map(str, range(len(names))))
+        followed = [
+            ", ".join(named[step.result] for step in self._steps)
+            for named in (self._computed, self._exact)
+        ]
+        steps = ";\n     ".join(self._list_analysed())
+        yield "  intros."
+        yield f"  refine (error_bounded {relative} {_pair(theorem.bound)}"
+        yield f"    [{steps}]"
+        yield f"    [{boxes}] [{turn}]%nat {halvings} [{'; '.join(names)}] _ _ _ _ _ _)."
+        yield from (f"  - follow ({results}). reflexivity." for results in followed)
+        yield "  - repeat (apply Forall2_cons; [unfold lies, real; simpl; lra|])."
+        yield "    apply Forall2_nil."
+        yield "  - vm_compute. reflexivity."
+
+    def _list_analysed(self) -> Iterator[str]:
+        """Yield the steps as the analysis has them, operands counted from the last result."""
+        known = [*reversed(self._theorem.straight.inputs)]
+        for step in self._steps:
+            if step.kind == CONSTANT:
+                double, number = map(_pair, _list_values(step))
+                yield f"Double {double}" if double == number else f"Constant {double} {number}"
+            else:
+                places = " ".join(str(known[::-1].index(str(o))) for o in step.operands)
+                rounds = "Exact" if step.ulps == EXACT else "Rounded"
+                yield f"{rounds} ({_OPERATIONS[step.kind][0]} {places})"
+            known.append(step.result)
+
+
+def name_letter(name: str) -> str:
+    """Return the name of an input in a statement."""
+    letter = re.sub(r"\W", "_", name, flags=re.ASCII)
+    if not _LETTER.fullmatch(letter) or TAKEN.fullmatch(letter) or re.fullmatch(r"[vw]\d+", letter):
+        letter = f"x_{letter}"
+    return letter
+
+
+def _state_constants(steps: Sequence[Step]) -> Iterator[Step]:
+    """Yield the steps, and before them one for each number that they have as an operand."""
+    named: dict[Operand, str] = {}
+    for step in steps:
+        if step.kind == CONSTANT:
+            yield step
+            continue
+        _check(step)
+        for operand in step.operands:
+            if not isinstance(operand, str) and operand not in named:
+                named[operand] = f"number {operand}"
+                yield Step(named[operand], CONSTANT, (str(Fraction(operand)),), HALF)
+        operands = tuple(named.get(operand, operand) for operand in step.operands)
+        yield Step(step.result, step.kind, operands, step.ulps)
+
+
+def _check(step: Step) -> None:
+    if step.kind not in _OPERATIONS:
+        raise UnwritableError(f"the analysis has no {step.kind}")
+    if step.ulps not in (EXACT, HALF):
+        raise UnwritableError(f"{step.kind} is rounded once, or exact")
+
+
+def _list_values(step: Step) -> tuple[Fraction, Fraction]:
+    """Return the double of a constant, and its number."""
+    number = Fraction(str(step.operands[0]))
+    return Fraction(float(IN_DOUBLES[CONSTANT](step.operands[0]))), number
+
+
+def _write_step(step: Step, names: Mapping[str, str], is_computed: bool) -> str:
+    if step.kind == CONSTANT:
+        double, number = _list_values(step)
+        return _write_whole(double if is_computed else number)
+    text = _OPERATIONS[step.kind][1].format(*(names[str(operand)] for operand in step.operands))
+    return f"rounded ({text})" if is_computed and step.ulps != EXACT else text
+
+
+def _write_whole(number: Fraction) -> str:
+    """Write a fraction as the analysis has it, whole numbers too."""
+    return f"{number.numerator} / {number.denominator}"
+
+
+def _write(number: Fraction) -> str:
+    return f"{number.numerator}" if number.denominator == 1 else _write_whole(number)
+
+
+def _pair(number: Fraction) -> str:
+    return f"({number.numerator}, {number.denominator})%Z"

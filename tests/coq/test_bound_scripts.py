@@ -1,0 +1,132 @@
+"""Bounds of programs in Coq: scripts that say what they should, and what Coq refuses."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from mechproof.coq.bound_comparison import compare_bound_script
+from mechproof.coq.checker import check_files
+from mechproof.coq.libraries import ROUNDINGS, read_library
+from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
+from mechproof.coq.script_comparison import ReadBackError
+from mechproof.coq.terms import UnwritableError
+from mechproof.pipeline.bounding import read_boundings
+from mechproof.roundoff.boxed import Convention, put_in_box
+from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
+
+CORES = """
+(FPCore (u v T) :name "doppler1" :pre (and (<= -100 u 100) (<= 20 v 20000) (<= -30 T 50))
+  (let ([t1 (+ 331.4 (* 0.6 T))]) (/ (* (- t1) v) (* (+ t1 u) (+ t1 u)))))
+(FPCore (x) :name "root" :pre (<= 1/3 x 7) (sqrt (- (fma x x 2) (* 0.1 x))))
+"""
+ONE, TWO = Fraction(1), Fraction(2)
+
+
+def state(number: int, bound: Fraction, folder: Path, relative: bool = False) -> BoundTheorem:
+    file = folder / "cores.fpcore"
+    file.write_text(CORES, encoding="utf-8")
+    bounding = read_boundings(file)[number]
+    program = put_in_box(bounding.straight, bounding.ranges, Convention(ulps=HALF))
+    return BoundTheorem(program.straight, program.ranges, bound, relative)
+
+
+@pytest.mark.parametrize("relative", [False, True])
+@pytest.mark.parametrize("number", [0, 1])
+def test_a_script_says_what_it_was_written_from(
+    number: int, relative: bool, tmp_path: Path
+) -> None:
+    theorem = state(number, Fraction(1, 10**12), tmp_path, relative)
+    compare_bound_script(write_bound_script("it", theorem), theorem)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("w4 := w1 + w3", "w4 := w1 - w3"),
+        ("w4 := w1 + w3", "w4 := w1"),
+        ("v4 := rounded (v1 + v3)", "v4 := v1 + v3"),
+        ("v8 := rounded (v7 * v7)", "v8 := rounded (v7 * v6)"),
+        ("v5 := - v4", "v5 := v4"),
+        ("w1 := 1657 / 5", "w1 := 1658 / 5"),
+        ("2915025227559731 /", "2915025227559732 /"),
+        ("u <= 100 ->", "u <= 99 ->"),
+        ("-100 <= u", "-100 < u"),
+        ("(v9 - w9)", "(v9 - v9)"),
+        ("(v9 - w9)", "(w9 - w9)"),
+        ("(v9 - w9)", "(v9 - w8)"),
+        ("<= 1 / 1000000000000.", "<= 1 / 100000000000."),
+        ("forall u v T", "forall u T v"),
+        ("Theorem bound", "Theorem more : 0 <= 1.\nProof. lra. Qed.\nTheorem bound"),
+    ],
+)
+def test_another_statement_is_caught(old: str, new: str, tmp_path: Path) -> None:
+    theorem = state(0, Fraction(1, 10**12), tmp_path)
+    text = write_bound_script("it", theorem)
+    assert text.count(old) == 1
+    with pytest.raises(ReadBackError):
+        compare_bound_script(text.replace(old, new), theorem)
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (Step("r", "sin", ("x",), HALF), "the analysis has no sin"),
+        (Step("r", "multiply", ("x", "x"), 1.0), "multiply is rounded once, or exact"),
+        (Step("q", "multiply", ("x", "x"), HALF), "one output, which is a result"),
+    ],
+)
+def test_what_the_analysis_has_not_is_named(step: Step, said: str) -> None:
+    outputs = ("r",) if step.result == "r" else ("q", "x")
+    straight = StraightLineProgram(("x",), (step,), outputs)
+    with pytest.raises(UnwritableError, match=said):
+        write_bound_script("it", BoundTheorem(straight, {"x": (ONE, TWO)}, ONE))
+
+
+def test_nothing_is_left_unproved_in_the_analysis() -> None:
+    for word in ("Axiom", "Admitted", "admit", "Parameter", "Conjecture", "Hypothesis", "Variable"):
+        assert word not in read_library(ROUNDINGS)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
+def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
+    # FPTaylor proves 1.06e-13 of the first. Of each the next bound is below the worst error found.
+    bounds = {
+        "first": (0, Fraction(985, 10**16)),
+        "second": (1, Fraction(13, 10**16)),
+        "share": (1, Fraction(9, 10**16)),
+    }
+    names = []
+    for name, (number, bound) in bounds.items():
+        theorem = state(number, bound, tmp_path, relative=name == "share")
+        convention = Convention(relative=theorem.relative, ulps=HALF)
+        program = put_in_box(theorem.straight, theorem.ranges, convention)
+        worst = find_worst_input(program, (program.box,))
+        assert worst is not None
+        for kind, at_most in (("holds", bound), ("fails", Fraction(worst.error) * 99 / 100)):
+            text = write_bound_script(name, replace(theorem, bound=at_most))
+            names.append(f"{name}_{kind}.v")
+            (tmp_path / names[-1]).write_text(text, encoding="utf-8")
+    # Another program than the one that is stated, and a divisor that may vanish.
+    theorem = state(0, Fraction(1, 10**12), tmp_path)
+    text = write_bound_script("it", theorem)
+    wrong = {
+        "other": text.replace("Rounded (Sum 2 0)", "Rounded (Difference 2 0)"),
+        "unrounded": text.replace("Rounded (Sum 2 0)", "Exact (Sum 2 0)"),
+        "smaller_box": text.replace("(100, 1)%Z)", "(99, 1)%Z)"),
+        "pole": text.replace("-100 <= u", "-400 <= u").replace("((-100, 1)", "((-400, 1)"),
+    }
+    for name, altered in wrong.items():
+        assert altered != text
+        names.append(f"{name}_fails.v")
+        (tmp_path / names[-1]).write_text(altered, encoding="utf-8")
+    (tmp_path / f"{ROUNDINGS}.v").write_text(read_library(ROUNDINGS), encoding="utf-8")
+    faults = check_files(tmp_path, names)
+    for name, fault in faults.items():
+        assert bool(fault) == name.endswith("_fails.v"), (name, fault)
