@@ -15,6 +15,7 @@ Module I := FloatIntervalFull F.
 Definition rounded (x : R) : R := Generic_fmt.round radix2 (FLT_exp (-1074) 53) ZnearestE x.
 
 Local Instance positive_precision : Prec_gt_0 53 := eq_refl.
+
 Lemma rounded_off x : Rabs (rounded x - x) <= bpow radix2 (-53) * (Rabs x + bpow radix2 (-1000)).
 Proof.
   destruct (error_N_FLT radix2 (-1074) 53 ltac:(reflexivity) (fun n => negb (Z.even n)) x)
@@ -31,13 +32,16 @@ Proof.
     - rewrite Rmult_1_l. apply bpow_le. lia. }
   lra.
 Qed.
+
 Lemma rounded_below x k : (-1000 <= k)%Z -> Rabs x <= bpow radix2 k ->
   Rabs (rounded x - x) <= bpow radix2 (k - 54).
 Proof.
   intros K H. destruct (Req_dec x 0) as [->|Z].
-  { unfold rounded. rewrite round_0 by auto with typeclass_instances. rewrite Rminus_0_r, Rabs_R0. apply bpow_ge_0. }
+  { unfold rounded. rewrite round_0 by auto with typeclass_instances.
+    rewrite Rminus_0_r, Rabs_R0. apply bpow_ge_0. }
   destruct H as [H|H].
-  - apply Rle_trans with (1 := error_le_half_ulp radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) x).
+  - pose proof (error_le_half_ulp radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) x) as L.
+    apply Rle_trans with (1 := L).
     rewrite ulp_neq_0 by assumption. unfold cexp, FLT_exp.
     apply Rle_trans with (bpow radix2 (-1) * bpow radix2 (k - 53)).
     + simpl (bpow radix2 (-1)). apply Rmult_le_compat_l; [lra|]. apply bpow_le.
@@ -51,10 +55,12 @@ Qed.
 
 Definition fraction := (Z * Z)%type.
 Definition real (q : fraction) : R := IZR (fst q) / IZR (snd q).
+
 (* Operands are counted backwards from the last result. *)
 Inductive operation :=
-| Copied (a : nat) | Opposite (a : nat) | Sum (a b : nat) | Difference (a b : nat) | Product (a b : nat)
-| Quotient (a b : nat) | Fused (a b c : nat) | Root (a : nat).
+| Copied (a : nat) | Opposite (a : nat) | Sum (a b : nat) | Difference (a b : nat)
+| Product (a b : nat) | Quotient (a b : nat) | Fused (a b c : nat) | Root (a : nat).
+
 (* A constant is a double that is meant, or one in place of another number. *)
 Inductive step :=
 | Exact (o : operation) | Rounded (o : operation) | Double (q : fraction)
@@ -185,8 +191,6 @@ Lemma has_minus_one : has (I.neg one) (-1).
 Proof. exact (has_neg one 1 has_one). Qed.
 Lemma has_abs x r : has x r -> has (I.abs x) (Rabs r).
 Proof. intros H. exact (I.abs_correct x _ H). Qed.
-Lemma has_every x r : contains (I.convert x) Xnan -> has x r.
-Proof. unfold has. now destruct (I.convert x). Qed.
 Lemma has_div x y r s : has x r -> has y s -> has (I.div p x y) (r / s).
 Proof.
   intros H K. generalize (I.div_correct p x y _ _ H K). unfold has. simpl. unfold Xdiv'.
@@ -302,7 +306,8 @@ Proof.
   intros H K.
   destruct o; cbn [slopes_in slopes];
     repeat (apply Forall2_cons; [split; [reflexivity|cbn [fst snd]]|]); try apply Forall2_nil;
-    auto 9 using has_one, has_minus_one, has_at, has_neg, has_add, has_sub, has_mul, has_div, has_sqrt.
+    auto 9 using has_one, has_minus_one, has_at, has_neg, has_add, has_sub, has_mul, has_div,
+      has_sqrt.
 Qed.
 
 Lemma is_defined_correct o x y r s :
@@ -488,8 +493,8 @@ Proof.
     { apply Forall2_app; auto. apply Forall2_cons, Forall2_nil.
       now apply has_rounding, value_in_correct. }
     set (form := plus (combine forms (slopes o v w)) (unit (length d))).
-    assert (Q : have (plus_in (combine_in (forms_in s)
-              (slopes_in o (computed_in s) (exact_in s))) (unit_in (length (roundings_in s)))) form).
+    assert (Q : have (plus_in (combine_in (forms_in s) (slopes_in o (computed_in s) (exact_in s)))
+                  (unit_in (length (roundings_in s)))) form).
     { apply have_plus; auto. rewrite (length_have _ _ D). apply have_unit. }
     assert (R : rounded (value o v) - value o w = dot form (d ++ [x])).
     { unfold form. rewrite dot_plus, dot_longer, dot_unit by assumption.
