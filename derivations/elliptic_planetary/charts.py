@@ -19,16 +19,7 @@ from .._eccentric import (
     first_turn_of_jerk,
     next_to_pi,
 )
-from .symbols import (
-    R1,
-    R2,
-    e,
-    largest_wanted,
-    non_uniformity_wanted,
-    phi1,
-    quotient_wanted,
-    smallest_wanted,
-)
+from .symbols import *
 
 # In all of them: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)

@@ -25,19 +25,7 @@ from mechproof.record import (
 from .._eccentric import jerk_terms
 from . import kernels
 from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
-from .symbols import (
-    R1,
-    R2,
-    c,
-    e,
-    k,
-    peak_acceleration,
-    phi1,
-    root_acceleration,
-    root_jerk,
-    square,
-    x,
-)
+from .symbols import *
 
 JERK = sp.diff(kernels.ACCELERATION, x) * k
 SPREAD = 1 + e**2 - 2 * e * sp.cos(x)
