@@ -55,7 +55,7 @@ def ask(times: int) -> str:
         ),
         (FORM, f"    y = x and a\n{FORM}", "_form_of_f is not as meant: ways through it: 1"),
         (FORM, f"{ask(7)}{FORM}", "more than 64 ways"),
-        ("from mechproof.kernel_support.functions", "from mechproof.laws.normal", "code imports"),
+        ("from mechproof.kernel_support.functions", "from mechproof.laws.kinds", "code imports"),
         (FORM, f"    spare = x\n{FORM}", "_form_of_f is not as meant"),
         (FORM, f"    x = x\n{FORM}", "_form_of_f is not as meant"),
         (FORM, f"    a * b\n{FORM}", "_form_of_f is not as meant"),

@@ -13,7 +13,7 @@ from enclosures import relative_errors
 from flint import arb, ctx
 
 from mechproof.conformity import Normal, TruncatedNormal, Uniform, conformance_probability, shares
-from mechproof.conformity.quadrature import law_masses
+from mechproof.conformity.risks import law_masses
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from mechproof.measurement import Estimate
-from mechproof.measurement.notation import format_expanded, format_shorthand
+from mechproof.measurement.estimate import format_expanded, format_shorthand
 
 ROUNDING = [
     (0.68, 0.28, "0.68(28)", "0.68 ± 0.28"),

@@ -8,9 +8,6 @@ Every package of the runtime may import it; it imports NumPy, and SciPy inside t
 need it.
 """
 
-from mechproof.laws.kinds import Law
-from mechproof.laws.normal import Normal
-from mechproof.laws.truncated_normal import TruncatedNormal
-from mechproof.laws.uniform import Uniform
+from mechproof.laws.kinds import Law, Normal, TruncatedNormal, Uniform
 
 __all__ = ["Law", "Normal", "TruncatedNormal", "Uniform"]

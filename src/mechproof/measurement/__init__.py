@@ -14,16 +14,19 @@ Whoever has readings may import it; it imports NumPy and the kernels, and SciPy 
 that need it.
 """
 
-from mechproof.measurement.angle_errors import (
-    Mechanism,
-    evaluate_position_errors,
-    position_errors,
-    wrap_angle,
-)
 from mechproof.measurement.estimate import CoverageInterval, Estimate
 from mechproof.measurement.fit import Fit, fit
 from mechproof.measurement.propagation import Propagation, propagate, to_ufloat
-from mechproof.measurement.uncertainty import TypeA, TypeB, combine, evaluate_type_a
+from mechproof.measurement.uncertainty import (
+    Mechanism,
+    TypeA,
+    TypeB,
+    combine,
+    evaluate_position_errors,
+    evaluate_type_a,
+    position_errors,
+    wrap_angle,
+)
 
 __all__ = [
     "CoverageInterval",

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from mechproof.derivatives import differentiate
 from mechproof.kernels import elliptic_planetary, oval_planetary
-from mechproof.measurement.angle_errors import wrap_angle
+from mechproof.measurement.uncertainty import wrap_angle
 
 Floats = NDArray[np.float64]
 # The zeros of the encoders: what they read where the mechanism is at its own zero.
