@@ -9,8 +9,7 @@ from twins import check_twins, judge, list_rows
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
 from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles
-from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SQUARES
-from mechproof.proof.moduli import SIGNS
+from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SIGNS, SQUARES
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict

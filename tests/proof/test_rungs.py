@@ -27,7 +27,6 @@ from mechproof.proof import (
     known_integrals,
     known_series,
     limits,
-    moduli,
     monotonicity,
     newton,
     powers,
@@ -82,8 +81,8 @@ NAMED += [
     any_functions.RUNG,
     floors.RUNG,
     divergence.RUNG,
-    moduli.SIGNS,
-    moduli.MEAN_VALUE,
+    inequalities.SIGNS,
+    inequalities.MEAN_VALUE,
 ]
 
 

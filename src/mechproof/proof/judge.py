@@ -12,8 +12,7 @@ from mechproof.proof.count_zeros import tell_division_by_zero
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import refuse_empty
-from mechproof.proof.restatements import check_restatements
-from mechproof.proof.statement_checks import check_statement
+from mechproof.proof.statement_checks import check_restatements, check_statement
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement

@@ -1,16 +1,21 @@
 """Does a statement say only what its symbols are declared for? Else it is our fault: an error.
 
 What a paper prints may be ill-formed, which is a verdict (`wellformed`). What we rebuild, correct,
-read otherwise or complete may not.
+read otherwise or complete may not. And what is true of something else mends nothing: a correction
+has to state the quantity of its row, a reading what the row prints or what is held against it, and
+neither may compare anything else with itself. A print in words is stated by hand: there a letter in
+common is enough.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
 from mechproof.proof.signs import is_shown
@@ -23,6 +28,7 @@ from mechproof.record import (
     Holds,
     PrintedNumber,
     RecordError,
+    Row,
     Slack,
     Statement,
 )
@@ -180,3 +186,91 @@ def _check_likeness(sides: list[Side], known: Dimensions) -> None:
             f"{names} are of unlike dimension: {error}; where the print is wrong, its correction "
             "has to be given"
         ) from error
+
+
+_WORDS = re.compile(r"\\text\{[^{}]*\}")
+_SIGN = re.compile(r"[=<>≤≥≈≠]|\\(?:le|ge|leq|geq|leqslant|geqslant|ne|neq|approx|equiv)\b")
+
+
+def check_restatements(row: Row, domain: Domain) -> None:
+    """Raise `RecordError` for a correction or a reading that is not about its row."""
+    if row.corrected:
+        what = f"correction {row.corrected.latex!r}"
+        _compare(what, row.corrected.statement, row, domain, _quantities(row.statement))
+    for reading in row.readings:
+        _compare(f"reading {reading.text!r}", reading.says, row, domain, _list_sides(row.statement))
+
+
+def _compare(
+    what: str, says: Statement, row: Row, domain: Domain, shown: Iterable[sp.Basic]
+) -> None:
+    """Require a part that says something, with a side of those that are `shown`."""
+    ours, own = (_resolve(sides, domain) for sides in (_quantities(row.statement), shown))
+    telling = [part for part in _list_parts(says) if not _is_void(part, ours, domain)]
+    if not telling:
+        raise RecordError(f"{what}: its two sides are the same, it says nothing of the row")
+    if any(own & _resolve(_list_sides(part), domain) for part in telling):
+        return
+    letters = _letters(row.statement, domain)
+    rest, words = _WORDS.subn("", row.printed_latex)
+    is_in_words = words > 0 and not _SIGN.search(rest)
+    if is_in_words and (not letters or letters & _letters(says, domain)):
+        return
+    raise RecordError(f"{what}: no side of it is one of the row, so it is about something else")
+
+
+def _resolve(sides: Iterable[sp.Basic], domain: Domain) -> set[sp.Basic]:
+    """Return sides as they stand and with what is declared of their letters."""
+    listed = list(sides)
+    return {*listed, *map(domain.resolve, listed)}
+
+
+def _is_void(part: Statement, ours: set[sp.Basic], domain: Domain) -> bool:
+    """Return whether something is compared with itself that is no quantity of the row."""
+    if isinstance(part, Holds):
+        relations = part.relation.atoms(Relational)
+        return any(relation.lhs == relation.rhs for relation in relations)
+    if not isinstance(part, Equality) or part.printed != part.rebuilt:
+        return False
+    is_ours = part.rebuilt_from != "member" and bool(ours & _resolve([part.rebuilt], domain))
+    return not is_ours and not isinstance(part.rebuilt, sp.MatrixBase)
+
+
+def _letters(says: Statement, domain: Domain) -> set[sp.Basic]:
+    sides = list(_list_sides(says))
+    return set().union(*(side.free_symbols | domain.resolve(side).free_symbols for side in sides))
+
+
+def _list_parts(says: Statement) -> Iterator[Statement]:
+    if isinstance(says, Conjunction):
+        for part in says.parts:
+            yield from _list_parts(part)
+    elif isinstance(says, Completions):
+        yield from _list_parts(says.first.says)
+        yield from _list_parts(says.second.says)
+    else:
+        yield says
+
+
+def _quantities(says: Statement) -> Iterator[sp.Basic]:
+    """Yield what is the row's own whatever is printed of it: our side, where there is one."""
+    for part in _list_parts(says):
+        if isinstance(part, Equality) and part.rebuilt_from == "mechanics":
+            yield part.rebuilt
+        else:
+            yield from _list_sides(part)
+
+
+def _list_sides(says: Statement) -> Iterator[sp.Basic]:
+    for part in _list_parts(says):
+        if isinstance(part, Equality):
+            yield from (part.printed, part.rebuilt)
+        elif isinstance(part, Distinct):
+            yield from (part.left, part.right)
+        elif isinstance(part, Definition):
+            yield from (part.symbol, part.printed)
+        elif isinstance(part, PrintedNumber):
+            yield part.value
+        elif isinstance(part, Holds):
+            for relation in part.relation.atoms(Relational):
+                yield from relation.args
