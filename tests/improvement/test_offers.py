@@ -19,9 +19,8 @@ from command import run
 
 from mechproof.chosen import find_file, rewrite_definition
 from mechproof.derivation import DerivationError, load_paper
-from mechproof.improvement import form_search as searching
-from mechproof.improvement.candidates import Candidate, draw, measure_loss
-from mechproof.improvement.form_search import search
+from mechproof.improvement import candidates as searching
+from mechproof.improvement.candidates import Candidate, draw, measure_loss, search
 from mechproof.improvement.offers import find_offer, prove
 from mechproof.lab.sampling.named_sets import TUNE
 from mechproof.lab.subject import Subject, find_subjects

@@ -11,8 +11,7 @@ import pytest
 from weights import make_thorough
 
 from mechproof.chosen import rewrite_definition
-from mechproof.improvement.candidates import Candidate, draw, measure_loss
-from mechproof.improvement.form_search import search
+from mechproof.improvement.candidates import Candidate, draw, measure_loss, search
 from mechproof.improvement.offers import prove
 from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.subject import find_subjects

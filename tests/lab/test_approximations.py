@@ -23,7 +23,7 @@ from ways import (
     truth_of,
 )
 
-from mechproof.lab.bounds import bound_approximation
+from mechproof.lab.accuracy_domain import bound_approximation
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments
 

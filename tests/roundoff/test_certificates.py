@@ -21,13 +21,14 @@ from mechproof.roundoff.certificate import (
     holds,
     is_shown,
     list_digests,
+    read_cuts,
     tell_place,
     tell_proofs,
+    write_cuts,
 )
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.cuts import read_cuts, write_cuts
 from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import list_regions

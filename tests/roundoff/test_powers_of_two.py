@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mechproof.roundoff.compensation import find_compensated
-from mechproof.roundoff.powers_of_two import take_powers_last
+from mechproof.roundoff.compensation import find_compensated, take_powers_last
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT, HALF, PRODUCT_REST, Step, StraightLineProgram
 

@@ -13,13 +13,14 @@ from typing import Any
 from mechproof.codegen.form_rows import form_rows, number_shipped
 from mechproof.improvement.candidates import (
     ALL_DIGITS,
+    UNFIT,
     Candidate,
     Loss,
     can_be_searched,
     draw,
     measure_loss,
+    search,
 )
-from mechproof.improvement.form_search import UNFIT, search
 from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.proof.judge import judge

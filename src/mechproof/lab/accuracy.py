@@ -14,8 +14,7 @@ from typing import Any
 import numpy as np
 
 from mechproof.executors import BALLS, run_in_order
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.bounds import bound_approximation
+from mechproof.lab.accuracy_domain import bound_approximation, mark_accuracy_domain
 from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.oracle import Truth, count_points, find_truth
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points, join

@@ -1,18 +1,23 @@
-"""Where an accuracy bound is stated: the points at which its relations hold for certain."""
+"""Where an accuracy bound is stated for certain, and the bound of an approximation over a cell."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.arithmetic.balls import evaluate
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
+from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
-from mechproof.lab.ways import Arguments, Array, list_columns
+from mechproof.lab.ways import Arguments, Array, Way, list_columns
+from mechproof.proof.signs import find_sign
 from mechproof.record.relations import is_comparison
+from mechproof.statement_domains.domain import Domain
 
 
 def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
@@ -56,3 +61,54 @@ def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Arra
     with np.errstate(all="ignore"):
         found: Array = np.asarray(test(*columns), bool)
     return np.asarray(found.all(axis=-1)) if elements else found
+
+
+def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None:
+    """Return what the error stays below on a cell of sizes.
+
+    None without a bound, or for a bound that does not provably rise with every size.
+    """
+    if way.bound is None:
+        return None
+    bound = subject.domain.resolve(way.bound)
+    sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in sorted(bound.free_symbols, key=str)}
+    if not sizes.keys() <= _corner(subject, cell).keys() or not _rises(bound, subject, sizes):
+        return None
+    ball = evaluate(bound, {s: _corner(subject, cell)[s] for s in sizes}, 128)
+    return float(np.nextafter(float(ball.upper()), np.inf)) if ball.is_finite() else None
+
+
+def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:
+    """Give every symbol the largest size its argument has in the cell."""
+    return {
+        symbol: cell[argument.name][1]
+        for argument in subject.quantity.arguments
+        if argument.name in cell
+        for symbol in argument.symbols
+    }
+
+
+def _rises(bound: sp.Expr, subject: Subject, sizes: dict[sp.Symbol, sp.Symbol]) -> bool:
+    """Decide that the bound depends on sizes alone and falls with none of them."""
+    sets = {s: subject.domain.set_of(s) for s in sizes}
+    signed = [s for s in sizes if sets[s].inf < 0]
+    if any(sp.simplify(bound - bound.subs(s, -s)) != 0 for s in signed):
+        return False
+    positive = sp.Interval.open(0, sp.oo)
+    within = tuple((size, sp.Intersection(sets[s], positive)) for s, size in sizes.items())
+    return _rises_in_sizes(bound.subs(sizes), within)
+
+
+@lru_cache(maxsize=256)
+def _rises_in_sizes(bound: sp.Expr, within: tuple[tuple[sp.Symbol, sp.Set], ...]) -> bool:
+    """Decide that an expression of positive sizes is nonnegative and falls with none of them."""
+    if bound.is_Number or bound.is_Symbol:
+        return bool(bound.is_nonnegative)
+    if isinstance(bound, sp.Add | sp.Mul):
+        return all(_rises_in_sizes(part, within) for part in bound.args)
+    if isinstance(bound, sp.Pow) and bound.exp.is_positive and bound.exp.is_number:
+        return _rises_in_sizes(bound.base, within)
+    domain = Domain(dict(within), (), {})
+    signs = [find_sign(bound, domain)]
+    signs += [find_sign(sp.factor(sp.diff(bound, size)), domain) for size, _ in within]
+    return all(sign is not None and sign.direction > 0 for sign in signs)

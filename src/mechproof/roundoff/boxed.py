@@ -19,7 +19,6 @@ from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.premises import FUNCTIONS, NORMAL
-from mechproof.roundoff.sharing import share_equal_steps
 from mechproof.roundoff.steps import (
     CONSTANT,
     HALF,
@@ -28,6 +27,7 @@ from mechproof.roundoff.steps import (
     keep_needed,
     name_constant,
 )
+from mechproof.roundoff.written_scales import share_equal_steps
 
 Range = tuple[Fraction, Fraction]
 

@@ -1,15 +1,17 @@
 """Certificates: what is proved of the rounding errors of a system's kernels, as data.
 
 A claim of a kernel's stage is the largest bound over all boxes; who checks it cuts the domain as it
-was cut before and bounds every box anew. FPTaylor and PRECiSA (Titolo et al. 2018) write proofs for
-HOL Light and PVS: nothing as strong is claimed here, where boxes are bounded by what found the
-claim. The worst input found stands beside it.
+was cut before, as a text says, and bounds every box anew. FPTaylor and PRECiSA (Titolo et al. 2018)
+write proofs for HOL Light and PVS: nothing as strong is claimed here, where boxes are bounded by
+what found the claim. The worst input found stands beside it.
 """
 
 from __future__ import annotations
 
 import json
 import math
+import zlib
+from base64 import b64decode, b64encode
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -22,7 +24,6 @@ from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
-from mechproof.roundoff.cuts import read_cuts, write_cuts
 from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
@@ -308,3 +309,16 @@ def _search(subject: ComputedStage, covers: Sequence[tuple[ChartRegion, Cover]])
         [(region, box) for _, region, box in highest],
     )
     return max((find_worst(subject, s, SEED) for s in starts), key=lambda found: found.eps)
+
+
+def write_cuts(cuts: Sequence[Cuts]) -> str:
+    """Return the cuts of boxes, one box after the other, as a text."""
+    return b64encode(zlib.compress(np.concatenate(cuts).tobytes(), 9)).decode("ascii")
+
+
+def read_cuts(text: str) -> Cuts:
+    """Return the cuts of a text; ValueError for a text that has none."""
+    try:
+        return np.frombuffer(zlib.decompress(b64decode(text, validate=True)), np.int8)
+    except zlib.error as error:
+        raise ValueError(f"{text[:20]!r}: no cuts: {error}") from error

@@ -1,4 +1,9 @@
-"""Written scales: in, what errors are relative to; out, its steps, and those of its terms."""
+"""Written scales: in, what errors are relative to; out, its steps, and those of its terms.
+
+Steps that compute one number are one step: doubles are rounded alike whatever the order of the
+terms of a sum or of the factors of a product, and whatever the sign. It is the value numbering of
+compilers (Cocke and Schwartz 1970).
+"""
 
 from __future__ import annotations
 
@@ -17,7 +22,6 @@ from mechproof.roundoff.affine import find_size
 from mechproof.roundoff.bound import ErrorScale
 from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.interval_monomials import IntervalMonomial
-from mechproof.roundoff.sharing import share_equal_steps
 from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage
 
 PLAIN_REWRITES = ("positive_atan2", "half_angle_tangent")
@@ -134,3 +138,30 @@ def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
         ]
         outputs += map(rename, straight.outputs)
     return StraightLineProgram(inputs, tuple(steps), tuple(outputs))
+
+
+_COMMUTATIVE = ("add", "multiply")
+Key = tuple[str, tuple[str, ...]]
+
+
+def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
+    """Return the steps, each number computed once."""
+    names: dict[Operand, Operand] = {}
+    known: dict[Key, str] = {}
+    steps: list[Step] = []
+    for step in straight.steps:
+        operands = tuple(names.get(o, o) if isinstance(o, str) else o for o in step.operands)
+        key = _name(step, operands)
+        if key in known:
+            names[step.result] = known[key]
+        else:
+            known[key] = step.result
+            steps.append(replace(step, operands=operands))
+    outputs = tuple(names.get(output, output) for output in straight.outputs)
+    return replace(straight, steps=tuple(steps), outputs=outputs)
+
+
+def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
+    # By their bits: 0.0 and -0.0 are equal and not one operand.
+    texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
+    return step.kind, tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts

@@ -1,20 +1,26 @@
-"""C backend: in, a paper; out, a header and a source that need <math.h> alone."""
+"""C backend: in, a paper; out, a header and a source that need <math.h> alone.
+
+Elementary functions of angles are right up to the format's largest angle. Whether all angles of a
+point are below it, is a program of its own: that part of the stage which computes them. It is asked
+of a block of points before a loop without a branch.
+"""
 
 from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
-from mechproof.codegen.backends.c_angles import Angles, ask_first
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
+    ScalarStage,
     extend_syntax,
     join_scalars,
+    list_booleans,
     write_elementary,
     write_reduction,
     write_scalar,
@@ -28,12 +34,14 @@ from mechproof.codegen.docstrings import (
     tell_unit,
 )
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
-from mechproof.codegen.syntax import Syntax, write_program
+from mechproof.codegen.syntax import ProgramText, Syntax, write_program
+from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.scalar import list_scalars, list_stages, put_off_divisions
 from mechproof.programs.term_loops import LOOPS, fold_sums
@@ -241,3 +249,63 @@ def _tidy(text: str) -> str:
         if line or lines[-1].endswith(("}", "*/", ");")):
             lines.append(line)
     return "\n".join(lines).strip() + "\n"
+
+
+LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)
+
+
+@dataclass(frozen=True)
+class Angles:
+    """The text that says whether all angles are near: of a point, and what is prepared by place."""
+
+    running: tuple[str, ...]
+    prepared: tuple[tuple[str, int], ...]
+    text: ProgramText
+    booleans: frozenset[str]
+
+
+def find_angles(stage: Stage, largest: float) -> Program | None:
+    """Return the program that says whether all angles of a point are near; None without angles."""
+    assert stage.evaluate is not None
+    program, steps = stage.evaluate, list(stage.evaluate.operations)
+    angles = dict.fromkeys(step.operands[0] for step in steps if step.kind in LIMITED)
+    result: Operand = True
+    for number, angle in enumerate(angles):
+        size, near, both = (f"{TEMPORARY}{kind}{number}" for kind in ("size", "near", "both"))
+        steps.append(Operation(size, "absolute", (angle,)))
+        steps.append(Operation(near, "less_equal", (size, largest)))
+        steps.append(Operation(both, "both", (result, near)))
+        result = both if number else near
+    found = _keep_needed(replace(program, operations=tuple(steps), outputs=(result,)))
+    return found if angles else None
+
+
+def _keep_needed(program: Program) -> Program:
+    """Return a program without the operations and inputs that no output needs."""
+    needed: set[Operand] = set(program.outputs)
+    kept: list[Operation] = []
+    for step in reversed(program.operations):
+        if step.result in needed:
+            needed.update(step.operands)
+            kept.insert(0, step)
+    inputs = tuple(name for name in program.inputs if name in needed)
+    return replace(program, inputs=inputs, operations=tuple(kept)).normal_form()
+
+
+def ask_first(
+    written: ScalarStage, stage: Stage, largest: float, syntax: Syntax
+) -> tuple[ScalarStage, Angles | None]:
+    """Return a stage whose functions are told if angles may be far, and what is asked of them."""
+    program = find_angles(stage, largest)
+    if program is None:
+        return written, None
+    assert stage.evaluate is not None
+    told = replace(syntax, last={**syntax.last, **dict.fromkeys(LIMITED, f"{HELPER}exact")})
+    places = {n: i for i, n in enumerate(stage.evaluate.inputs[len(stage.running) :])}
+    angles = Angles(
+        tuple(syntax.name(name) for name in program.inputs if name not in places),
+        tuple((syntax.name(name), places[name]) for name in program.inputs if name in places),
+        write_program(program, syntax),
+        list_booleans(program, syntax),
+    )
+    return replace(written, evaluate=write_program(stage.evaluate, told)), angles

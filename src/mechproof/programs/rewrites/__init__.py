@@ -17,14 +17,20 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.arctangent import positive_atan2
 from mechproof.programs.rewrites.clenshaw import clenshaw, in_single
 from mechproof.programs.rewrites.coefficients import name_coefficients
-from mechproof.programs.rewrites.differences import difference_of_functions, difference_of_roots
-from mechproof.programs.rewrites.exponentials import expm1_log1p
-from mechproof.programs.rewrites.half_angle import cosine_minus_one, half_angle_tangent, small_arc
-from mechproof.programs.rewrites.low_product import low_product
-from mechproof.programs.rewrites.low_word import low_word
+from mechproof.programs.rewrites.differences import (
+    difference_of_functions,
+    difference_of_roots,
+    expm1_log1p,
+)
+from mechproof.programs.rewrites.half_angle import (
+    cosine_minus_one,
+    half_angle_tangent,
+    positive_atan2,
+    small_arc,
+)
+from mechproof.programs.rewrites.low_word import low_product, low_word
 from mechproof.programs.rewrites.square_roots import (
     conjugate_root,
     difference_of_squares,

@@ -1,4 +1,4 @@
-"""Differences of two values of a function by the difference of its arguments, which is exact.
+"""Differences of two values of a function, and from 1, without the digits that cancel there.
 
 The sums and products of trigonometry turn sin a - sin b, whose digits cancel as a nears b, into a
 product with sin((a - b)/2), whose digits do not; other functions have such theorems, too.
@@ -12,6 +12,7 @@ from types import MappingProxyType
 
 import sympy as sp
 from sympy.codegen.cfunctions import expm1, log1p
+from sympy.codegen.rewriting import expm1_opt, log1p_opt, optimize
 
 from mechproof.programs.evaluation import Evaluation
 from mechproof.programs.rewrites.factored_sums import Factors, is_root
@@ -89,3 +90,8 @@ def difference_of_roots(evaluation: Evaluation) -> Evaluation:
         lambda e: e.replace(lambda node: isinstance(node, sp.Add), convert), factors.steps
     )
     return changed.oblige(legal)
+
+
+def expm1_log1p(evaluation: Evaluation) -> Evaluation:
+    """Rewrite exp(u) - 1 -> expm1(u) and log(1 + u) -> log1p(u). Always legal."""
+    return evaluation.transform(lambda e: optimize(e, (expm1_opt, log1p_opt)))

@@ -130,3 +130,11 @@ def _cancel_ones(
 def _angles(evaluation: Evaluation, functions: tuple[type[sp.Function], ...]) -> list[sp.Expr]:
     found = {node.args[0] for e in evaluation.expressions() for node in e.atoms(*functions)}
     return sorted(found, key=sp.default_sort_key)
+
+
+def positive_atan2(evaluation: Evaluation) -> Evaluation:
+    """Rewrite atan2(y, x) -> atan(y/x); legal where x > 0."""
+    found = {node for e in evaluation.expressions() for node in e.atoms(sp.atan2)}
+    positive = [sp.Gt(node.args[1], 0) for node in sorted(found, key=sp.default_sort_key)]
+    changed = evaluation.transform(lambda e: e.replace(sp.atan2, lambda y, x: sp.atan(y / x)))
+    return changed.oblige(positive)

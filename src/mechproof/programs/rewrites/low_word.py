@@ -1,17 +1,21 @@
-"""Low word of an angle: the rounding error of a product, kept beside the product.
+"""Low words: the rounding error of an angle, and of a product of sums, kept beside it.
 
 x = (a/b)*c is rounded to a double before a sine sees it, and where the sine's user is steep that
-error, up to eps*|x|, is most of the result's. Two error-free steps recover it.
+error, up to eps*|x|, is most of the result's. Two error-free steps recover it. So are the three
+roundings of (1 - e1)*(1 - e2) where a function goes with a high power of it: each leaves a rest
+that is a double, and their sum is added before the last rounding.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from operator import methodcaller
 
 import sympy as sp
 
-from mechproof.programs.evaluation import Evaluation, Step
-from mechproof.programs.rounding_functions import ProductRest, QuotientRest
+from mechproof.programs.evaluation import Evaluation, Step, map_entries
+from mechproof.programs.rounding_functions import ProductRest, QuotientRest, SumRest
+from mechproof.programs.step_names import suggest_name
 
 
 def low_word(evaluation: Evaluation) -> Evaluation:
@@ -65,3 +69,55 @@ def _add_rest(
             factor_rest = QuotientRest(above, below, factor)
             rest += evaluation.add_step(f"{factor}_low", factor_rest, steps) * partner
     return evaluation.add_step(f"{x}_low", number * rest, steps)
+
+
+Pair = tuple[sp.Symbol, sp.Symbol]
+
+
+def low_product(evaluation: Evaluation) -> Evaluation:
+    """Rewrite steps (c + x)*(d + y) -> p + p_low, p_low the rests of p and of its two factors.
+
+    Legal for numbers c and d with |x| <= |c|, |y| <= |d|: then the rests of the factors are
+    doubles. Their product is left out, below eps**2*p, so p + p_low is rounded as if once.
+    """
+    products = {symbol: value for symbol, value in evaluation.steps if _is_product(value)}
+    steps: list[Step] = []
+    sums = {f: _split_sum(f, evaluation, steps) for p in products.values() for f in p.args}
+    split = {
+        symbol: _split_product(symbol, [sums[f] for f in value.args], evaluation, steps)
+        for symbol, value in products.items()
+    }
+    named = {factor: high for factor, (high, _) in sums.items()}
+    rest = [(s, split.get(s, value.xreplace(named))) for s, value in evaluation.steps]
+    output = map_entries(methodcaller("xreplace", named), evaluation.output)
+    legal = [
+        sp.Le(sp.Abs(term), abs(number))
+        for number, term in (factor.as_coeff_Add() for factor in sorted(sums, key=str))
+    ]
+    return evaluation.rearrange((*rest, *steps), output).oblige(legal)
+
+
+def _is_product(value: sp.Expr) -> bool:
+    return value.is_Mul and len(value.args) == 2 and all(_is_sum(f) for f in value.args)
+
+
+def _is_sum(factor: sp.Expr) -> bool:
+    number, term = factor.as_coeff_Add()
+    return bool(number) and term.as_coeff_Mul()[1].is_Symbol
+
+
+def _split_sum(factor: sp.Expr, evaluation: Evaluation, steps: list[Step]) -> Pair:
+    """Add the steps of a rounded sum and of its rest, and return their names."""
+    high = evaluation.add_step(suggest_name(factor, "factor"), factor, steps)
+    rest = SumRest(*factor.as_coeff_Add(), high)
+    return high, evaluation.add_step(f"{high}_low", rest, steps)
+
+
+def _split_product(
+    name: sp.Symbol, factors: list[Pair], evaluation: Evaluation, steps: list[Step]
+) -> sp.Expr:
+    """Add the steps of a rounded product and of its rest, and return their sum."""
+    (a, a_low), (b, b_low) = factors
+    high = evaluation.add_step(f"{name}_high", a * b, steps)
+    rest = ProductRest(a, b, high) + a_low * b + a * b_low
+    return high + evaluation.add_step(f"{name}_low", rest, steps)
