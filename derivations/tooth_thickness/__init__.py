@@ -6,8 +6,7 @@ from mechproof.record import Check, Cost, Finding, Paper, PublishedSizes, Weight
 
 from .algorithm import ALGORITHM_ROWS, wheels_rejected
 from .claims import CLAIM_ROWS, EXAMPLE_ROWS
-from .design import DESIGN_ROWS, PARAMETER_ROWS
-from .influence import INFLUENCE_ROWS
+from .design import DESIGN_ROWS, INFLUENCE_ROWS, PARAMETER_ROWS
 from .kernels import QUANTITIES
 from .mechanics import (
     DECREASE_UM,
