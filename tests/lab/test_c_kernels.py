@@ -12,11 +12,10 @@ import pytest
 from quantities import find_subject
 
 from mechproof.choice import choose
-from mechproof.lab import c_kernels, gpu_kernels
-from mechproof.lab.c_kernels import COMPILER, KernelInC, find_in_c
+from mechproof.lab import c_kernels
+from mechproof.lab.c_kernels import COMPILER, KernelInC, find_in_c, find_on_gpu
 from mechproof.lab.chart import draw_chart
 from mechproof.lab.chart_points import list_workloads
-from mechproof.lab.gpu_kernels import find_on_gpu
 from mechproof.lab.record_tables import list_lines
 from mechproof.lab.subject import find_subjects
 from mechproof.measured import IN_C, ON_GPU, find_files, read_record, write_record
@@ -28,7 +27,7 @@ needs_compiler = pytest.mark.skipif(
 FINDERS = (
     pytest.param(find_in_c, marks=needs_compiler),
     pytest.param(
-        find_on_gpu, marks=pytest.mark.skipif(not gpu_kernels.find_gpu(), reason="there is no GPU")
+        find_on_gpu, marks=pytest.mark.skipif(not c_kernels.find_gpu(), reason="there is no GPU")
     ),
 )
 RNG = np.random.default_rng(7)

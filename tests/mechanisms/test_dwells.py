@@ -15,7 +15,7 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from mechproof import CylindricalPair, OvalPair, OvalPlanetary
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.mechanisms.dwells import ball_decisions, band_dwells, ratio
-from mechproof.mechanisms.dwells.spans import Span
+from mechproof.mechanisms.dwells.ratio import Span
 
 DEGREE = math.radians(1)
 

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof import equalities, inequality_ladder
+from mechproof.proof import equation_ladder, ladder
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
@@ -172,11 +172,11 @@ def test_what_a_symbol_is_declared_to_be_is_not_proved_by_the_declaration():
 
 
 def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):
-    monkeypatch.setattr(equalities, "_FIRST", (lambda left, right, domain: "broken rung",))
+    monkeypatch.setattr(equation_ladder, "_FIRST", (lambda left, right, domain: "broken rung",))
     with pytest.raises(ContradictionError, match="proved, yet"):
         decide(FALSE, ANYWHERE)
 
 
 def test_a_sign_that_balls_refute_is_not_believed(monkeypatch):
-    monkeypatch.setattr(inequality_ladder, "_holds_by_sign", lambda relation, domain: True)
+    monkeypatch.setattr(ladder, "_holds_by_sign", lambda relation, domain: True)
     assert decide(Holds(x > y), ANYWHERE).verdict is REFUTED

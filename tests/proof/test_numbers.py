@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from mechproof.proof.evidence_numbers import describe_number, read_number
+from mechproof.proof.verdict import describe_number, read_number
 
 
 @pytest.mark.parametrize(

@@ -35,7 +35,7 @@ from mechproof.proof import (
     vector_angles,
     wave_sums,
 )
-from mechproof.proof.equalities import IDENTICAL
+from mechproof.proof.equation_ladder import IDENTICAL
 from mechproof.proof.exact_values import RECOMPUTATION
 from mechproof.proof.ladder import UNCOMPARED
 from mechproof.proof.rungs import RUNGS, name_rungs

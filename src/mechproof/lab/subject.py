@@ -27,8 +27,7 @@ from mechproof.derivation import (
     load_part,
     packaged_directory,
 )
-from mechproof.lab.c_kernels import find_in_c
-from mechproof.lab.gpu_kernels import find_gpu, find_on_gpu
+from mechproof.lab.c_kernels import find_gpu, find_in_c, find_on_gpu
 from mechproof.lab.sampling.named_sets import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.sampling.usual_sizes import Sides

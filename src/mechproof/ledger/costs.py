@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.evidence_numbers import describe_number
 from mechproof.proof.exact_values import RECOMPUTATION
-from mechproof.proof.verdict import Evidence, Judgement
+from mechproof.proof.verdict import Evidence, Judgement, describe_number
 from mechproof.proof.witness_text import show_plainly
 
 

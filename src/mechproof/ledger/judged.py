@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from mechproof.ledger.cards import make_card
 from mechproof.ledger.ledger_findings import LedgerFinding
-from mechproof.proof.equalities import IDENTICAL
+from mechproof.proof.equation_ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper

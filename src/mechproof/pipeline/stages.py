@@ -20,14 +20,13 @@ from pathlib import Path
 from mechproof.codegen.form_rows import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
-from mechproof.derivation import find_systems, packaged_directory
+from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.lab import measure as measuring
 from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.record_tables import PAGE, headline, list_lines
 from mechproof.lab.subject import find_subjects
 from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
 from mechproof.measured import FOLDER, QUICK, find_known, read_records, write_record
-from mechproof.pipeline.certification import certify_derivations
 from mechproof.pipeline.judging import (
     Progress,
     judge_papers,
@@ -37,11 +36,12 @@ from mechproof.pipeline.judging import (
 )
 from mechproof.pipeline.validation_workers import ValidationError, validate_derivations
 from mechproof.pipeline.verification import LIMIT
+from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.certificate_files import write_certificates
+from mechproof.roundoff.certificate_files import certify_paper, write_certificates
 from mechproof.tools.extras import require_modules
 from mechproof.tools.made import Change, ForeignFileError, Made
-from mechproof.tools.processes import start_executor
+from mechproof.tools.processes import WorkerError, run_tasks, start_executor
 
 
 @dataclass(frozen=True)
@@ -164,3 +164,36 @@ def measure(
         yield target / PAGE, ""
 
     return run()
+
+
+# Seconds for a paper: a search for bounds that nobody knows yet may take an hour.
+LONGEST = 6 * 3600.0
+# The papers of this process by their places; one that was forked finds here what its parent had.
+_papers: dict[Path, Paper] = {}
+
+
+def certify_derivations(
+    papers: Mapping[Path, Paper], directory: Path, *, use_cache: bool = True
+) -> list[Certificate | None]:
+    """Prove the bounds of papers, given by their places; None for one without charts.
+
+    Raises ValueError for a chart that cannot be used.
+    """
+    places = list(papers)
+    found: dict[int, Certificate | None] = {}
+    _papers.update(papers)
+    try:
+        tasks = [(place, directory, use_cache) for place in places]
+        for number, result in run_tasks(_certify, tasks, limit=LONGEST):
+            if isinstance(result, WorkerError):
+                raise ValueError(f"{places[number]}: {result}") from result
+            found[number] = result
+    finally:
+        _papers.clear()
+    return [found[number] for number in range(len(places))]
+
+
+def _certify(task: tuple[Path, Path, bool]) -> Certificate | None:
+    place, directory, use_cache = task
+    paper = _papers.get(place) or load_paper(place)
+    return certify_paper(paper, directory, use_cache=use_cache)

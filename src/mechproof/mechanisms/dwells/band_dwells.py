@@ -32,7 +32,7 @@ from typing import Any, NamedTuple
 
 from mechproof.mechanisms.dwells.ball_decisions import EnclosedDrive, Open, as_ball, is_above, sure
 from mechproof.mechanisms.dwells.band import find_longest, find_longest_of_equal, start_swing
-from mechproof.mechanisms.dwells.spans import MARGIN, Span
+from mechproof.mechanisms.dwells.ratio import MARGIN, Span
 
 
 class BandRequest(NamedTuple):

@@ -13,10 +13,9 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from mechproof.mechanisms.dwells.ball_decisions import Open, as_ball, is_above, sure
-from mechproof.mechanisms.dwells.spans import MARGIN, Place, Span
 
 End = Any  # a Fraction, or a ball
 
@@ -180,3 +179,24 @@ def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
         else:
             high = middle
     return [(start, low)]
+
+
+# Where the carrier passes a dwell: about x = pi, about x = 0, or where the output turns.
+Place = Literal["slowest", "fastest", "turns"]
+# Ends of intervals that are no fractions are enclosed to this.
+MARGIN = Fraction(1, 10**9)
+
+
+class Span(NamedTuple):
+    """Eccentricities from `low` to `high` at which it dwells, where, and which are the best.
+
+    `exact` is the one at which the ratio has a double zero, if it is among them; at `best` the
+    dwell is longest, `width` of the carrier.
+    """
+
+    place: Place
+    low: Fraction
+    high: Fraction
+    exact: Fraction | None
+    best: Fraction
+    width: float

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
 from mechproof.arguments.scalars import refuse, require
-from mechproof.mechanisms.dwells.spans import Place, Span
+from mechproof.mechanisms.dwells.ratio import Place, Span
 from mechproof.mechanisms.exact import Number, check_number, check_teeth
 from mechproof.tools.extras import tell_missing
 
