@@ -88,14 +88,14 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
         return None
     if not is_workable(expression):
         return None
-    if (sign := _find_sign_at_ends(expression, domain)) is not None:
+    if _is_strict(sign := _find_sign_at_ends(expression, domain)):
         return sign
     try:
         written, cosines = write_by_cosines(expression)
     except (NotImplementedError, sp.PolynomialError):
-        return None
+        return sign
     if not written.free_symbols <= expression.free_symbols | cosines.keys():
-        return None
+        return sign
     above, below = sp.fraction(written)
     within = dict(domain.within)
     for cosine, angle in cosines.items():
@@ -106,7 +106,7 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
             within[square] = sp.Interval(0, 1, left_open=least == 0)
         else:
             within[cosine] = sp.Interval(least, 1, left_open=least == 0)
-    return find_sign(above / below, replace(domain, within=within))
+    return find_sign(above / below, replace(domain, within=within)) or sign
 
 
 def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
@@ -233,7 +233,7 @@ def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Bas
 def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     coordinates = _change_coordinates(expression, domain)
     expression = name_exponentials(expression, coordinates)
-    changed = _name_positive_cosines(free_tangents(expression), coordinates, domain)
+    changed = free_tangents(expression)
     # Gaps are chained, as in R3 < R2 < R1: what is put in may hold letters that are replaced.
     for _ in range(3):
         changed = changed.xreplace(coordinates.replacement)
@@ -293,19 +293,6 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
     gap = sp.Dummy(f"gap_{large}", nonnegative=True)
     (coordinates.positive if slack.strict else coordinates.nonnegative).add(gap)
     coordinates.replacement[large] = small + gap
-
-
-def _name_positive_cosines(
-    expression: sp.Expr, coordinates: Coordinates, domain: Domain
-) -> sp.Expr:
-    """Let the cosine of an angle proved to lie within a quarter turn be a positive number."""
-    for angle in list_angles(expression):
-        only_cosine = not expression.has(sp.sin(angle), sp.tan(angle))
-        if only_cosine and _is_acute(angle, domain):
-            c = sp.Dummy("c", positive=True)
-            coordinates.positive.add(c)
-            expression = expression.subs(sp.cos(angle), c)
-    return expression
 
 
 def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
