@@ -23,8 +23,7 @@ from mechproof.lab.accuracy import Report, measure_accuracy
 from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject
-from mechproof.lab.tailored_kernels import list_tailored
-from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
+from mechproof.lab.timing import FULL, QUICK, Effort, list_tailored, time_subject, time_ufuncs
 from mechproof.lab.ways import Way
 from mechproof.measured import Machine, MeasuredWay, Point, Record
 from mechproof.proof.judge import judge

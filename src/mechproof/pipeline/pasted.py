@@ -18,7 +18,6 @@ from mechproof.latex.tree import Integration, Letter, walk
 from mechproof.latex.values import list_reached, settle_all
 from mechproof.nomenclature.said_relations import narrow
 from mechproof.pipeline.bold_letters import compare_bold, is_capital
-from mechproof.pipeline.called_letters import find_unknown, take_said
 from mechproof.pipeline.pasted_letters import (
     COMMAND,
     Letters,
@@ -28,7 +27,7 @@ from mechproof.pipeline.pasted_letters import (
     read_letters,
 )
 from mechproof.pipeline.remainders import give_limits, take_remainder
-from mechproof.pipeline.special_letters import take_set
+from mechproof.pipeline.special_letters import find_unknown, take_said, take_set
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.verdict import Judgement

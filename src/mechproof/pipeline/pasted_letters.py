@@ -26,7 +26,6 @@ from mechproof.pipeline.bold_letters import (
     refuse_unclear,
     show_entries,
 )
-from mechproof.pipeline.called_letters import find_called, give_unknown, list_names
 from mechproof.pipeline.given_letters import (
     find_all_rates,
     find_decimals,
@@ -45,10 +44,13 @@ from mechproof.pipeline.moving_letters import (
 )
 from mechproof.pipeline.special_letters import (
     EULER,
+    find_called,
     find_declared,
     find_gamma,
+    give_unknown,
     has_differential,
     has_letter_d,
+    list_names,
     means_euler,
 )
 from mechproof.record import (
