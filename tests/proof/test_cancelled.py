@@ -122,6 +122,29 @@ def test_single_places_without_a_value_are_left_out(latex: str) -> None:
     assert judge(latex) is Verdict.PROVED
 
 
+# A zero of what is cancelled is no counterexample; the step of each first side lies there.
+HOLES = [
+    (r"\operatorname{sgn}(x)^2=\frac xx", Verdict.PROVED),
+    (r"\operatorname{sgn}x=\frac xx", Verdict.REFUTED),
+    (r"\operatorname{sgn}(x^2)=\frac{x^2}{|x^2|}", Verdict.PROVED),
+    (r"\operatorname{sgn}(x-y)^2=\frac{x-y}{x-y}", Verdict.PROVED),
+    (r"\operatorname{sgn}(x-y)=\frac{x-y}{x-y}", Verdict.REFUTED),
+    (r"\frac xx=\begin{cases}1&x\ne0\\0&x=0\end{cases}", Verdict.PROVED),
+    (r"\frac xx=\begin{cases}1&x\ne1\\0&x=1\end{cases}", Verdict.REFUTED),
+    (r"\operatorname{sgn}(x)^2\ge\frac xx", Verdict.PROVED),
+    (r"\operatorname{sgn}(x)^2>\frac xx", Verdict.REFUTED),
+]
+
+
+@pytest.mark.parametrize(("latex", "verdict"), HOLES)
+def test_a_zero_of_what_is_cancelled_refutes_nothing(latex: str, verdict: Verdict) -> None:
+    assert judge(latex) is verdict
+
+
+def test_a_quotient_of_zeros_differs_from_nothing() -> None:
+    assert judge(r"\frac{a-b}{a-b}=2", where="a=b") is Verdict.UNDECIDED
+
+
 ENDLESS = [
     (r"\lim_{x\to\infty}\mathrm e^x=\infty", Verdict.PROVED),
     (r"\lim_{x\to-\infty}\mathrm e^x=\infty", Verdict.REFUTED),

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.proof.cases import narrow
 from mechproof.proof.comparison_latex import write_compared
 from mechproof.proof.count_zeros import tell_division_by_zero
 from mechproof.proof.equation_ladder import ContradictionError
@@ -98,13 +99,26 @@ def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
     check_statement(says, known, domain, mended=mended)
     faults = find_faults(says, known, domain, mended=mended)
     if not faults:
-        answer = decide(says, domain)
+        answer = _decide_where_it_divides(row, domain)
         undefined = answer.verdict is Verdict.PROVED and tell_division_by_zero(row.divisors, domain)
         return replace(answer, verdict=Verdict.UNDECIDED, reason=undefined) if undefined else answer
     rungs = dict.fromkeys(fault.rung for fault in faults)
     reason = "; ".join(fault.reason for fault in faults)
     evidence = tuple(fault.evidence for fault in faults)
     return Answer(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
+
+
+def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:
+    """Decide what a row says; where a divisor that cancels is zero it says nothing."""
+    answer = decide(row.statement, domain)
+    if not row.divisors or answer.verdict is not Verdict.REFUTED:
+        return answer
+    part: Domain | None = domain
+    for divisor in row.divisors:
+        part = part and narrow(part, sp.Ne(divisor, 0))
+    if part is None:
+        return Answer(Verdict.UNDECIDED, "none", "it divides by zero wherever its letters lie")
+    return decide(row.statement, part)
 
 
 def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Answer:
