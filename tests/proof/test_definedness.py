@@ -123,3 +123,16 @@ def test_what_is_not_shown_is_told_with_where_it_runs() -> None:
     inner = sp.Sum(sp.Integral(sp.sqrt(y - k), (y, 0, k)), (k, 1, 4))
     (told,) = list_unshown_inside(inner, DOMAIN)
     assert told.tell() == "-k + y >= 0 for y from 0 to k and k from 1 to 4"
+
+
+@pytest.mark.parametrize("place", ["x", "x+2", r"x-\frac34", "x-y", "x-y^2"])
+def test_a_logarithm_that_cancels_is_missed_at_its_zero(place: str) -> None:
+    half = rf"\mathrm{{e}}^{{\frac{{\ln({place})}}2}}"
+    assert judge(rf"{half}=\sqrt{{{place}}}")[0] is Verdict.UNDECIDED
+    assert judge(rf"{half}=\sqrt{{{place}}}", f"{place}>0")[0] is Verdict.PROVED
+
+
+@pytest.mark.parametrize("place", ["x", "x-4", "x-y"])
+def test_sides_that_both_lack_a_value_at_an_edge_are_equal(place: str) -> None:
+    assert judge(rf"\frac1{{\sqrt{{{place}}}}}=\frac{{\sqrt{{{place}}}}}{{{place}}}")[0] in ACCEPTED
+    assert judge(rf"\ln\left(({place})^2\right)=2\ln|{place}|")[0] is Verdict.PROVED

@@ -7,7 +7,7 @@ of a line nothing is said: a quotient is meant where it has values.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
 import sympy as sp
@@ -16,7 +16,7 @@ from mechproof.arithmetic import balls
 from mechproof.proof.counts import has_steps, is_count
 from mechproof.proof.refutation import find_unlike_at, name_point, points_for, put_exactly
 from mechproof.proof.signs import is_nonzero
-from mechproof.record import list_divisors
+from mechproof.record import Slack, list_divisors
 from mechproof.record.parts import find_free, find_parts
 from mechproof.statement_domains.domain import Domain, Point
 
@@ -73,18 +73,37 @@ def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
     return [number + k for k in range(1, 1 + min(max(steps, default=1), _MOST_STEPS))]
 
 
+def find_edge_without_value(
+    sides: Sequence[sp.Expr], needs: Iterable[Slack], domain: Domain
+) -> str:
+    """Return an interior point at which a need is just met, or not, and one side only has a value.
+
+    Empty if none is met: points that are tried elsewhere seldom lie there.
+    """
+    zeros = (
+        zero for need in needs for zero in _list_roots(need.value, domain, find_free(need.value))
+    )
+    inside = filter(domain.is_interior, zeros)
+    return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in inside)), "")
+
+
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
     """Yield zeros in one count after the other, at a few values of the other letters."""
-    counts = sorted((s for s in find_free(divisor) if is_count(s, domain)), key=str)
-    for point in islice(points_for((divisor,), domain, _SOLVED), _SOLVED):
-        for count in counts:
-            others = {s: value for s, value in point.items() if s != count}
-            equation = divisor.xreplace(others).as_poly(count)
+    counts = (s for s in find_free(divisor) if is_count(s, domain))
+    return _list_roots(divisor, domain, counts)
+
+
+def _list_roots(number: sp.Expr, domain: Domain, letters: Iterable[sp.Basic]) -> Iterator[Point]:
+    ordered = sorted(letters, key=str)
+    for point in islice(points_for((number,), domain, _SOLVED), _SOLVED):
+        for letter in ordered:
+            others = {s: value for s, value in point.items() if s != letter}
+            equation = number.xreplace(others).as_poly(letter)
             if equation is None or equation.free_symbols_in_domain:
                 continue
             for root in equation.ground_roots():
-                there = {**others, count: root}
-                if root.is_integer and domain.allows(there):
+                there = {**others, letter: root}
+                if (root.is_integer or not is_count(letter, domain)) and domain.allows(there):
                     yield there
 
 

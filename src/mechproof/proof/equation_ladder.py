@@ -21,7 +21,11 @@ from mechproof.proof.cases import (
     list_poles,
     write_pieces,
 )
-from mechproof.proof.count_zeros import find_count_without_value, tell_zero_quotients
+from mechproof.proof.count_zeros import (
+    find_count_without_value,
+    find_edge_without_value,
+    tell_zero_quotients,
+)
 from mechproof.proof.definedness import (
     list_necessary,
     list_needed,
@@ -278,7 +282,7 @@ def _find_break(
     undefined = undefined or find_count_without_value(sides, domain)
     if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
         return undefined
-    return find_unlike(sides, domain)
+    return find_unlike(sides, domain) or find_edge_without_value(sides, chain(*needs), domain)
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
