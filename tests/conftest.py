@@ -175,11 +175,5 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge equations and papers in this process: to start another takes longer than most."""
     from command import answer_here
 
-    rooms = (
-        "checking",
-        "context.accused_rows",
-        "context.constrained_rows",
-        "context.doubted_definitions",
-    )
-    for module in ("pipeline.pasted", *(f"document.{room}" for room in rooms)):
+    for module in ("pipeline.pasted", "document.judged_tasks"):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

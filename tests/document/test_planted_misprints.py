@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from command import answer_here
 from small_papers import judge_parts, judge_rows
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
 from mechproof.document.context.judging_beside import judge_beside
+from mechproof.document.judged_tasks import Judging
 from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")
@@ -275,17 +275,17 @@ def test_what_may_be_meant_is_not_accused(name: str) -> None:
 def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[Any] = []
 
-    def answer(task: Any, arguments: Any, **options: Any) -> Iterator[tuple[int, Any]]:
-        if task is judge_beside:
+    def answer(at: Judging, judge: Any, arguments: Any) -> Iterator[tuple[Any, Any]]:
+        if judge is judge_beside:
             asked.append(arguments)
         # First it is asked what follows from constraints, then without which of them it does not.
-        if task is judge_beside and len(asked) > 1:
-            return ((n, WorkerError("no answer")) for n, _ in enumerate(arguments))
-        return answer_here(task, arguments, **options)
+        if judge is judge_beside and len(asked) > 1:
+            return ((one, WorkerError("no answer")) for one in arguments)
+        return ask(at, judge, arguments)
 
     before, _, (wrong, *_) = PAPERS["an acceleration"]
-    for room in ("context.constrained_rows", "context.accused_rows"):
-        monkeypatch.setattr(f"mechproof.document.{room}.run_tasks", answer)
+    ask = Judging.ask
+    monkeypatch.setattr(Judging, "ask", answer)
     row = judge((*before, wrong))
     assert len(asked) > 1
     assert row.outcome == "not judged"

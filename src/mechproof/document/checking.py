@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -40,6 +40,7 @@ from mechproof.document.context.restated_prints import (
 )
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.judging_workers import (
     COMPARED,
     LIMIT,
@@ -62,7 +63,6 @@ from mechproof.record.statements import list_parts
 from mechproof.sources.displays import EXPECTED
 from mechproof.sources.located_text import Place
 from mechproof.sources.paper_files import SUFFIXES, DocumentError, is_file, read_source
-from mechproof.tools.processes import run_tasks
 
 _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
@@ -176,47 +176,47 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     report(f"judging {len(tasks)} rows")
     opened[key] = tasks
     try:
-        numbers = [(key, number) for number in range(len(tasks))]
-        answers = run_tasks(judge_row, numbers, limit=limit)
-        rows = {number: make_row(tasks[number], answer) for number, answer in answers}
-        rows |= dict(_compare_members(key, tasks, rows, limit))
-        rows |= dict(follow_from_constraints(key, tasks, rows, limit))
-        rows |= dict(compare_rates(key, tasks, rows, limit))
-        rows |= dict(compare_restated(key, tasks, rows, document.symbols, limit))
-        rows |= dict(excuse_by_constraints(key, tasks, rows, limit))
-        rows |= dict(support_steps(tasks, rows))
-        rows |= dict(_compare_specially(key, tasks, rows, limit))
-        rows |= dict(solve_constraints(key, tasks, rows, limit))
-        misprints = dict(find_misprints(key, tasks, rows, limit))
-        rows |= dict(_leave_open(tasks, rows))
+        rows: dict[int, CheckedRow] = {}
+        at = Judging(key, tasks, rows, document.symbols, limit)
+        answers = at.ask(judge_row, [(n,) for n in range(len(tasks))])
+        rows |= {n: make_row(tasks[n], answer) for (n,), answer in answers}
+        rows |= dict(_compare_members(at))
+        rows |= dict(follow_from_constraints(at))
+        rows |= dict(compare_rates(at))
+        rows |= dict(compare_restated(at))
+        rows |= dict(excuse_by_constraints(at))
+        rows |= dict(support_steps(at))
+        rows |= dict(_compare_specially(at))
+        rows |= dict(solve_constraints(at))
+        misprints = dict(find_misprints(at))
+        rows |= dict(_leave_open(at))
         rows |= misprints
-        rows |= dict(doubt_by_proved(key, tasks, rows, limit))
-        rows |= dict(doubt_by_indices(tasks, rows))
-        rows |= dict(doubt_by_decimals(tasks, rows))
-        rows |= dict(doubt_by_rounded(tasks, rows))
-        rows |= dict(doubt_by_rates(tasks, rows))
-        rows |= dict(doubt_by_factors(tasks, rows))
-        rows |= dict(doubt_conditions(tasks, rows))
-        unlike = dict(find_other_solutions(tasks, rows))
-        unlike |= dict(find_roots(key, tasks, rows, document.symbols, limit))
+        rows |= dict(doubt_by_proved(at))
+        rows |= dict(doubt_by_indices(at))
+        rows |= dict(doubt_by_decimals(at))
+        rows |= dict(doubt_by_rounded(at))
+        rows |= dict(doubt_by_rates(at))
+        rows |= dict(doubt_by_factors(at))
+        rows |= dict(doubt_conditions(at))
+        unlike = dict(find_other_solutions(at))
+        unlike |= dict(find_roots(at))
         rows |= unlike
-        rows |= dict(doubt_by_premises(key, tasks, rows, limit))
-        contested = {**misprints, **unlike, **dict(find_contradictions(tasks, rows))}
+        rows |= dict(doubt_by_premises(at))
+        contested = {**misprints, **unlike, **dict(find_contradictions(at))}
         rows |= contested
-        rows |= dict(compare_newer_prints(key, tasks, rows, contested, limit))
-        placed = dict(compare_at_places(key, tasks, rows, document.symbols, limit))
+        rows |= dict(compare_newer_prints(at, contested))
+        placed = dict(compare_at_places(at))
         placed = {n: row for n, row in placed.items() if n not in contested}
         rows |= placed
-        rows |= dict(doubt_by_letters(key, tasks, rows, contested, document.symbols, limit))
-        rows |= dict(doubt_by_positions(tasks, rows))
-        rows |= dict(doubt_by_unread(found, rows))
-        rows |= dict(doubt_by_cases(key, tasks, rows, limit))
-        tied = dict(doubt_by_ties(tasks, rows, document.symbols))
-        rows |= {n: row for n, row in tied.items() if n not in placed}
-        rows |= dict(doubt_by_motion(key, tasks, rows, document.symbols, limit))
-        rows |= dict(doubt_by_examples(key, tasks, rows, limit))
-        rows |= dict(doubt_by_restated(tasks, rows))
-        rows |= dict(doubt_by_matrices(tasks, rows, document.find_possible_matrices()))
+        rows |= dict(doubt_by_letters(at, contested))
+        rows |= dict(doubt_by_positions(at))
+        rows |= dict(doubt_by_unread(at, found))
+        rows |= dict(doubt_by_cases(at))
+        rows |= {n: row for n, row in doubt_by_ties(at) if n not in placed}
+        rows |= dict(doubt_by_motion(at))
+        rows |= dict(doubt_by_examples(at))
+        rows |= dict(doubt_by_restated(at))
+        rows |= dict(doubt_by_matrices(at, document.find_possible_matrices()))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
@@ -227,15 +227,13 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     return CheckedPaper(path, shown, paper, document.taken, missing, told, names)
 
 
-def _leave_open(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def _leave_open(at: Judging) -> Changes:
     """Leave open what is compared with another print and differs from it by its letters.
 
     So is what is not true and has the same letters on both sides, as identities have.
     """
-    for number, task in enumerate(tasks):
-        found = rows[number].judgement
+    for number, task in enumerate(at.tasks):
+        found = at.rows[number].judgement
         if not found or found.rung != GIVEN or task.is_given:
             continue
         if task.sign.role in COMPARED:
@@ -245,40 +243,34 @@ def _leave_open(
             yield number, make_row(task, _EITHER)
 
 
-def _compare_members(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def _compare_members(at: Judging) -> Changes:
     """Judge later prints of a letter by all members that stand of the chain that printed it."""
-    numbers = []
-    for n, task in enumerate(tasks):
+    asked = []
+    for n, task in enumerate(at.tasks):
         if not task.others or task.follows:
             continue
-        standing = list_standing(task, tasks, rows)
-        is_proved = rows[n].outcome == Verdict.PROVED.value
+        standing = list_standing(task, at.tasks, at.rows)
+        is_proved = at.rows[n].outcome == Verdict.PROVED.value
         if not (is_proved and task.sign.first in standing[0]):
-            numbers.append((key, n, standing))
-    for place, answer in run_tasks(judge_members, numbers, limit=limit):
-        number = numbers[place][1]
-        yield number, make_row(tasks[number], answer)
+            asked.append((n, standing))
+    for (n, _), answer in at.ask(judge_members, asked):
+        yield n, make_row(at.tasks[n], answer)
 
 
-def _compare_specially(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def _compare_specially(at: Judging) -> Changes:
     """Judge again at the values that words beside it say what is not shown to hold in general.
 
     "With the ring held ($n_3=0$) the ratio is" says at which value a row is meant. What differs
     there, too, is refuted if both sides have the same letters then, as identities have.
     """
-    asked = [(key, n) for n, task in enumerate(tasks) if _is_special(task, rows[n])]
-    for place, answer in run_tasks(judge_special, asked, limit=limit):
-        number = asked[place][1]
-        task = tasks[number]
+    asked = [(n,) for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
+    for (n,), answer in at.ask(judge_special, asked):
+        task = at.tasks[n]
         if not (isinstance(answer, Judgement) and task.special):
             continue
         is_misprint = answer.verdict is Verdict.REFUTED and task.special.asserts
         if answer.verdict is Verdict.PROVED or (is_misprint and task.sign.role in COMPARED):
-            yield number, make_row(task, answer)
+            yield n, make_row(task, answer)
 
 
 def _is_special(task: Task, row: CheckedRow) -> bool:

@@ -83,37 +83,37 @@ def open_tasks(key: Key) -> list[Task]:
     return opened[key]
 
 
-def judge_row(which: tuple[Key, int]) -> Judgement | str:
+def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
     """Judge a row by itself, or beside what it is said to follow from, or say why not."""
-    tasks = open_tasks(which[0])
-    task = tasks[which[1]]
+    task = tasks[number]
     try:
         return judge_following(task, tasks) if task.follows else _judge_alone(task)
     except (RecordError, ContradictionError) as error:
         return str(error)
 
 
-def judge_special(which: tuple[Key, int]) -> Judgement | str:
+def judge_special(tasks: Sequence[Task], number: int) -> Judgement | str:
     """Judge a row at the values that are said of its letters beside it."""
-    special = open_tasks(which[0])[which[1]].special
+    special = tasks[number].special
     assert special is not None
     return _judge_alone(special)
 
 
-def judge_local(which: tuple[Key, int]) -> Judgement | str:
+def judge_local(tasks: Sequence[Task], number: int) -> Judgement | str:
     """Judge a row at the values that worked examples print of its letters."""
-    local = open_tasks(which[0])[which[1]].local
+    local = tasks[number].local
     assert local is not None
     return _judge_alone(local)
 
 
-def judge_without(which: tuple[Key, int, frozenset[sp.Basic]]) -> Judgement | None:
+def judge_without(
+    tasks: Sequence[Task], number: int, letters: frozenset[sp.Basic]
+) -> Judgement | None:
     """Judge a row whatever defines some letters; None where that tells nothing.
 
     What differs then is refuted only if both sides have the same letters, as identities have.
     """
-    key, number, letters = which
-    task = open_tasks(key)[number]
+    task = tasks[number]
     free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
     paper = replace(task.paper, variables=tuple(free))
     try:
@@ -214,13 +214,14 @@ def _take_as_given(task: Task, found: Judgement) -> Judgement:
     return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
 
 
-def judge_members(which: tuple[Key, int, list[list[str]]]) -> Judgement | str:
+def judge_members(
+    tasks: Sequence[Task], number: int, standing: Sequence[Sequence[str]]
+) -> Judgement | str:
     """Judge a print by the members that stand: one is enough to prove it.
 
     It is refuted by any of them, unless they differ themselves.
     """
-    key, number, standing = which
-    task = open_tasks(key)[number]
+    task = tasks[number]
     names = [name for group in standing for name in group]
     compared = [one for one in (task, *task.others) if one.sign.first in names]
     answers = [(_judge_alone(one), one) for one in compared]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.constraints.applicable_constraints import (
@@ -25,17 +26,15 @@ from mechproof.document.context.constrained_rows import (
 from mechproof.document.context.doubted_definitions import leaves_free
 from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
 from mechproof.document.context.judging_beside import judge_beside, judge_misprint, tell_misprint
-from mechproof.document.judging_workers import Key
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
-from mechproof.tools.processes import WorkerError, run_tasks
+from mechproof.tools.processes import WorkerError
 
 
-def find_misprints(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def find_misprints(at: Judging) -> Changes:
     """Judge what may be a constraint or a misprint.
 
     One that shows only beside another print that may itself be wrong, or be meant for another
@@ -43,6 +42,7 @@ def find_misprints(
     follows from it alone accuses the other, too. That it may be meant for another case is ruled
     out where it comes first and further rows follow from it, and not without it.
     """
+    tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     proved = {row.name for row in rows.values() if row.outcome == Verdict.PROVED.value}
     asked = {
@@ -54,8 +54,7 @@ def find_misprints(
         # Of a letter whose first prints differ nobody knows which is meant.
         and not (task.others and len(list_standing(task, tasks, rows)) > 1)
     }
-    found = _accuse(key, [*asked.items()], limit)
-    accused = {n: found[place] for place, n in enumerate(asked) if place in found}
+    accused = {n: found for (n, _), found in _accuse(at, [*asked.items()]).items()}
     beside = [(n, other) for n in accused for other in asked[n]]
     certain = {
         (n, other)
@@ -67,19 +66,20 @@ def find_misprints(
     for n, other in rivals:
         kept = [o for o in asked[n] if o != other]
         if other < n and other in accused and not _may_be_special(tasks, n, other):
-            kept += [m for m in list_following(other, tasks, rows) if m not in (n, *kept)]
+            kept += [m for m in list_following(other, at) if m not in (n, *kept)]
         without.append((n, tuple(kept)))
-    still = _accuse(key, without, limit)
-    pairs = [pair for place, pair in enumerate(rivals) if place not in still]
+    still = _accuse(at, without)
+    pairs = [pair for pair, one in zip(rivals, without, strict=True) if one not in still]
     # What only one accuses that is wrong without it is not accused.
-    cleared = {n for n, other in pairs if (other, n) in {rivals[place] for place in still}}
+    kept_pairs = {*rivals} - {*pairs}
+    cleared = {n for n, other in pairs if (other, n) in kept_pairs}
     accused = {n: one for n, one in accused.items() if n not in cleared}
     pairs = [pair for pair in pairs if pair[0] in accused]
     excused = {(n, other) for n, other in pairs if other < n} - certain
-    needed = _find_needed(key, tasks, rows, {other for _, other in excused}, limit)
+    needed = _find_needed(at, {other for _, other in excused})
     pairs = [pair for pair in pairs if not (pair in excused and pair[1] in needed)]
-    open_pairs, wrong = _ask_definitions(key, tasks, rows, accused, limit)
-    pairs += [*open_pairs, *_list_later(tasks, rows, accused)]
+    open_pairs, wrong = _ask_definitions(at, accused)
+    pairs += [*open_pairs, *_list_later(at, accused)]
     refuted = accused.keys() - {n for n, _ in pairs} - {*wrong.values()}
     for n in {*accused, *(one for pair in pairs for one in pair)}:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
@@ -93,22 +93,19 @@ def find_misprints(
 
 
 def _ask_definitions(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    accused: Mapping[int, Judgement],
-    limit: float,
+    at: Judging, accused: Mapping[int, Judgement]
 ) -> tuple[list[tuple[int, int]], dict[int, int]]:
     """Return misprints with the definitions that they contradict, and definitions to blame.
 
     These stand later, or before words that turn a sense. A definition is to blame that would have
     to be changed if further rows follow from what it contradicts.
     """
+    tasks = at.tasks
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
     # A definition of one of its letters by all others is about the same.
     printed = [list_printed(task) for task in tasks]
     later = [(n, m) for n, m in later if printed[m] == printed[n] and defines(tasks[m], printed[n])]
-    needed = _find_needed(key, tasks, rows, {n for n, _ in later}, limit)
+    needed = _find_needed(at, {n for n, _ in later})
     wrong = {
         m: n
         for n, m in later
@@ -124,11 +121,11 @@ def _ask_definitions(
 
 
 def _accuse(
-    key: Key, asked: Sequence[tuple[int, tuple[int, ...]]], limit: float
-) -> dict[int, Judgement]:
-    """Return the places of rows that are misprints beside constraints, with their judgements."""
-    answers = run_tasks(judge_misprint, [(key, *one) for one in asked], limit=limit)
-    return {place: found for place, found in answers if isinstance(found, Judgement)}
+    at: Judging, asked: Sequence[tuple[int, tuple[int, ...]]]
+) -> dict[tuple[Any, ...], Judgement]:
+    """Return the rows with constraints beside which they are misprints, with their judgements."""
+    answers = at.ask(judge_misprint, asked)
+    return {one: found for one, found in answers if isinstance(found, Judgement)}
 
 
 def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
@@ -143,22 +140,17 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     return is_equal or is_other or tasks[other].sign.role is Role.SOLUTIONS
 
 
-def _find_needed(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    others: Collection[int],
-    limit: float,
-) -> set[int]:
+def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
     """Return constraints without which a row does not follow that is shown to follow."""
-    given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
-    following = [n for n, row in rows.items() if row.judgement and row.judgement.rung in FOLLOWING]
+    given = [n for n, task in enumerate(at.tasks) if is_constraint(task, at.rows[n])]
+    judged = ((n, row.judgement) for n, row in at.rows.items())
+    following = [n for n, found in judged if found and found.rung in FOLLOWING]
     pairs = [(other, n) for other in others for n in following if other < n]
-    asked = [(key, n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
-    found = dict(run_tasks(judge_beside, asked, limit=limit))
+    asked = [(n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
+    found = dict(at.ask(judge_beside, asked))
     # What took too long may follow without it.
-    without = {p for p, one in found.items() if isinstance(one, WorkerError) or is_proof(one)}
-    return {other for place, (other, _) in enumerate(pairs) if place not in without}
+    without = {one for one, x in found.items() if isinstance(x, WorkerError) or is_proof(x)}
+    return {other for (other, _), one in zip(pairs, asked, strict=True) if one not in without}
 
 
 def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
@@ -170,18 +162,17 @@ def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
     return replace(row.judgement, verdict=verdict, rung=rung, reason=reason, evidence=evidence)
 
 
-def _list_later(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], accused: Collection[int]
-) -> Iterator[tuple[int, int]]:
+def _list_later(at: Judging, accused: Collection[int]) -> Iterator[tuple[int, int]]:
     """Yield rows that are accused, with what defines their letters after them.
 
     What says behind a display what its letters mean is no print of its own, and what is proved
     is as right as what is printed before it.
     """
+    tasks = at.tasks
     for n in accused:
         used = list_used(tasks[n], tasks)
         behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
-        open_ones = (m for m in behind if rows[m].outcome != Verdict.PROVED.value)
+        open_ones = (m for m in behind if at.rows[m].outcome != Verdict.PROVED.value)
         used_later = [m for m in open_ones if defines(tasks[m], used)]
         used_later = [m for m in used_later if not holds_elsewhere(tasks[m], tasks[n])]
         yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))
@@ -196,16 +187,15 @@ def may_be_misprint(task: Task, row: CheckedRow) -> bool:
     return is_open and is_equation and not (task.is_rounded or is_one_of_two)
 
 
-def doubt_by_proved(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_proved(at: Judging) -> Changes:
     """Take no row as given that is one with a slip, false beside what others follow from.
 
     Several such rows hide one another, so those are left out from which nothing follows.
     """
+    tasks, rows = at.tasks, at.rows
     proved = tuple(n for n, row in rows.items() if row.outcome == Verdict.PROVED.value)
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
-    given = [n for n in given if any(m in proved for m in list_following(n, tasks, rows))]
+    given = [n for n in given if any(m in proved for m in list_following(n, at))]
     asked = []
     for n, task in enumerate(tasks):
         found = rows[n].judgement
@@ -213,8 +203,7 @@ def doubt_by_proved(
         beside = [g for g in given if g < n and may_hold_for(tasks[g], task)]
         beside = [*connect(n, beside, tasks)]
         if is_open and beside and n not in given and not task.is_case:
-            asked.append((key, n, tuple(beside), tuple(m for m in proved if m < n)))
-    for place, said in run_tasks(tell_misprint, asked, limit=limit):
+            asked.append((n, tuple(beside), tuple(m for m in proved if m < n)))
+    for (n, *_), said in at.ask(tell_misprint, asked):
         if isinstance(said, str) and said:
-            number = asked[place][1]
-            yield number, make_row(tasks[number], said)
+            yield n, make_row(tasks[n], said)

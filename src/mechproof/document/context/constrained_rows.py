@@ -14,15 +14,13 @@ from mechproof.document.context.doubts import CONTRADICTING, defines, list_used
 from mechproof.document.context.judging_beside import (
     judge_beside,
     judge_excused,
-    judge_freed,
     judge_half,
     judge_roots,
 )
-from mechproof.document.judging_workers import Key
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
-from mechproof.tools.processes import run_tasks
 
 # How it is known that a step of a chain is a constraint.
 SUPPORTED = "constraint"
@@ -30,17 +28,15 @@ SUPPORTED = "constraint"
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
-def follow_from_constraints(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def follow_from_constraints(at: Judging) -> Changes:
     """Judge again what is not shown to hold by itself: it may follow from constraints before it.
 
     A step of a chain may be one, i=n_1/n_2=z_2/z_1. What differs from a definition, but may be
     another case of it, may follow, too, and so may what is said to be an identity and is none.
     """
-    asked, proved = _ask_what_follows(tasks, rows), set[int]()
+    asked, proved = _ask_what_follows(at), set[int]()
     while asked:
-        for n, row in _follow(key, tasks, rows, asked, limit):
+        for n, row in _follow(at, asked):
             is_proof = row.outcome == Verdict.PROVED.value
             if is_proof or not proved:
                 yield n, row
@@ -50,12 +46,10 @@ def follow_from_constraints(
         asked = {n: x for n, x in fewer.items() if x and n not in proved and x != asked[n]}
 
 
-def _ask_what_follows(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> dict[int, tuple[int, ...]]:
+def _ask_what_follows(at: Judging) -> dict[int, tuple[int, ...]]:
     """Return the rows that are not shown to hold by themselves, and constraints before each."""
+    tasks, rows, asked = at.tasks, at.rows, {}
     given = [n for n, task in enumerate(tasks) if _may_be_premise(task, rows[n])]
-    asked = {}
     for n, task in enumerate(tasks):
         common = [g for g in list_applicable(given, n, tasks) if _have_common(tasks[g], task)]
         is_left = task.is_solution and rows[n].outcome == State.NOT_JUDGED.value
@@ -66,48 +60,37 @@ def _ask_what_follows(
     return asked
 
 
-def _follow(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    asked: Mapping[int, tuple[int, ...]],
-    limit: float,
-) -> Iterator[tuple[int, CheckedRow]]:
+def _follow(at: Judging, asked: Mapping[int, tuple[int, ...]]) -> Changes:
     """Judge rows by constraints, or say of which it was not shown that a constraint follows."""
-    numbers = [(key, n, given) for n, given in asked.items()]
-    for place, found in run_tasks(judge_beside, numbers, limit=limit):
-        number = numbers[place][1]
+    for (n, given), found in at.ask(judge_beside, [*asked.items()]):
+        task, alone = at.tasks[n], at.rows[n].judgement
         if isinstance(found, Judgement):
-            is_settled = tasks[number].is_claimed or not rows[number].judgement
+            is_settled = task.is_claimed or not alone
             if found.verdict is Verdict.PROVED or not is_settled:
-                yield number, make_row(tasks[number], found)
-        elif names := _list_alike(tasks[number], [tasks[g] for g in numbers[place][2]]):
-            alone = rows[number].judgement
-            if alone and alone.rung == GIVEN:
-                reason = f"{alone.reason}; that it follows from {names} was not shown"
-                yield number, make_row(tasks[number], replace(alone, reason=reason))
+                yield n, make_row(task, found)
+            continue
+        names = _list_alike(task, [at.tasks[g] for g in given])
+        if names and alone and alone.rung == GIVEN:
+            reason = f"{alone.reason}; that it follows from {names} was not shown"
+            yield n, make_row(task, replace(alone, reason=reason))
 
 
-def support_steps(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def support_steps(at: Judging) -> Changes:
     """Take a step of a chain for a constraint if further rows follow from it."""
-    for n, task in enumerate(tasks):
-        alone = rows[n].judgement
+    for n, task in enumerate(at.tasks):
+        alone = at.rows[n].judgement
         if not (alone and alone.rung == GIVEN and task.sign.role is Role.STEP and binds(task)):
             continue
-        if names := ", ".join(rows[m].name for m in list_following(n, tasks, rows)):
+        if names := ", ".join(at.rows[m].name for m in list_following(n, at)):
             reason = f"a constraint, taken as given, with which {names} was shown to follow"
             yield n, make_row(task, replace(alone, rung=SUPPORTED, reason=reason))
 
 
-def list_following(
-    number: int, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[int]:
+def list_following(number: int, at: Judging) -> Iterator[int]:
     """Yield the rows that follow from a row, as they say."""
-    for n, row in rows.items():
+    for n, row in at.rows.items():
         is_shown = row.judgement is not None and row.judgement.rung in FOLLOWING
-        if is_shown and tasks[number].row.number in row.reason:
+        if is_shown and at.tasks[number].row.number in row.reason:
             yield n
 
 
@@ -119,13 +102,12 @@ def _list_alike(task: Task, given: Sequence[Task]) -> str:
     return ", ".join(one.row.number for one in given) if is_bound else ""
 
 
-def excuse_by_constraints(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def excuse_by_constraints(at: Judging) -> Changes:
     """Judge again two sides that were said to be equal and are not: constraints may make them so.
 
     Without any that have letters of theirs, and no letter of their own, they are not asked.
     """
+    tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     # What a letter of its own makes true says nothing of others, nor do its derivatives.
     given = [g for g in given if not tasks[g].is_loose]
@@ -135,9 +117,9 @@ def excuse_by_constraints(
         is_refuted = rows[n].outcome == Verdict.REFUTED.value and task.asserts
         if common and is_refuted and not task.is_claimed:
             near = [g for g in given if g < n or may_hold_for(tasks[g], task)]
-            numbers.append((key, n, tuple(connect(n, near, tasks))))
-    for place, answer in run_tasks(judge_excused, numbers, limit=limit):
-        yield numbers[place][1], make_row(tasks[numbers[place][1]], answer)
+            numbers.append((n, tuple(connect(n, near, tasks))))
+    for (n, _), answer in at.ask(judge_excused, numbers):
+        yield n, make_row(tasks[n], answer)
 
 
 def _have_common(one: Task, other: Task) -> bool:
@@ -146,46 +128,41 @@ def _have_common(one: Task, other: Task) -> bool:
     return is_equation and bool(list_letters(one) & list_letters(other))
 
 
-def solve_constraints(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def solve_constraints(at: Judging) -> Changes:
     """Judge again what is printed with a double sign: both may be roots of what is said before.
 
     Of a constraint behind it, too, if no words between say anything new; of two such prints the
     first does not rest on the second.
     """
+    tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     solved = [n for n in given if tasks[n].sign.role is Role.SOLUTIONS]
-    asked = [(key, n, tuple(g for g in given if _may_solve(g, n, tasks))) for n in solved]
-    found = dict(run_tasks(judge_roots, asked, limit=limit))
-    roots = {asked[p][1]: one for p, one in found.items() if isinstance(one, Judgement)}
+    asked = [(n, tuple(g for g in given if _may_solve(g, n, tasks))) for n in solved]
+    roots = {n: one for (n, _), one in at.ask(judge_roots, asked) if isinstance(one, Judgement)}
     solved_rows = {n: make_row(tasks[n], one) for n, one in roots.items()}
     yield from solved_rows.items()
-    yield from _judge_halves(key, tasks, {**rows, **solved_rows}, limit)
+    yield from _judge_halves(replace(at, rows={**rows, **solved_rows}))
 
 
-def _judge_halves(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def _judge_halves(at: Judging) -> Changes:
     """Judge what introduces one of two letters that are printed at once, x_{1,2}, before.
 
     What ties them where that print is refuted is left open.
     """
-    asked: dict[int, int] = {}
+    tasks, asked = at.tasks, dict[int, int]()
     for n, task in enumerate(tasks):
         if not task.sign.is_tied:
             continue
         pair = next(m for m, one in enumerate(tasks) if one.row.number == task.sign.first)
-        if rows[pair].outcome == Verdict.REFUTED.value:
+        if at.rows[pair].outcome == Verdict.REFUTED.value:
             yield n, make_row(task, f"it is said by {tasks[pair].row.number}, which is refuted")
             continue
         halves = task.sign.sides[0].free_symbols
         behind = [m for m in range(n, len(tasks)) if defines(tasks[m], halves)]
         asked |= {m: pair for m in behind if may_hold_for(tasks[pair], tasks[m])}
-    numbers = [(key, m, (pair,)) for m, pair in asked.items()]
-    for place, found in run_tasks(judge_half, numbers, limit=limit):
+    for (m, _), found in at.ask(judge_half, [*asked.items()]):
         if isinstance(found, Judgement):
-            yield numbers[place][1], make_row(tasks[numbers[place][1]], found)
+            yield m, make_row(tasks[m], found)
 
 
 def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
@@ -196,13 +173,12 @@ def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
     return is_known and may_hold_for(one, task) and _have_common(one, task)
 
 
-def doubt_by_premises(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_premises(at: Judging) -> Changes:
     """Leave open what follows only from a row that is refuted, or from several that are contested.
 
     Of rows that contradict each other one may be right, and none defines a letter of the others.
     """
+    tasks, rows = at.tasks, at.rows
     bound = [n for n, task in enumerate(tasks) if binds(task)]
     refuted = {n for n in bound if rows[n].outcome == Verdict.REFUTED.value}
     contested = {n for n in bound if rows[n].outcome == State.NOT_JUDGED.value}
@@ -220,28 +196,23 @@ def doubt_by_premises(
         # What follows by its square says which root is meant.
         squares = {g for g in given if (row := rows[g].judgement) and row.rung == SQUARE}
         certain = tuple(g for g in given if g in squares or is_constraint(tasks[g], rows[g]))
-        rivals = {g: _list_denied(n, g, defining, tasks, rows) for g in doubted if g in contested}
+        rivals = {g: _list_denied(n, g, defining, at) for g in doubted if g in contested}
         chosen = {(*certain, g): denied for g, denied in rivals.items()}
         chosen = chosen or ({certain: frozenset()} if doubted else {})
-        asked += [(key, n, tuple(sorted(one)), denied) for one, denied in chosen.items()]
+        asked += [(n, tuple(sorted(one)), denied) for one, denied in chosen.items()]
         names[n] = ", ".join(tasks[g].row.number for g in doubted)
-    answers = run_tasks(judge_freed, asked, limit=limit)
-    proved = {asked[place][1] for place, found in answers if is_proof(found)}
-    for n in {n for _, n, *_ in asked} - proved:
+    proved = {n for (n, *_), found in at.ask(judge_beside, asked) if is_proof(found)}
+    for n in {n for n, *_ in asked} - proved:
         reason = f"it follows only with the help of {names[n]}, which may be wrong"
         yield n, make_row(tasks[n], reason)
 
 
 def _list_denied(
-    number: int,
-    given: int,
-    defining: Sequence[Task],
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
+    number: int, given: int, defining: Sequence[Task], at: Judging
 ) -> frozenset[sp.Basic]:
     """List letters of a row and of a premise of it by definitions that the premise contradicts."""
-    used = list_used(tasks[number], tasks) | list_used(tasks[given], tasks)
-    names = rows[given].reason.partition(CONTRADICTING)[0]
+    used = set[sp.Basic]().union(*(list_used(at.tasks[n], at.tasks) for n in (number, given)))
+    names = at.rows[given].reason.partition(CONTRADICTING)[0]
     denied = (one for one in defining if one.row.number in names and defines(one, used))
     return frozenset(one.sign.letter for one in denied if one.sign.letter is not None)
 

@@ -13,35 +13,28 @@ import sympy as sp
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import holds_elsewhere
 from mechproof.document.context.doubts import defines, list_printed, list_used, reach
-from mechproof.document.judging_workers import COMPARED, Key, judge_without
+from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import COMPARED, judge_without
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict
-from mechproof.tools.processes import run_tasks
 
 _OPEN = (Verdict.UNDECIDED.value, Verdict.ENCLOSED.value)
 
 
-def doubt_by_letters(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    contested: Mapping[int, CheckedRow],
-    symbols: Symbols,
-    limit: float,
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Changes:
     """Refute no row by a letter whose definition may be wrong, or said of a case only.
 
     A definition that is printed later may be of a case; no condition is proved by one, either. What
     such definitions leave undecided, or put other letters into, may be decided without them.
     `contested` are the misprints, and the rows that contradict each other.
     """
-    doubted = [*_list_doubted(tasks, rows, contested)]
+    tasks, rows = at.tasks, at.rows
+    doubted = [*_list_doubted(at, contested)]
     free = [n for n in rows if n not in contested or rows[n].state is not State.NOT_JUDGED]
-    found = {n: one for n in free if (one := _find_doubts(n, tasks, rows, doubted))}
-    asked = [(key, n, _list_letters(one, symbols)) for n, one in found.items()]
-    for place, answer in run_tasks(judge_without, asked, limit=limit):
-        n = asked[place][1]
+    found = {n: one for n in free if (one := _find_doubts(n, at, doubted))}
+    asked = [(n, _list_letters(one, at.symbols)) for n, one in found.items()]
+    for (n, _), answer in at.ask(judge_without, asked):
         is_open = rows[n].outcome in _OPEN or rows[n].state is State.NOT_JUDGED
         (others, why), *_ = found[n]
         names = ", ".join(one.row.number for one in others)
@@ -53,22 +46,19 @@ def doubt_by_letters(
             yield n, make_row(tasks[n], f"{first}, but rests on {names}, which {why}")
 
 
-def _list_doubted(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], contested: Mapping[int, CheckedRow]
-) -> Iterator[Task]:
+def _list_doubted(at: Judging, contested: Mapping[int, CheckedRow]) -> Iterator[Task]:
     """Yield definitions that are refuted, or of which it is open whether they are wrong."""
-    unfit = {n: row for n, row in rows.items() if row.outcome == Verdict.ILL_FORMED.value}
+    unfit = {n: row for n, row in at.rows.items() if row.outcome == Verdict.ILL_FORMED.value}
     for n, row in sorted({**contested, **unfit}.items()):
         is_wrong = row.outcome in (Verdict.REFUTED.value, Verdict.ILL_FORMED.value)
-        if tasks[n].sign.role is Role.DEFINITION and (is_wrong or row.state is State.NOT_JUDGED):
-            yield tasks[n]
+        task, is_open = at.tasks[n], row.state is State.NOT_JUDGED
+        if task.sign.role is Role.DEFINITION and (is_wrong or is_open):
+            yield task
 
 
-def _find_doubts(
-    number: int, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], doubted: Sequence[Task]
-) -> list[tuple[list[Task], str]]:
+def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tuple[list[Task], str]]:
     """Return groups of definitions on which a row rests and that are doubted, each with why."""
-    task, outcome = tasks[number], rows[number].outcome
+    tasks, task, outcome = at.tasks, at.tasks[number], at.rows[number].outcome
     is_condition = task.sign.role is Role.RELATION and outcome == Verdict.PROVED.value
     is_compared = task.sign.role in COMPARED and not task.is_solution
     is_open = outcome in _OPEN or (outcome == State.NOT_JUDGED.value and is_compared)

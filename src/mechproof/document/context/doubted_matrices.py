@@ -6,29 +6,28 @@ no other inverse than one over them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
 
-from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.checked_rows import make_row
 from mechproof.document.context.doubts import ROUNDING, defines, list_compared, list_used
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
 from mechproof.statement_domains.domain import Domain
 
 
-def doubt_by_matrices(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], shown: Mapping[sp.Basic, str]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
     """Neither prove nor refute what rests on letters that are `shown` as matrices are."""
-    for n, task in enumerate(tasks):
-        outcome = rows[n].outcome
+    for n, task in enumerate(at.tasks):
+        outcome = at.rows[n].outcome
         if outcome not in (Verdict.PROVED.value, Verdict.REFUTED.value) or not shown:
             continue
-        named = (one for one in tasks if one is task or one.row.number in rows[n].reason)
-        letters = set[sp.Basic]().union(*(list_compared(one, tasks) for one in named))
+        named = (one for one in at.tasks if one is task or one.row.number in at.rows[n].reason)
+        letters = set[sp.Basic]().union(*(list_compared(one, at.tasks) for one in named))
         if met := sorted(letters & shown.keys(), key=str):
             holds = "it holds" if outcome == Verdict.PROVED.value else "it differs"
             yield n, make_row(task, f"{holds} if {met[0]} is a number: {_ask(met[0], shown)}")
@@ -42,15 +41,13 @@ def _ask(letter: sp.Basic, shown: Mapping[sp.Basic, str]) -> str:
     )
 
 
-def doubt_by_rounded(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_rounded(at: Judging) -> Changes:
     """Accuse no matrix that differs little from what letters with rounded decimals give."""
-    rounded = [one for one in tasks if one.is_rounded or one.sign.is_calculated]
-    for n, task in enumerate(tasks):
-        if rows[n].outcome != Verdict.REFUTED.value or not rounded:
+    rounded = [one for one in at.tasks if one.is_rounded or one.sign.is_calculated]
+    for n, task in enumerate(at.tasks):
+        if at.rows[n].outcome != Verdict.REFUTED.value or not rounded:
             continue
-        used = list_used(task, tasks)
+        used = list_used(task, at.tasks)
         names = [one.row.number for one in rounded if one is not task and defines(one, used)]
         if names and _differ_little(task):
             reason = f"it differs by no more than the decimals of {', '.join(names)} may explain"

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Sequence
 
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_left, is_turned
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.never_true import WITH_DEFINITIONS, holds_alone
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.latex.characters import write_plain
@@ -27,54 +28,48 @@ _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 _LARGE, _PRIME = 100, 5
 
 
-def find_contradictions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def find_contradictions(at: Judging) -> Changes:
     """Accuse neither what is never true beside a definition after it, nor that definition.
 
     The same is true of any definition, if words before the row announce no consequence, or turn a
     sense.
     """
-    for n, task in enumerate(tasks):
-        is_beside = _is_refuted(rows[n]) and WITH_DEFINITIONS in rows[n].reason
+    for n, task in enumerate(at.tasks):
+        is_beside = _is_refuted(at.rows[n]) and WITH_DEFINITIONS in at.rows[n].reason
         letters = list_printed(task) | task.sign.printed if is_beside else set[sp.Basic]()
         is_new = task.said.is_new
-        others = [m for m, one in enumerate(tasks) if m > n or is_new or is_turned(one, task)]
-        others = [m for m in others if defines(tasks[m], letters)]
-        if names := ", ".join(tasks[m].row.number for m in others):
+        others = [m for m, one in enumerate(at.tasks) if m > n or is_new or is_turned(one, task)]
+        others = [m for m in others if defines(at.tasks[m], letters)]
+        if names := ", ".join(at.tasks[m].row.number for m in others):
             yield n, make_row(task, tell_contradiction(names))
         for m in others:
-            yield m, make_row(tasks[m], tell_contradiction(task.row.number))
+            yield m, make_row(at.tasks[m], tell_contradiction(task.row.number))
 
 
-def find_other_solutions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def find_other_solutions(at: Judging) -> Changes:
     """Leave open a constraint, and what is printed behind it of one of its letters by all others.
 
     That is its solution, or one of both is wrong: together they would tie the others.
     """
-    for n, task in enumerate(tasks):
-        is_given = rows[n].outcome == Verdict.DEFINITION.value
+    for n, task in enumerate(at.tasks):
+        is_given = at.rows[n].outcome == Verdict.DEFINITION.value
         is_given &= task.sign.role in CONSTRAINING and isinstance(task.row.says, Equality)
         if not is_given or task.residual in (None, 0):
             continue
         letters, (one, other) = list_printed(task), task.sign.sides
-        for m in range(n + 1, len(tasks)):
-            is_solved = defines(tasks[m], letters) and list_printed(tasks[m]) == letters
-            is_beside = tasks[m].said.passage == task.said.passage
-            is_beside |= not (task.is_case or tasks[m].is_case)
-            if is_solved and is_beside and is_linear(one - other, tasks[m].sign.letter):
-                yield n, make_row(task, tell_contradiction(tasks[m].row.number))
-                yield m, make_row(tasks[m], tell_contradiction(task.row.number))
+        for m in range(n + 1, len(at.tasks)):
+            is_solved = defines(at.tasks[m], letters) and list_printed(at.tasks[m]) == letters
+            is_beside = at.tasks[m].said.passage == task.said.passage
+            is_beside |= not (task.is_case or at.tasks[m].is_case)
+            if is_solved and is_beside and is_linear(one - other, at.tasks[m].sign.letter):
+                yield n, make_row(task, tell_contradiction(at.tasks[m].row.number))
+                yield m, make_row(at.tasks[m], tell_contradiction(task.row.number))
 
 
-def doubt_by_indices(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_indices(at: Judging) -> Changes:
     """Accuse no equation of members of families for each index, which nothing binds."""
-    for n, task in enumerate(tasks):
-        if rows[n].outcome == Verdict.ILL_FORMED.value and (free := _list_indices(task)):
+    for n, task in enumerate(at.tasks):
+        if at.rows[n].outcome == Verdict.ILL_FORMED.value and (free := _list_indices(task)):
             names = ", ".join(sorted(map(str, free)))
             reason = f"it holds for each {names}, as it seems: members of families are judged alone"
             yield n, make_row(task, reason)
@@ -100,14 +95,12 @@ def _list_indices(task: Task) -> set[sp.Basic]:
     return common - {v.symbol for v in task.paper.variables}
 
 
-def doubt_by_decimals(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_decimals(at: Judging) -> Changes:
     """Accuse no exact print that differs little from one before it that has a rounded decimal."""
-    rounded = {task.row.number for task in tasks if task.is_rounded}
-    for n, task in enumerate(tasks):
+    rounded = {task.row.number for task in at.tasks if task.is_rounded}
+    for n, task in enumerate(at.tasks):
         says, first = task.row.says, task.sign.first
-        is_compared = _is_refuted(rows[n]) and first in rounded and not task.is_rounded
+        is_compared = _is_refuted(at.rows[n]) and first in rounded and not task.is_rounded
         if not (is_compared and isinstance(says, Equality)):
             continue
         domain = Domain.of(task.paper, task.row.on)
@@ -119,22 +112,20 @@ def doubt_by_decimals(
             yield n, make_row(task, f"it differs from {first} by no more than rounding may explain")
 
 
-def doubt_by_rates(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_rates(at: Judging) -> Changes:
     """Refute no derivative that is printed anew behind words that say something new."""
-    rates = [n for n, task in enumerate(tasks) if task.sign.role is Role.DERIVATIVE]
+    rates = [n for n, task in enumerate(at.tasks) if task.sign.role is Role.DERIVATIVE]
     for n in rates:
-        task = tasks[n]
-        if not (_is_refuted(rows[n]) and task.said.is_new):
+        task = at.tasks[n]
+        if not (_is_refuted(at.rows[n]) and task.said.is_new):
             continue
         before = [
-            tasks[m].row.number
+            at.tasks[m].row.number
             for m in rates
             if m < n
-            and rows[m].outcome == Verdict.PROVED.value
-            and tasks[m].sign.letter == task.sign.letter
-            and tasks[m].said.passage != task.said.passage
+            and at.rows[m].outcome == Verdict.PROVED.value
+            and at.tasks[m].sign.letter == task.sign.letter
+            and at.tasks[m].said.passage != task.said.passage
         ]
         if before:
             reason = (
@@ -143,25 +134,21 @@ def doubt_by_rates(
             yield n, make_row(task, reason)
 
 
-def doubt_conditions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_conditions(at: Judging) -> Changes:
     """Refute no condition of a case, which may lie where the letters of the paper do not."""
-    for n, task in enumerate(tasks):
-        if task.sign.role is Role.RELATION and task.said.is_case and _is_refuted(rows[n]):
+    for n, task in enumerate(at.tasks):
+        if task.sign.role is Role.RELATION and task.said.is_case and _is_refuted(at.rows[n]):
             reason = "it is never true where the letters lie: is it the condition of another case?"
             yield n, make_row(task, reason)
 
 
-def doubt_by_factors(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_factors(at: Judging) -> Changes:
     """Accuse no equation of its dimensions if a number of it may turn units, as 254 does.
 
     In an equation of numerical values, letters are numbers in units of their own.
     """
-    for n, task in enumerate(tasks):
-        found = rows[n].judgement
+    for n, task in enumerate(at.tasks):
+        found = at.rows[n].judgement
         if found is None or found.rung != DIMENSIONS or found.verdict is not Verdict.ILL_FORMED:
             continue
         numbers = _NUMBER.findall(task.row.printed_latex)
@@ -177,14 +164,12 @@ def _is_odd(number: str) -> bool:
     return int(number) >= _LARGE and max(sp.primefactors(int(number))) > _PRIME
 
 
-def doubt_by_positions(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_positions(at: Judging) -> Changes:
     """Prove no row by definitions that are said of several positions, unless it needs none."""
-    placed = [one for one in tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
-    for n, task in enumerate(tasks):
-        is_proved = rows[n].outcome == Verdict.PROVED.value
-        letters = list_used(task, tasks) if is_proved and len(placed) > 1 else ()
+    placed = [one for one in at.tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
+    for n, task in enumerate(at.tasks):
+        is_proved = at.rows[n].outcome == Verdict.PROVED.value
+        letters = list_used(task, at.tasks) if is_proved and len(placed) > 1 else ()
         used = [one for one in placed if one is not task and defines(one, letters)]
         if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
             names = ", ".join(one.row.number for one in used)
@@ -192,21 +177,18 @@ def doubt_by_positions(
             yield n, make_row(task, reason)
 
 
-def doubt_by_unread(
-    found: Sequence[Task | Left], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
     """Leave open what rests on a letter that an equation between, not read, may define anew."""
-    tasks = [one for one in found if isinstance(one, Task)]
     unread = _list_unread(found)
-    for n, task in enumerate(tasks):
-        is_certain = rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
+    for n, task in enumerate(at.tasks):
+        is_certain = at.rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
         if not (is_certain and unread):
             continue
-        letters = list_compared(task, tasks)
-        named = [defines(one, letters) and _name_plain(str(one.sign.letter)) for one in tasks]
+        letters = list_compared(task, at.tasks)
+        named = [defines(one, letters) and _name_plain(str(one.sign.letter)) for one in at.tasks]
         between = [x for place, name, x in unread if place <= n and name in named[:place]]
         if names := ", ".join(left.number for left in between):
-            first = "it differs" if _is_refuted(rows[n]) else "it holds"
+            first = "it differs" if _is_refuted(at.rows[n]) else "it holds"
             reason = f"{first}, but {names}, not read, may define a letter of it anew"
             yield n, make_row(task, reason)
 

@@ -18,7 +18,6 @@ from mechproof.document.constraints.solutions import (
     join_values,
     write_sign,
 )
-from mechproof.document.judging_workers import Key, open_tasks
 from mechproof.document.misprints import RUNG, Misprint, find_failure, find_misprint, holds_at_rest
 from mechproof.document.slips import PrintedSides
 from mechproof.document.tasks import Task
@@ -30,15 +29,16 @@ from mechproof.record import Conjunction, Definition, Equality, RecordError
 from mechproof.statement_domains.domain import Domain
 
 
-def judge_beside(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
-    """Judge by the constraints before it what may follow from them; None if that is not shown."""
-    return judge_freed((*which, frozenset()))
+def judge_beside(
+    tasks: Sequence[Task],
+    number: int,
+    others: Sequence[int],
+    letters: frozenset[sp.Basic] = frozenset(),
+) -> Judgement | None:
+    """Judge by the constraints before it what may follow from them; None if that is not shown.
 
-
-def judge_freed(which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]]) -> Judgement | None:
-    """Judge as `judge_beside` does, some letters as they are printed, whatever defines them."""
-    key, number, others, letters = which
-    tasks = open_tasks(key)
+    Some letters are as they are printed, whatever defines them.
+    """
     before = [tasks[other] for other in list_applicable(others, number, tasks)]
     answer = None
     for task in filter(None, (tasks[number], tasks[number].special)):
@@ -52,12 +52,9 @@ def judge_freed(which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic]]) ->
     return answer
 
 
-def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
     """Judge beside all constraints what is not true by itself, or say which may make it true."""
-    key, number, others = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    found = judge_beside(which)
+    task, found = tasks[number], judge_beside(tasks, number, others)
     if found and found.verdict is Verdict.PROVED:
         return found
     before = [tasks[other] for other in others]
@@ -75,9 +72,9 @@ def judge_excused(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
     return f"the two sides differ unless {names} {make} them equal, which could not be decided"
 
 
-def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+def judge_misprint(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | None:
     """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
-    found = _find_misprint(*which, may_repeat=False)
+    found = _find_misprint(tasks, number, others, may_repeat=False)
     if found is None:
         return None
     task, misprint, compared_with = found
@@ -85,19 +82,20 @@ def judge_misprint(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     return _replace(task, Verdict.REFUTED, RUNG, reason, (misprint.evidence,))
 
 
-def tell_misprint(which: tuple[Key, int, tuple[int, ...], tuple[int, ...]]) -> str:
+def tell_misprint(
+    tasks: Sequence[Task], number: int, others: Sequence[int], proved: Sequence[int]
+) -> str:
     """Say what a row may be meant to be beside constraints, also if that is printed elsewhere.
 
     Rows that are proved are told of which it is one with a slip; nothing of what may be true.
     """
-    key, number, others, proved = which
-    found = _find_misprint(key, number, others, may_repeat=True)
+    found = _find_misprint(tasks, number, others, may_repeat=True)
     if found is None:
         return ""
     task, misprint, compared_with = found
     domain = Domain.of(task.paper, task.row.on)
     one, other = map(domain.resolve, misprint.change.sides)
-    rows = (open_tasks(key)[m] for m in proved)
+    rows = (tasks[m] for m in proved)
     alike = [row.row.number for row in rows if _is_multiple(one - other, row.residual)]
     if alike:
         return f"it differs from {alike[0]}, which is proved: a misprint, or of another case?"
@@ -111,10 +109,9 @@ def _is_multiple(rest: sp.Expr, residual: sp.Expr | None) -> bool:
 
 
 def _find_misprint(
-    key: Key, number: int, others: Sequence[int], *, may_repeat: bool
+    tasks: Sequence[Task], number: int, others: Sequence[int], *, may_repeat: bool
 ) -> tuple[Task, Misprint, str] | None:
     """Return a row that may be a misprint, what mends it, and what it is compared with."""
-    tasks = open_tasks(key)
     # Nothing said of a case accuses what is said of all.
     task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
     try:
@@ -163,10 +160,8 @@ def _list_accelerations(task: Task) -> set[sp.Basic]:
     return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
 
 
-def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
+def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | None:
     """Judge a print with a double sign beside constraints: None if nothing is shown."""
-    key, number, others = which
-    tasks = open_tasks(key)
     task = tasks[number]
     given = {one.row.number: one.residual for one in state_at([tasks[o] for o in others], task)}
     letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
@@ -183,10 +178,8 @@ def judge_roots(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | None:
     return None
 
 
-def judge_half(which: tuple[Key, int, tuple[int]]) -> Judgement | None:
+def judge_half(tasks: Sequence[Task], number: int, pair: int) -> Judgement | None:
     """Judge what introduces x_1 by what is printed of x_{1,2}: None if nothing is shown."""
-    key, number, (pair,) = which
-    tasks = open_tasks(key)
     task, says = tasks[number], tasks[number].row.says
     domain = Domain.of(task.paper, task.row.on)
     if not (isinstance(says, Definition) and isinstance(says.printed, sp.Expr)):

@@ -7,7 +7,7 @@ left open. A print that differs, and solves an equation as the first one does, i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,28 +23,25 @@ from mechproof.document.context.doubts import (
     list_printed,
     list_used,
 )
-from mechproof.document.judging_workers import COMPARED, Key, open_tasks
+from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import COMPARED
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
-from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality, list_given
 from mechproof.record.statements import list_parts
 from mechproof.sources.announcements import Announced
-from mechproof.tools.processes import run_tasks
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
 
 
-def find_roots(
-    key: Key, tasks: list[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def find_roots(at: Judging) -> Changes:
     """Accuse no print of a letter that is another root of an equation printed for it.
 
     What such a print makes of the letter is kept with its task.
     """
-    asked = []
+    tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
         letter, sides = task.sign.letter, task.sign.sides
         is_other = rows[n].outcome == Verdict.REFUTED.value and task.sign.role is Role.REPEATED
@@ -52,12 +49,11 @@ def find_roots(
             continue
         value = sides[1 - sides.index(letter)]
         given = (m for m, one in enumerate(tasks) if one.sign.role is Role.CONSTRAINT)
-        asked += [(key, m, {letter: value}, n) for m in given if _has_roots(tasks[m], letter)]
-    for place, answer in run_tasks(judge_root, asked, limit=limit):
-        _, m, values, n = asked[place]
+        asked += [(m, {letter: value}, n) for m in given if _has_roots(tasks[m], letter)]
+    for (m, values, n), answer in at.ask(judge_root, asked):
         if isinstance(answer, Judgement) and _is_root(answer, rows[m]):
             task, letter = tasks[n], tasks[n].sign.letter
-            _, steps = symbols.find_steps(letter)
+            _, steps = at.symbols.find_steps(letter)
             anew = dict.fromkeys(steps[steps.index(letter) :]) | values
             tasks[n] = replace(task, anew=anew)
             reason = f"it differs from {task.sign.first}, but solves {tasks[m].row.number}, too"
@@ -78,10 +74,11 @@ def _is_root(answer: Judgement, row: CheckedRow) -> bool:
     return answer.verdict is Verdict.PROVED or (is_alike and answer.verdict is Verdict.UNDECIDED)
 
 
-def judge_root(which: tuple[Key, int, Mapping[sp.Basic, Any], int]) -> Judgement | str:
+def judge_root(
+    tasks: Sequence[Task], number: int, values: Mapping[sp.Basic, Any], _: int
+) -> Judgement | str:
     """Judge an equation with another value of a letter; one that is true with any has no roots."""
-    key, number, values, _ = which
-    task = open_tasks(key)[number]
+    task = tasks[number]
     found = _judge_with(task, values)
     any_value = {s: x + sp.sqrt(7) for s, x in values.items() if isinstance(x, sp.Expr)}
     free = _judge_with(task, any_value) if any_value else ""
@@ -89,18 +86,12 @@ def judge_root(which: tuple[Key, int, Mapping[sp.Basic, Any], int]) -> Judgement
     return "it is true with any value" if is_free else found
 
 
-def compare_newer_prints(
-    key: Key,
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    contested: Collection[int],
-    limit: float,
-) -> Iterator[tuple[int, CheckedRow]]:
+def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
     """Judge again what rests on a letter that was printed anew before, and differs there.
 
     What is left open because it is `contested` stays so.
     """
-    asked = []
+    tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
         newer = [m for m in newer if not is_of_another_example(tasks[m], task)]
@@ -114,9 +105,8 @@ def compare_newer_prints(
         differs = rows[n].state is State.NOT_JUDGED and task.sign.role in COMPARED
         is_compared = rows[n].outcome in _CERTAIN or differs
         if newer and is_compared and not (is_said or is_open):
-            asked.append((key, n, tuple(newer)))
-    for place, answer in run_tasks(judge_anew, asked, limit=limit):
-        _, n, before = asked[place]
+            asked.append((n, tuple(newer)))
+    for (n, before), answer in at.ask(judge_anew, asked):
         found = answer if isinstance(answer, Judgement) else None
         if chosen := _choose(tasks[n], rows[n], found, [tasks[m] for m in before]):
             yield n, make_row(tasks[n], chosen)
@@ -157,11 +147,9 @@ def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced
     return is_open and is_rate and is_beside and not last.is_apart(task.said)
 
 
-def doubt_by_cases(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_cases(at: Judging) -> Changes:
     """Leave open what is proved only by a definition that may be of another case."""
-    asked = []
+    tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
         found = rows[n].judgement
         is_proved = found and found.verdict is Verdict.PROVED and found.rung not in FOLLOWING
@@ -171,9 +159,8 @@ def doubt_by_cases(
         cases += [m for m in range(n) if is_left_case(tasks[m], task, used)]
         cases = [m for m in cases if not is_of_another_example(tasks[m], task)]
         if cases:
-            asked.append((key, n, tuple(cases)))
-    for place, answer in run_tasks(judge_without, asked, limit=limit):
-        _, n, others = asked[place]
+            asked.append((n, tuple(cases)))
+    for (n, others), answer in at.ask(judge_without, asked):
         if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
             names = ", ".join(tasks[m].row.number for m in others)
             why = "printed later, perhaps of a case" if others[0] > n else "perhaps said of a case"
@@ -184,19 +171,14 @@ def doubt_by_cases(
             yield n, make_row(tasks[n], reason)
 
 
-def judge_without(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+def judge_without(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
     """Judge a row without what some other rows define."""
-    key, number, others = which
-    tasks = open_tasks(key)
     return _judge_with(tasks[number], {tasks[m].sign.letter: None for m in others})
 
 
-def judge_anew(which: tuple[Key, int, tuple[int, ...]]) -> Judgement | str:
+def judge_anew(tasks: Sequence[Task], number: int, newer: Sequence[int]) -> Judgement | str:
     """Judge a row by the newer prints of letters, or say why not."""
-    key, number, newer = which
-    tasks = open_tasks(key)
-    task = tasks[number]
-    anew: dict[sp.Basic, Any] = {}
+    task, anew = tasks[number], dict[sp.Basic, Any]()
     for m in newer:
         anew |= tasks[m].anew
     says, own = task.row.says, anew.get(task.sign.letter)

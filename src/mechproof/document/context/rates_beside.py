@@ -8,34 +8,30 @@ of a consequence. One with all signs turned may count otherwise: it is left open
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.judging_workers import Key, open_tasks
+from mechproof.document.checked_rows import make_row
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.tasks import Role, Task
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
-from mechproof.tools.processes import run_tasks
 
 
-def compare_rates(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def compare_rates(at: Judging) -> Changes:
     """Judge again derivatives that are left open behind a heading only."""
-    asked = []
+    tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
         if rows[n].state is not State.NOT_JUDGED or not task.is_solution:
             continue
         proved = [m for m, row in rows.items() if row.outcome == Verdict.PROVED.value]
         anew = [one for m, one in enumerate(tasks) if m not in proved]
         if any(_are_beside(tasks[m], task, tasks, anew) for m in proved):
-            asked.append((key, n))
-    for place, answer in run_tasks(judge_rate, asked, limit=limit):
+            asked.append((n,))
+    for (n,), answer in at.ask(judge_rate, asked):
         if isinstance(answer, Judgement):
-            number = asked[place][1]
-            yield number, make_row(tasks[number], answer)
+            yield n, make_row(tasks[n], answer)
 
 
 def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Task]) -> bool:
@@ -60,10 +56,9 @@ def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Ta
     return first[0].said.passage == first[1].said.passage and not (is_turned or is_anew)
 
 
-def judge_rate(which: tuple[Key, int]) -> Judgement | None:
+def judge_rate(tasks: Sequence[Task], number: int) -> Judgement | None:
     """Judge a derivative by what it is of; None if it is that, but for the sense of counting."""
-    key, number = which
-    task = open_tasks(key)[number]
+    task = tasks[number]
     found, says = judge(task.row, task.paper), task.row.says
     if found.verdict is not Verdict.REFUTED or not isinstance(says, Equality):
         return None

@@ -6,7 +6,7 @@ shows; what follows from both gives the position by the angle of the crank alone
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -15,7 +15,8 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_plain
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.context.constrained_rows import binds
-from mechproof.document.judging_workers import Key, judge_row, name_equation
+from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import judge_row, name_equation
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import differentiate
@@ -23,26 +24,21 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality
 from mechproof.statement_domains.domain import Domain
-from mechproof.tools.processes import run_tasks
 
 
-def compare_restated(
-    key: Key, tasks: list[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def compare_restated(at: Judging) -> Changes:
     """Compare a derivative that lacks a letter of the first print with the last that is proved.
 
     Its task is then one that compares it with that, and rests on it.
     """
-    first = {}
+    tasks, rows, first = at.tasks, at.rows, {}
     for n, task in enumerate(tasks):
         if task.sign.role is Role.DERIVATIVE and _is_open(task, rows[n]):
             proved = (m for m in range(n) if rows[m].outcome == Verdict.PROVED.value)
             for m in proved:
-                if one := _compare(task, tasks[m], symbols):
+                if one := _compare(task, tasks[m], at.symbols):
                     first[n], tasks[n] = task, one
-    asked = [(key, n) for n in first]
-    for place, answer in run_tasks(judge_row, asked, limit=limit):
-        n = asked[place][1]
+    for (n,), answer in at.ask(judge_row, [(n,) for n in first]):
         if isinstance(answer, Judgement):
             yield n, make_row(tasks[n], answer)
         else:
@@ -93,35 +89,32 @@ def _find_rate(one: Task, other: Task, symbols: Symbols) -> sp.Expr | None:
     return value
 
 
-def doubt_by_restated(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_restated(at: Judging) -> Changes:
     """Leave open what rests on a later print that is not proved, or that may be of a case."""
-    for n, task in enumerate(tasks):
+    for n, task in enumerate(at.tasks):
         name, reason = task.rests_on
-        if name and not _holds_in_general(name, tasks, rows):
+        if name and not _holds_in_general(name, at):
             yield n, make_row(task, reason)
 
 
-def _holds_in_general(name: str, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]) -> bool:
+def _holds_in_general(name: str, at: Judging) -> bool:
     """Return whether all signs of an equation are proved, and nothing tells that this is a case."""
+    tasks = at.tasks
     own = [n for n, task in enumerate(tasks) if name_equation(task.row.number) == name]
-    are_proved = bool(own) and all(rows[n].outcome == Verdict.PROVED.value for n in own)
+    are_proved = bool(own) and all(at.rows[n].outcome == Verdict.PROVED.value for n in own)
     return are_proved and not any(
         _may_be_case(tasks[m]) or (m not in own and is_plain(tasks[m]))
         for n in own
-        for m in (n, *_list_premises(n, tasks, rows))
+        for m in (n, *_list_premises(n, at))
     )
 
 
-def _list_premises(
-    number: int, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
-) -> Iterator[int]:
+def _list_premises(number: int, at: Judging) -> Iterator[int]:
     """Yield the constraints that a row follows from, as it says."""
-    found = rows[number].judgement
-    for m, one in enumerate(tasks):
+    found = at.rows[number].judgement
+    for m, one in enumerate(at.tasks):
         is_used = found is not None and found.rung in FOLLOWING and binds(one)
-        if is_used and m != number and one.row.number in rows[number].reason:
+        if is_used and m != number and one.row.number in at.rows[number].reason:
             yield m
 
 

@@ -7,7 +7,7 @@ integrated over one letter, or of which one value is put in, beside a constraint
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Sequence, Set
 
 import numpy as np
 import sympy as sp
@@ -16,33 +16,31 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.context.doubts import list_compared, list_printed, reach
-from mechproof.document.judging_workers import Key, open_tasks
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.tasks import Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict
 from mechproof.record.parts import TURNING
 from mechproof.statement_domains.domain import Domain
-from mechproof.tools.processes import WorkerError, run_tasks
+from mechproof.tools.processes import WorkerError
 
 _COUNT = 4
 # What a singular value is to the largest slope where a letter is free to move.
 _FREE = 1e-9
 
 
-def doubt_by_motion(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_motion(at: Judging) -> Changes:
     """Leave open what has derivatives and a letter that has to move and is not said to."""
-    groups = [(group, _list_angles(group, tasks, symbols)) for group in _join(tasks, rows, symbols)]
+    tasks, symbols = at.tasks, at.symbols
+    groups = [(group, _list_angles(group, tasks, symbols)) for group in _join(at)]
     groups = [(group, angles) for group, angles in groups if angles]
     if not groups:
         return
     rates = _list_rates(symbols)
-    asked = [(n, one) for n, one in enumerate(tasks) if _has_rates(one, rows[n], rates)]
+    asked = [(n, one) for n, one in enumerate(tasks) if _has_rates(one, at.rows[n], rates)]
     moving = tuple(map(str, symbols.moving))
-    held = [(key, group, moving) for group, _ in groups] if asked else []
-    for place, answer in run_tasks(leave_none_free, held, limit=limit):
-        group, angles = groups[place]
+    held = [(group, moving, angles) for group, angles in groups] if asked else []
+    for (group, _, angles), answer in at.ask(leave_none_free, held):
         if isinstance(answer, WorkerError) or not answer:
             continue
         for n, task in asked:
@@ -50,12 +48,11 @@ def doubt_by_motion(
                 yield n, make_row(task, _tell(met, [tasks[g] for g in group]))
 
 
-def doubt_by_ties(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
-) -> Iterator[tuple[int, CheckedRow]]:
+def doubt_by_ties(at: Judging) -> Changes:
     """Leave open what goes over one letter, and has another that a constraint ties to it."""
+    tasks, rows = at.tasks, at.rows
     running = {letter for task in tasks for letter, _ in task.sign.varied}
-    ties = {letter: find_ties(letter, tasks, rows, symbols) for letter in running}
+    ties = {letter: find_ties(letter, at) for letter in running}
     held: dict[sp.Basic, str] = {}
     for n, task in enumerate(tasks):
         letters = list_compared(task, tasks)
@@ -68,7 +65,7 @@ def doubt_by_ties(
                 # Its value was put into the constraints, too.
                 continue
             tied, given = ties[by]
-            met = tied & reach({symbols.find_steps(s)[1][0] for s in inside}, tasks)
+            met = tied & reach({at.symbols.find_steps(s)[1][0] for s in inside}, tasks)
             # Letters that it does not have may move instead, one for each constraint.
             if met and len(tied - letters) < len(given):
                 reasons.append(_tell_tie(given, min(map(str, met)), by))
@@ -86,16 +83,14 @@ def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
     )
 
 
-def find_ties(
-    by: sp.Basic, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
-) -> tuple[set[sp.Basic], list[Task]]:
+def find_ties(by: sp.Basic, at: Judging) -> tuple[set[sp.Basic], list[Task]]:
     """Return the letters that constraints tie to one, and these."""
-    found = [task for n, task in enumerate(tasks) if _is_given(task, rows[n])]
-    left = [task for task in found if not _list_tied(task) & _list_rates(symbols)]
+    found = [task for n, task in enumerate(at.tasks) if _is_given(task, at.rows[n])]
+    left = [task for task in found if not _list_tied(task) & _list_rates(at.symbols)]
     reached, tied, given = {by}, set[sp.Basic](), list[Task]()
     while near := [one for one in left if _list_tied(one) & reached]:
         left = [one for one in left if one not in near]
-        reached = set[sp.Basic]().union(*(_list_running(one, by, symbols) for one in near))
+        reached = set[sp.Basic]().union(*(_list_running(one, by, at.symbols) for one in near))
         tied |= reached
         given += near
     return tied, given
@@ -147,14 +142,12 @@ def _has_rates(task: Task, row: CheckedRow, rates: Collection[sp.Basic]) -> bool
     return is_certain and bool(task.sign.printed & {*rates})
 
 
-def _join(
-    tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols
-) -> list[tuple[int, ...]]:
+def _join(at: Judging) -> list[tuple[int, ...]]:
     """Return the constraints that have letters that move, those together that share one."""
     groups: list[tuple[set[int], set[sp.Basic]]] = []
-    for n, task in enumerate(tasks):
-        letters = _list_moving(task, rows[n], symbols)
-        if letters and _has_own_angle(n, tasks, symbols):
+    for n, task in enumerate(at.tasks):
+        letters = _list_moving(task, at.rows[n], at.symbols)
+        if letters and _has_own_angle(n, at.tasks, at.symbols):
             continue
         near = [group for group in groups if letters and group[1] & letters]
         groups = [group for group in groups if group not in near]
@@ -191,10 +184,11 @@ def _list_angles(group: Sequence[int], tasks: Sequence[Task], symbols: Symbols) 
     return {s for s in still if s in known and known[s].is_angle}
 
 
-def leave_none_free(which: tuple[Key, tuple[int, ...], tuple[str, ...]]) -> bool:
+def leave_none_free(
+    all_tasks: Sequence[Task], numbers: Sequence[int], names: Sequence[str], _: Set[sp.Basic]
+) -> bool:
     """Return whether constraints hold what moves where it is, at a point at which they hold."""
-    key, numbers, names = which
-    tasks = [open_tasks(key)[n] for n in numbers]
+    tasks = [all_tasks[n] for n in numbers]
     residuals = [sp.sympify(task.residual) for task in tasks]
     domain = Domain.of(tasks[0].paper, tasks[0].row.on)
     letters = {s for one in residuals for s in one.free_symbols}

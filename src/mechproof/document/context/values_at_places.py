@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.document.checked_rows import CheckedRow, make_row
+from mechproof.document.checked_rows import make_row
 from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
 from mechproof.document.constraints.consequences import list_letters
 from mechproof.document.constraints.solved_places import solve_at_place
 from mechproof.document.context.constrained_rows import connect, is_constraint
 from mechproof.document.context.undeclared_motion import find_ties
-from mechproof.document.judging_workers import Key, open_tasks
+from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
@@ -24,35 +24,32 @@ from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve
 from mechproof.statement_domains.domain import Domain
-from mechproof.tools.processes import run_tasks
 
 # What may be said of one place by a condition behind it.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
 _BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
 
 
-def compare_at_places(
-    key: Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], symbols: Symbols, limit: float
-) -> Iterator[tuple[int, CheckedRow]]:
+def compare_at_places(at: Judging) -> Changes:
     """Judge values at a place with what constraints say of tied letters there, or say why not.
 
     What is printed of the value must have no letter that moves with what is put in.
     """
+    tasks, rows, symbols = at.tasks, at.rows, at.symbols
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     met = {s for n in given for s in list_letters(tasks[n])}
     asked = []
     for n, task in enumerate(tasks):
-        at = dict(_list_put_in(task, symbols))
-        moving = _list_moving(at.keys() - _find_places(task).keys(), symbols) & met
-        tied = _list_tied(task, moving, tasks, rows, symbols)
+        values = dict(_list_put_in(task, symbols))
+        moving = _list_moving(values.keys() - _find_places(task).keys(), symbols) & met
+        tied = _list_tied(task, moving, at)
         is_apart = _is_apart(task, tied, symbols)
         if tied and is_apart and rows[n].outcome != Verdict.PROVED.value:
             before = tuple(connect(n, list_applicable(given, n, tasks), tasks))
-            asked.append((key, n, before, tied, at))
+            asked.append((n, before, tied, values))
         elif tied & moving and not is_apart:
             yield n, make_row(task, f"{_BESIDE} {_write(_find_places(task))}?")
-    for place, found in run_tasks(judge_at_place, asked, limit=limit):
-        _, n, others, tied, _ = asked[place]
+    for (n, others, tied, _), found in at.ask(judge_at_place, asked):
         if isinstance(found, Judgement):
             yield n, make_row(tasks[n], found)
         elif rows[n].outcome == Verdict.DEFINITION.value:
@@ -75,13 +72,7 @@ def _list_moving(running: Set[sp.Basic], symbols: Symbols) -> set[sp.Basic]:
     return {letter for letter, (by, _) in symbols.moving.items() if by in running}
 
 
-def _list_tied(
-    task: Task,
-    moving: Set[sp.Basic],
-    tasks: Sequence[Task],
-    rows: Mapping[int, CheckedRow],
-    symbols: Symbols,
-) -> frozenset[sp.Basic]:
+def _list_tied(task: Task, moving: Set[sp.Basic], at: Judging) -> frozenset[sp.Basic]:
     """Return the letters, with their derivatives, that constraints tie to what has a value.
 
     Those that are said to depend on it are told. None for a row that has none of them.
@@ -89,9 +80,9 @@ def _list_tied(
     places = {*_find_places(task)}
     if not (places and task.residual is not None and isinstance(task.row.says, Equality)):
         return frozenset()
-    tied = {s for by in places for s in find_ties(by, tasks, rows, symbols)[0]}
+    tied = {s for by in places for s in find_ties(by, at)[0]}
     tied |= moving - task.paper.given.keys()
-    tied = {rate for s in tied - places for rate in symbols.find_steps(s)[1]}
+    tied = {rate for s in tied - places for rate in at.symbols.find_steps(s)[1]}
     return frozenset(tied if tied & list_letters(task) else ())
 
 
@@ -110,14 +101,16 @@ def _find_places(task: Task) -> Mapping[sp.Basic, sp.Expr]:
 
 
 def judge_at_place(
-    which: tuple[Key, int, tuple[int, ...], frozenset[sp.Basic], Mapping[sp.Basic, sp.Expr]],
+    tasks: Sequence[Task],
+    number: int,
+    others: Sequence[int],
+    tied: frozenset[sp.Basic],
+    at: Mapping[sp.Basic, sp.Expr],
 ) -> Judgement | None:
     """Judge a value with the only values that tied letters have there; None if some may have more.
 
     What differs is refuted only if both sides have the same letters then, as identities have.
     """
-    key, number, others, tied, at = which
-    tasks = open_tasks(key)
     places = _find_places(tasks[number])
     task = replace(tasks[number], at={**tasks[number].at, **at})
     given = [*state_at([tasks[o] for o in others], task)]
