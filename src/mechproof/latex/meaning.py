@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
+from mechproof.latex import tree
 from mechproof.latex.calculus_meaning import (
     BINDING,
     RUNNING,
@@ -35,36 +36,6 @@ from mechproof.latex.matrix_meaning import (
 from mechproof.latex.matrix_powers import is_power, raise_matrix
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
-from mechproof.latex.tree import (
-    Add,
-    Approach,
-    At,
-    Bracket,
-    Calculated,
-    Call,
-    Cases,
-    Chain,
-    Constant,
-    Degrees,
-    Derivation,
-    Dotted,
-    Entries,
-    Excerpt,
-    Extremum,
-    Integration,
-    Letter,
-    Magnitude,
-    Measure,
-    Node,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Radical,
-    Repeated,
-    Table,
-    Transposed,
-)
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
 from mechproof.record import (
@@ -119,7 +90,7 @@ class Meaning:
         self.lost: dict[sp.Expr, None] = {}
 
     @without_estimates()
-    def side(self, node: Node) -> Any:
+    def side(self, node: tree.Node) -> Any:
         """Return the expression of a node, with the parts that SymPy has cancelled as its needs.
 
         A root, a logarithm or an integral that is printed must have a value, whatever it is
@@ -140,7 +111,7 @@ class Meaning:
             return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
         return reduce(ValueWhere, lost, value)
 
-    def of(self, node: Node) -> Any:
+    def of(self, node: tree.Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
         raised = self._raised
         try:
@@ -151,7 +122,7 @@ class Meaning:
             told = str(error) if isinstance(error, MeaningError) else _UNFIT
             raise self.source.refuse(node.start, told) from error
         # SymPy would work such a power out, for some matrices with those parameters only.
-        if self._raised > raised and not isinstance(node, Power | Bracket):
+        if self._raised > raised and not isinstance(node, tree.Power | tree.Bracket):
             raise self.source.refuse(node.start, _UNFIT)
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
@@ -162,9 +133,9 @@ class Meaning:
             self._met |= dict.fromkeys(list_partial(found))
         return found
 
-    def _find(self, node: Node) -> Any:
+    def _find(self, node: tree.Node) -> Any:
         """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
-        if not isinstance(node, (*BINDING, Cases)):
+        if not isinstance(node, (*BINDING, tree.Cases)):
             return _RULES[type(node)](self, node)
         divisors, lost = {**self.divisors}, {**self.lost}
         found = _RULES[type(node)](self, node)
@@ -173,7 +144,7 @@ class Meaning:
             self.lost = lost
         return found
 
-    def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
+    def relate(self, chain: tree.Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
         members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
@@ -186,16 +157,16 @@ class Meaning:
             if sign != AND
         )
 
-    def _number(self, node: Node) -> Any:
+    def _number(self, node: tree.Node) -> Any:
         return self.take_number(node, self.of(node))
 
-    def take_number(self, node: Node, found: Any) -> Any:
+    def take_number(self, node: tree.Node, found: Any) -> Any:
         """Return what has to be a number; of matrices sums, integrals and so on are not read."""
         if is_matrix(found):
             raise self.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
         return found
 
-    def letter(self, node: Letter) -> Any:
+    def letter(self, node: tree.Letter) -> Any:
         """Return the symbol of a letter, the member of a family, or the entries of a matrix."""
         if isinstance(node.symbol, sp.IndexedBase):
             return node.symbol[tuple(self.of(index) for index in node.indices)]
@@ -204,14 +175,14 @@ class Meaning:
             self._met[node.symbol] = None
         return value if isinstance(value, sp.MatrixBase) else node.symbol
 
-    def _add(self, node: Add) -> Any:
+    def _add(self, node: tree.Add) -> Any:
         terms = [sign * self.of(term) for sign, term in node.terms]
         if not _any_matrix(terms):
             return sp.Add(*terms)
         # A zero beside a matrix is one of zeros.
         return reduce(add, [term for term in terms if is_matrix(term) or term != 0])
 
-    def _quotient(self, node: Quotient) -> Any:
+    def _quotient(self, node: tree.Quotient) -> Any:
         below = self.of(node.below)
         if below == 0:
             raise self.source.refuse(node.below.start, "this divides by zero")
@@ -223,7 +194,7 @@ class Meaning:
         if is_scalar and not (number.is_number and number.is_nonzero):
             self.divisors[number] = shown or 1 / number
 
-    def _power(self, node: Power) -> Any:
+    def _power(self, node: tree.Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
         if exponent == 2 and is_vector(base):
             shown = show_entries(base)
@@ -253,7 +224,7 @@ class Meaning:
             self._divide_by(base)
         return power
 
-    def _root(self, node: Radical) -> sp.Expr:
+    def _root(self, node: tree.Radical) -> sp.Expr:
         degree = self._number(node.degree) if node.degree else sp.Integer(2)
         radicand = self._number(node.radicand)
         if degree.is_odd and not radicand.is_nonnegative:
@@ -261,7 +232,7 @@ class Meaning:
             return sp.sign(radicand) * sp.Abs(radicand) ** (1 / degree)
         return radicand ** (1 / degree)
 
-    def _call(self, node: Call) -> sp.Expr:
+    def _call(self, node: tree.Call) -> sp.Expr:
         if not node.arguments:
             return FunctionWithoutArgument(sp.Symbol(node.function.name))
         is_known = node.function.name in FUNCTIONS and node.function.name not in OF_MATRICES
@@ -279,7 +250,7 @@ class Meaning:
                 self._divide_by(divisor, value)
         return value ** self.of(node.exponent) if node.exponent else value
 
-    def _cases(self, node: Cases) -> sp.Basic:
+    def _cases(self, node: tree.Cases) -> sp.Basic:
         pieces, undefined = [], []
         for value, chain in node.pieces:
             relations = self.relate(chain)
@@ -298,30 +269,30 @@ def _any_matrix(parts: list[Any]) -> bool:
 
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
-    Number: lambda meaning, node: sp.Rational(node.text),
-    Measure: lambda meaning, node: sp.Rational(node.number.text) * node.factor,
-    Calculated: lambda meaning, node: node.value,
-    Constant: lambda meaning, node: node.value,
-    Letter: Meaning.letter,
-    Bracket: lambda meaning, node: meaning.of(node.inside),
-    Add: Meaning._add,
-    Product: give_product,
-    Quotient: Meaning._quotient,
-    Dotted: give_dotted,
-    Power: Meaning._power,
-    Radical: Meaning._root,
-    Call: Meaning._call,
-    Repeated: give_repeated,
-    Integration: give_integral,
-    Derivation: give_derivative,
-    Approach: give_limit,
-    At: give_value,
-    Extremum: give_term,
-    Table: give_table,
-    Entries: give_entries,
-    Excerpt: give_excerpt,
-    Transposed: give_transposed,
-    Magnitude: give_magnitude,
-    Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
-    Cases: Meaning._cases,
+    tree.Number: lambda meaning, node: sp.Rational(node.text),
+    tree.Measure: lambda meaning, node: sp.Rational(node.number.text) * node.factor,
+    tree.Calculated: lambda meaning, node: node.value,
+    tree.Constant: lambda meaning, node: node.value,
+    tree.Letter: Meaning.letter,
+    tree.Bracket: lambda meaning, node: meaning.of(node.inside),
+    tree.Add: Meaning._add,
+    tree.Product: give_product,
+    tree.Quotient: Meaning._quotient,
+    tree.Dotted: give_dotted,
+    tree.Power: Meaning._power,
+    tree.Radical: Meaning._root,
+    tree.Call: Meaning._call,
+    tree.Repeated: give_repeated,
+    tree.Integration: give_integral,
+    tree.Derivation: give_derivative,
+    tree.Approach: give_limit,
+    tree.At: give_value,
+    tree.Extremum: give_term,
+    tree.Table: give_table,
+    tree.Entries: give_entries,
+    tree.Excerpt: give_excerpt,
+    tree.Transposed: give_transposed,
+    tree.Magnitude: give_magnitude,
+    tree.Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
+    tree.Cases: Meaning._cases,
 }
