@@ -263,8 +263,8 @@ def _compare_specially(at: Judging) -> Changes:
     "With the ring held ($n_3=0$) the ratio is" says at which value a row is meant. What differs
     there, too, is refuted if both sides have the same letters then, as identities have.
     """
-    asked = [(n,) for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
-    for (n,), answer in at.ask(judge_special, asked):
+    asked = [(n, "special") for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
+    for (n, _), answer in at.ask(judge_special, asked):
         task = at.tasks[n]
         if not (isinstance(answer, Judgement) and task.special):
             continue

@@ -92,18 +92,10 @@ def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
         return str(error)
 
 
-def judge_special(tasks: Sequence[Task], number: int) -> Judgement | str:
-    """Judge a row at the values that are said of its letters beside it."""
-    special = tasks[number].special
-    assert special is not None
+def judge_special(tasks: Sequence[Task], number: int, kind: str) -> Judgement | str:
+    """Judge a row at values of its letters, `special` ones or `local` ones."""
+    special: Task = getattr(tasks[number], kind)
     return _judge_alone(special)
-
-
-def judge_local(tasks: Sequence[Task], number: int) -> Judgement | str:
-    """Judge a row at the values that worked examples print of its letters."""
-    local = tasks[number].local
-    assert local is not None
-    return _judge_alone(local)
 
 
 def judge_without(

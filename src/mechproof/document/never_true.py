@@ -9,6 +9,7 @@ import sympy as sp
 
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.misprints import FEW
+from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Task
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
@@ -57,7 +58,7 @@ def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
     says = task.row.says
     if not isinstance(says, Equality):
         return
-    one, other = (_write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
     if not (isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase)):
         return
     is_system = min(one.shape) == 1 and bool(one.free_symbols | other.free_symbols)
@@ -66,10 +67,6 @@ def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
         if not (is_system and 0 in (left, right)) and _are_apart(left, right, domain):
             said = f"{sp.sstr(sp.simplify(left))} = {sp.sstr(sp.simplify(right))}"
             yield f"entry ({row + 1}, {column + 1}) says {said}"
-
-
-def _write_out(side: sp.Basic) -> sp.Basic:
-    return side.doit() if isinstance(side, sp.MatrixExpr) else side
 
 
 def holds_alone(task: Task) -> bool:

@@ -23,6 +23,11 @@ _STEPS = (sp.floor, sp.ceiling)
 _SMALL = 1e-12
 
 
+def write_out(side: Any) -> Any:
+    """Return a matrix with its entries, any other side as it is."""
+    return side.doit() if isinstance(side, sp.MatrixExpr) else side
+
+
 def have_same_letters(sides: Sequence[Any]) -> bool:
     """Return whether both sides are functions of the same letters."""
     one, other = map(_list_letters, sides)
@@ -35,7 +40,7 @@ def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
     So the closure of a loop is printed, $r\mathbf a+l\mathbf b=x\mathbf e$: an entry that nobody
     printed is a number, and on the other side a function of letters.
     """
-    shown = [side.doit() if isinstance(side, sp.MatrixExpr) else side for side in sides]
+    shown = [*map(write_out, sides)]
     are_vectors = all(isinstance(side, sp.MatrixBase) and side.shape[1] == 1 for side in shown)
     if not (are_vectors and all(side.free_symbols for side in shown)):
         return False
@@ -54,7 +59,7 @@ def gives_entries(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
 
     That is meant wherever its letters lie, where a vector may tie some.
     """
-    shown = [side.doit() if isinstance(side, sp.MatrixExpr) else side for side in sides]
+    shown = [*map(write_out, sides)]
     are_matrices = all(isinstance(side, sp.MatrixBase) and min(side.shape) > 1 for side in shown)
     return are_matrices and len(shown) > 1 and sum(worked_out) == 1
 
@@ -147,8 +152,7 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
 
 def _list_letters(side: Any) -> set[sp.Basic]:
     """Return the letters of which a side is a function, as far as it is seen without a proof."""
-    shown = side.doit() if isinstance(side, sp.MatrixExpr) else side
-    shown = shown.replace(ValueWhere, lambda value, _: value)
+    shown = write_out(side).replace(ValueWhere, lambda value, _: value)
     for limit in shown.atoms(sp.Limit):
         there = limit.args[0].subs(limit.args[1], limit.args[2])
         if not there.has(sp.nan, sp.zoo, sp.oo):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.judged_tasks import Changes, Judging
-from mechproof.document.judging_workers import COMPARED, judge_local
+from mechproof.document.judging_workers import COMPARED, judge_special
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 
@@ -16,8 +16,8 @@ _OPEN = (Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 def doubt_by_examples(at: Judging) -> Changes:
     """Leave open what holds in an example only; in one also what is not decided there."""
-    asked = [(n,) for n, task in enumerate(at.tasks) if _may_be_local(task, at.rows[n])]
-    for (n,), answer in at.ask(judge_local, asked):
+    asked = [(n, "local") for n, task in enumerate(at.tasks) if _may_be_local(task, at.rows[n])]
+    for (n, _), answer in at.ask(judge_special, asked):
         task = at.tasks[n]
         found = answer.verdict if isinstance(answer, Judgement) else None
         is_within = bool(task.said.example.number) and found in _OPEN

@@ -14,6 +14,7 @@ import sympy as sp
 from mechproof.document.checked_rows import make_row
 from mechproof.document.context.doubts import ROUNDING, defines, list_compared, list_used
 from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Task
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
@@ -60,8 +61,7 @@ def _differ_little(task: Task) -> bool:
     if not isinstance(says, Equality):
         return False
     domain = Domain.of(task.paper, task.row.on)
-    one, other = (domain.resolve(side) for side in (says.printed, says.rebuilt))
-    one, other = (x.doit() if isinstance(x, sp.MatrixExpr) else x for x in (one, other))
+    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
     if not all(isinstance(x, sp.MatrixBase) for x in (one, other)) or one.shape != other.shape:
         return False
     return bool(_find_largest(one - other) < ROUNDING * _find_largest(other))

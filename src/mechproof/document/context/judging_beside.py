@@ -19,6 +19,7 @@ from mechproof.document.constraints.solutions import (
     write_sign,
 )
 from mechproof.document.misprints import RUNG, Misprint, find_failure, find_misprint, holds_at_rest
+from mechproof.document.row_sides import write_out
 from mechproof.document.slips import PrintedSides
 from mechproof.document.tasks import Task
 from mechproof.latex.values import settle_all
@@ -238,7 +239,7 @@ def _list_entries(task: Task) -> Iterator[PrintedSides]:
 
 def _take_out(side: sp.Basic) -> sp.Basic:
     """Return the entry of a matrix that has but one."""
-    side = side.doit() if isinstance(side, sp.MatrixExpr) else side
+    side = write_out(side)
     return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
 
 

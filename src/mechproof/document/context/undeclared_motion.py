@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
+from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, list_letters
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.context.doubts import list_compared, list_printed, reach
 from mechproof.document.judged_tasks import Changes, Judging
@@ -86,19 +86,14 @@ def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
 def find_ties(by: sp.Basic, at: Judging) -> tuple[set[sp.Basic], list[Task]]:
     """Return the letters that constraints tie to one, and these."""
     found = [task for n, task in enumerate(at.tasks) if _is_given(task, at.rows[n])]
-    left = [task for task in found if not _list_tied(task) & _list_rates(at.symbols)]
+    left = [task for task in found if not list_letters(task) & _list_rates(at.symbols)]
     reached, tied, given = {by}, set[sp.Basic](), list[Task]()
-    while near := [one for one in left if _list_tied(one) & reached]:
+    while near := [one for one in left if list_letters(one) & reached]:
         left = [one for one in left if one not in near]
         reached = set[sp.Basic]().union(*(_list_running(one, by, at.symbols) for one in near))
         tied |= reached
         given += near
     return tied, given
-
-
-def _list_tied(task: Task) -> set[sp.Basic]:
-    letters: set[sp.Basic] = sp.sympify(task.residual).free_symbols
-    return letters
 
 
 def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
@@ -118,7 +113,7 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
         is_angle = unit.is_angle if unit else letter in turning
         return {letter} in alone or bool(is_angle)
 
-    return {s for s in _list_tied(task) - {by} if may_move(s)}
+    return {s for s in list_letters(task) - {by} if may_move(s)}
 
 
 def _is_given(task: Task, row: CheckedRow) -> bool:
@@ -167,7 +162,7 @@ def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]
     """Return the letters of a constraint that move; none of one of derivatives, or of a case."""
     if not _is_given(task, row):
         return set()
-    letters = _list_tied(task)
+    letters = list_letters(task)
     return set() if letters & _list_rates(symbols) else letters & symbols.moving.keys()
 
 
