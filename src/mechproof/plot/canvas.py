@@ -46,8 +46,6 @@ STYLE: Mapping[str, Any] = {
     "ytick.major.width": 0.6,
 }
 _TURNS = RLock()
-# What belongs to the session, and is no matter of style.
-KEPT = frozenset({"backend", "backend_fallback", "interactive", "toolbar", "timezone"})
 
 
 class LineStyle:
@@ -77,9 +75,10 @@ def use_style(more: Mapping[str, Any] | None = None) -> Iterator[None]:
 
     Threads take turns: what matplotlib's context restores is the process's.
     """
-    matplotlib = import_matplotlib()
-    defaults = {k: v for k, v in matplotlib.rcParamsDefault.items() if k not in KEPT}
-    with _TURNS, matplotlib.rc_context({**defaults, **STYLE, **(more or {})}):
+    import_matplotlib()
+    from matplotlib import style
+
+    with _TURNS, style.context({**STYLE, **(more or {})}, after_reset=True):
         yield
 
 
