@@ -72,7 +72,7 @@ def print_ledgers(ledgers: Sequence[Ledger], *, show_findings: bool, show_all: b
 def _print_lines(findings: Sequence[LedgerFinding]) -> None:
     """Print what is wrong where, and what it costs first, on a line each."""
     cells = [
-        (f"{f.system} {f.number}", f.verdict.value, _tell_cost(f) or WEIGHTS[f.weight])
+        (f"{f.system} {f.number}", f.verdict.value, str(*f.costs[:1]) or WEIGHTS[f.weight])
         for f in findings
     ]
     if not console.is_terminal:
@@ -87,10 +87,6 @@ def _print_lines(findings: Sequence[LedgerFinding]) -> None:
         console.print(table)
     if findings:
         say("")
-
-
-def _tell_cost(found: LedgerFinding) -> str:
-    return str(found.costs[0]) if found.costs else ""
 
 
 def count(things: Sequence[object], name: str) -> str:

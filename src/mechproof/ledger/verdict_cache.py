@@ -72,12 +72,8 @@ class VerdictCache:
 
     def save(self, judgements: Mapping[str, tuple[Judgement, ...]]) -> None:
         """Keep these instead."""
-        readable = {k: found for k, found in judgements.items() if all(map(_is_read, found))}
-        self.store.write({k: list(map(asdict, found)) for k, found in readable.items() if k})
-
-
-def _is_read(judgement: Judgement) -> bool:
-    return judgement.rung != UNREAD
+        kept = {k: found for k, found in judgements.items() if all(j.rung != UNREAD for j in found)}
+        self.store.write({k: list(map(asdict, found)) for k, found in kept.items() if k})
 
 
 def _read_all(entry: Any) -> tuple[Judgement, ...]:

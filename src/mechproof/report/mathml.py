@@ -43,7 +43,7 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 
 def _convert(latex: str, display: str) -> str:
-    upright = UPRIGHT.sub(_as_text, MICROMETRE.sub(r"\\mathrm{µm}", latex))
+    upright = UPRIGHT.sub(r"\\text{\1\2}", MICROMETRE.sub(r"\\mathrm{µm}", latex))
     plain = upright.replace(*TWO_ARGUMENTS).replace(*COLON)
     try:
         math = convert_to_element(plain, display=display)
@@ -58,10 +58,6 @@ def _convert(latex: str, display: str) -> str:
     source.text = latex
     written: str = tostring(math, encoding="unicode")
     return written
-
-
-def _as_text(name: re.Match[str]) -> str:
-    return rf"\text{{{name[1] or name[2]}}}"
 
 
 def _mend(element: Element) -> None:
