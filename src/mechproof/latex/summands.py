@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 
 import sympy as sp
 
-from mechproof.latex.tree import Add, Call, Constant, Degrees, Letter, Measure, Node, Power, Radical
+from mechproof.latex.tree import (
+    Add,
+    Call,
+    Constant,
+    Degrees,
+    Letter,
+    Measure,
+    Node,
+    Power,
+    Radical,
+    walk,
+)
 from mechproof.record import NUMBER, Dimension, Notation
 from mechproof.record.parts import ANGLES
 
@@ -21,7 +32,7 @@ def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
     the like, or numbers with a literal one among them. No letter that counts is shifted, and no
     time where what stands before the bracket `moves`.
     """
-    terms = [_walk_outside_calls(term) for _, term in bracket.terms]
+    terms = [[*walk(term, Call)] for _, term in bracket.terms]
     bare = [term for term in terms if not _has_function(term)]
     letters = set().union(*map(_list_letters, bare))
     known = notation.dimensions
@@ -33,7 +44,7 @@ def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
     if not letters or running & letters:
         return False
     if roots := [n for term in terms for n in term if isinstance(n, Radical)]:
-        is_fixed = not any(_list_letters(_walk_outside_calls(root)) for root in roots)
+        is_fixed = not any(_list_letters(walk(root, Call)) for root in roots)
         return not any(_may_shift(known.get(s), angles=is_fixed) for s in letters)
     has_number = any(_is_literal(term) for term in terms)
     return all(_is_literal(t) or _is_amount(t, notation, beside=has_number) for t in terms)
@@ -56,7 +67,7 @@ def _is_amount(term: Collection[Node], notation: Notation, *, beside: bool) -> b
     return beside and bool(units) and all(u == NUMBER and not _may_shift(u) for u in units)
 
 
-def _list_letters(term: Collection[Node]) -> set[sp.Basic]:
+def _list_letters(term: Iterable[Node]) -> set[sp.Basic]:
     return {n.symbol for n in term if isinstance(n, Letter)}
 
 
@@ -65,20 +76,6 @@ def _has_function(term: Collection[Node]) -> bool:
     return any(
         n.function.make not in ANGLES
         if isinstance(n, Call)
-        else isinstance(n, Power) and bool(_list_letters(_walk_outside_calls(n.exponent)))
+        else isinstance(n, Power) and bool(_list_letters(walk(n.exponent, Call)))
         for n in term
     )
-
-
-def _walk_outside_calls(node: Node) -> list[Node]:
-    """Return the nodes of a part without those within the arguments of functions."""
-    if isinstance(node, Call):
-        return [node]
-    inner = [part for value in vars(node).values() for part in _list_nodes(value)]
-    return [node, *(n for part in inner for n in _walk_outside_calls(part))]
-
-
-def _list_nodes(value: object) -> list[Node]:
-    if isinstance(value, Node):
-        return [value]
-    return [n for v in value for n in _list_nodes(v)] if isinstance(value, tuple) else []

@@ -278,11 +278,11 @@ def exchange(part: Any, change: Callable[[Node], Node | None]) -> Any:
     return tuple(exchange(one, change) for one in part) if isinstance(part, tuple) else part
 
 
-def walk(part: object) -> Iterator[Node]:
-    """Yield all nodes of a print."""
+def walk(part: object, closed: type[Node] | tuple[()] = ()) -> Iterator[Node]:
+    """Yield all nodes of a print but for those within `closed` ones."""
     if isinstance(part, Node):
         yield part
-        part = tuple(vars(part).values())
+        part = () if isinstance(part, closed) else tuple(vars(part).values())
     if isinstance(part, tuple):
         for inner in part:
-            yield from walk(inner)
+            yield from walk(inner, closed)
