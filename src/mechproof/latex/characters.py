@@ -15,26 +15,14 @@ _GREEK = (
     *("lambda", "mu", "nu", "xi", "", "pi", "rho", "varsigma", "sigma", "tau", "upsilon"),
     *("varphi", "chi", "psi", "omega"),
 )
+_CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "varphi", "psi", "omega")
 _SIGNS: Mapping[str, str] = {
     **{chr(0x3B1 + n): f"\\{name}" for n, name in enumerate(_GREEK) if name},
-    **dict(
-        zip(
-            "ΓΔΘΛΞΠΣΦΨΩ",
-            (
-                r"\Gamma",
-                r"\Delta",
-                r"\Theta",
-                r"\Lambda",
-                r"\Xi",
-                r"\Pi",
-                r"\Sigma",
-                r"\Phi",
-                r"\Psi",
-                r"\Omega",
-            ),
-            strict=True,
-        )
-    ),
+    **{
+        chr(0x391 + n): rf"\{name.removeprefix('var').title()}"
+        for n, name in enumerate(_GREEK)
+        if name in _CAPITALS
+    },
     **{"ϑ": r"\vartheta", "ϕ": r"\phi", "ϖ": r"\varpi", "ϰ": r"\varkappa", "ϱ": r"\varrho"},
     **{"ϵ": r"\epsilon", "µ": r"\mu", "\u2126": r"\Omega", "∆": r"\Delta", "ℓ": r"\ell"},
     **{"−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "∙": r"\cdot"},
