@@ -30,7 +30,7 @@ def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple
 def _find(find: _Find, displays: Sequence[Printed], files: Files) -> dict[str, tuple[Place, str]]:
     met: dict[str, tuple[Place, str]] = {}
     for printed in displays:
-        latex = _WORDS.sub(_blank, printed.latex.string)
+        latex = _WORDS.sub(lambda words: " " * len(words[0]), printed.latex.string)
         for sign, other in find(latex).items():
             met.setdefault(sign, (printed.locate(files, latex.index(sign)), other))
     return met
@@ -39,7 +39,3 @@ def _find(find: _Find, displays: Sequence[Printed], files: Files) -> dict[str, t
 def _find_first(met: Mapping[str, tuple[Place, str]]) -> Place:
     place, _ = next(iter(met.values()))
     return place
-
-
-def _blank(words: re.Match[str]) -> str:
-    return " " * len(words[0])

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import sympy as sp
@@ -16,7 +16,7 @@ from mechproof.latex.chains import read_print
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.measures import put_units
-from mechproof.latex.name_table import Names, build_names
+from mechproof.latex.name_table import build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
 from mechproof.record import Notation, Row, Variable, list_given
@@ -75,10 +75,7 @@ class Reader:
         self.variables = tuple(variables)
         self.notation = notation or Notation()
         self.values = list_given(variables)
-        self._names = lru_cache(self._build_names)
-
-    def _build_names(self, row: str) -> Names:
-        return build_names(self.variables, self.notation, row)
+        self._names = lru_cache(partial(build_names, self.variables, self.notation))
 
     def parse(self, latex: str, row: str = "", upper: int = 0) -> Print:
         """Read a print with the names of a row; `ReadingError` says what is ambiguous in it.

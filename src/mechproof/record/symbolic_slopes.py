@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -21,11 +20,8 @@ def differentiate(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     if node.is_Mul:
         slopes = [differentiate(factor, symbol) for factor in node.args]
         changed = [n for n, slope in enumerate(slopes) if slope]
-        return sp.Add(*(sp.Mul(*_put(node.args, n, slopes[n])) for n in changed))
+        terms = ((*node.args[:n], slopes[n], *node.args[n + 1 :]) for n in changed)
+        return sp.Add(*(sp.Mul(*factors) for factors in terms))
     if node.is_Pow and node.exp.is_Rational:
         return node * (differentiate(node.base, symbol) * node.exp / node.base)
     return sp.diff(node, symbol)
-
-
-def _put(factors: Sequence[sp.Expr], place: int, factor: sp.Expr) -> tuple[sp.Expr, ...]:
-    return (*factors[:place], factor, *factors[place + 1 :])

@@ -81,14 +81,13 @@ class Example:
         if said := _EXAMPLE.search(title):
             return replace(self._begin(level, start), has_several=bool(said["several"]))
         if self.number and self.level < level:
-            return self._begin_next(start) if self.has_several else self
+            return (
+                replace(self._begin(level, start), has_several=True) if self.has_several else self
+            )
         return self._end()
 
     def _begin(self, level: int, start: int) -> Example:
         return Example(self.last + 1, self.last + 1, start, level)
-
-    def _begin_next(self, start: int) -> Example:
-        return replace(self._begin(self.level, start), has_several=True)
 
     def _end(self) -> Example:
         return Example(last=self.last)

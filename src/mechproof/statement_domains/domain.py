@@ -152,7 +152,8 @@ class Domain:
             found = self._complete(search(sets, relations, fixed, few), relations, fixed)
             interior += islice((point for point in found if point not in interior), few)
         if not interior:
-            raise RecordError(f"no point found in the domain where {_say(relations)}: is it empty?")
+            said = " and ".join(map(str, relations)) or "its sets"
+            raise RecordError(f"no point found in the domain where {said}: is it empty?")
         corners = self._corners({s: interior[0][s] for s in ordered})
         return interior + list(self._complete(corners, relations, fixed))
 
@@ -326,10 +327,6 @@ def _write_sums(relation: sp.Basic, fixed: tuple[tuple[sp.Basic, sp.Expr], ...])
 def _plain(symbol: sp.Basic) -> str:
     """Return a name without what sets it: how a letter is set tells no values."""
     return str(symbol).translate(_SETTING)
-
-
-def _say(relations: list[sp.Basic]) -> str:
-    return " and ".join(map(str, relations)) or "its sets"
 
 
 def _tie(relations: list[sp.Basic], point: Point) -> Point:
