@@ -17,8 +17,7 @@ from mechproof.document.context.constrained_rows import (
     solve_constraints,
     support_steps,
 )
-from mechproof.document.context.doubted_definitions import doubt_by_letters
-from mechproof.document.context.doubted_examples import doubt_by_examples
+from mechproof.document.context.doubted_definitions import doubt_by_examples, doubt_by_letters
 from mechproof.document.context.doubted_matrices import doubt_by_matrices, doubt_by_rounded
 from mechproof.document.context.doubts import (
     doubt_by_decimals,

@@ -1,6 +1,8 @@
 """Rows that rest on letters whose definition may be wrong, is of a case, or is printed later.
 
-What is true or false whatever those letters are rests on no definition of them.
+What is true or false whatever those letters are rests on no definition of them. Nor is what holds
+at what a worked example says of letters proved or refuted where it may not belong to it: where an
+example ends words do not always tell.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import holds_elsewhere
 from mechproof.document.context.doubts import defines, list_printed, list_used, reach
 from mechproof.document.judged_tasks import Changes, Judging
-from mechproof.document.judging_workers import COMPARED, judge_without
+from mechproof.document.judging_workers import COMPARED, judge_special, judge_without
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict
@@ -108,3 +110,24 @@ def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:
     bound = {s for other in others if other.sign.role in CONSTRAINING for s in list_printed(other)}
     used = reach(list_printed(task) | task.sign.printed, others) | reach(bound, others)
     return bool(list_printed(one) - used - {one.sign.letter})
+
+
+def doubt_by_examples(at: Judging) -> Changes:
+    """Leave open what holds in an example only; in one also what is not decided there."""
+    asked = [(n, "local") for n, task in enumerate(at.tasks) if _may_be_local(task, at.rows[n])]
+    for (n, _), answer in at.ask(judge_special, asked):
+        task = at.tasks[n]
+        found = answer.verdict.value if isinstance(answer, Judgement) else None
+        holds = found == Verdict.PROVED.value
+        if task.local and (holds or (task.said.example.number and found in _OPEN)):
+            said = ", ".join(f"{s} = {value}" for s, value in task.local.at.items())
+            verb = "holds" if holds else "may hold"
+            reason = f"it {verb} for {said}, which is printed in a worked example: is that meant?"
+            yield n, make_row(task, reason)
+
+
+def _may_be_local(task: Task, row: CheckedRow) -> bool:
+    """Return whether a row that is not shown says something else in an example."""
+    is_open = row.state is State.NOT_JUDGED and task.sign.role in COMPARED
+    is_open |= row.outcome == Verdict.REFUTED.value
+    return is_open and task.local is not None and task.local.row.says != task.row.says
