@@ -11,6 +11,7 @@ import pytest
 
 from mechproof.coq.bound_comparison import compare_bound_script
 from mechproof.coq.checker import check_files
+from mechproof.coq.elementary_scripts import ElementaryCase, list_elementary
 from mechproof.coq.libraries import ROUNDINGS, read_library
 from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
 from mechproof.coq.script_comparison import ReadBackError
@@ -91,6 +92,60 @@ def test_what_the_analysis_has_not_is_named(step: Step, said: str) -> None:
 def test_nothing_is_left_unproved_in_the_analysis() -> None:
     for word in ("Axiom", "Admitted", "admit", "Parameter", "Conjecture", "Hypothesis", "Variable"):
         assert word not in read_library(ROUNDINGS)
+
+
+def find_case(name: str) -> ElementaryCase:
+    (case,) = (case for case in list_elementary() if case.name == name)
+    return case
+
+
+@pytest.mark.parametrize("case", [*list_elementary()], ids=lambda case: case.name)
+def test_an_elementary_function_is_stated_as_it_is_computed(case: ElementaryCase) -> None:
+    theorem = case.state(Fraction(2))
+    compare_bound_script(write_bound_script("it", theorem, case.enclosure), theorem, case.enclosure)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("(sin rest)", "(cos rest)"),
+        ("w14 - (sin", "w14 + (sin"),
+        ("w14 - (sin", "w13 - (sin"),
+        ("0 <= rest -> rest", "1 / 8 <= rest -> rest"),
+        ("<= 1 / 18014398509481984.", "<= 1 / 18014398509481983."),
+    ],
+)
+def test_another_enclosure_is_caught(old: str, new: str) -> None:
+    case = find_case("sin_0")
+    theorem = case.state(Fraction(2))
+    text = write_bound_script("it", theorem, case.enclosure)
+    head, enclosed = text.split("Theorem enclosed")
+    assert enclosed.count(old) == 1, enclosed
+    altered = f"{head}Theorem enclosed{enclosed.replace(old, new)}"
+    with pytest.raises(ReadBackError):
+        compare_bound_script(altered, theorem, case.enclosure)
+    with pytest.raises(ReadBackError):
+        compare_bound_script(text, theorem)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
+@pytest.mark.parametrize("name", ["sin_0", "small_arctan"])
+def test_coq_encloses_a_function_and_no_other(name: str, tmp_path: Path) -> None:
+    case = find_case(name)
+    assert case.enclosure is not None
+    near = replace(case.enclosure, off=Fraction(1, 2**70))
+    texts = {
+        "right": write_bound_script("it", case.state(Fraction(7, 10)), case.enclosure),
+        "near_fails": write_bound_script("it", case.state(Fraction(7, 10)), near),
+        "half_fails": write_bound_script("it", case.state(Fraction(1, 2)), case.enclosure),
+    }
+    (tmp_path / f"{ROUNDINGS}.v").write_text(read_library(ROUNDINGS), encoding="utf-8")
+    for kind, text in texts.items():
+        (tmp_path / f"{kind}.v").write_text(text, encoding="utf-8")
+    faults = check_files(tmp_path, [f"{kind}.v" for kind in texts])
+    for file, fault in faults.items():
+        assert bool(fault) == file.endswith("_fails.v"), (file, fault)
 
 
 @pytest.mark.slow

@@ -13,6 +13,7 @@ from mechproof.cli.paths import find_locations, find_places, read_out
 from mechproof.pipeline.judging import PipelineError
 from mechproof.pipeline.verification import LIMIT
 from mechproof.sources.paper_files import SUFFIXES
+from mechproof.tools.made import ForeignFileError
 
 if TYPE_CHECKING:
     from mechproof.pipeline.row_scripts import Certified
@@ -39,6 +40,13 @@ def certify(
         int,
         typer.Option("--one-in", metavar="N", min=1, help="Have every N-th script checked alone."),
     ] = 1,
+    functions: Annotated[
+        bool,
+        typer.Option(
+            "--functions",
+            help="Instead: have Coq prove bounds of the elementary functions of compiled kernels.",
+        ),
+    ] = False,
     derivations: options.Derivations = None,
     no_cache: options.NoCache = False,
     limit: options.Limit = LIMIT,
@@ -48,7 +56,9 @@ def certify(
     Each states its row in the letters of the paper, with the domain as hypotheses, and is read
     back from its text and compared with the row before it is written. What Coq refuses by the
     record is left out. With --check all scripts are checked, those that Coq does not accept are
-    removed, and COQ.md says of every row which file it has, or why it has none.
+    removed, and COQ.md says of every row which file it has, or why it has none. With --functions
+    Coq proves of sine, cosine, tangent and small arctangent, as compiled kernels compute them, how
+    far roundings move them, and how far their polynomials are from them.
 
     Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
     does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
@@ -56,6 +66,11 @@ def certify(
     """
     from mechproof.pipeline.row_scripts import certify as certify_papers
 
+    if functions:
+        if papers or check or record or one_in > 1:
+            refuse("--functions: with no paper, and without --check, --record and --one-in")
+        _prove_functions(out)
+        return
     if record and (not check or one_in > 1 or papers):
         refuse("--record: with --check, of all papers and all their scripts")
     places = find_places(derivations, None)
@@ -75,6 +90,26 @@ def certify(
             _tell(done, out)
     except PipelineError as error:
         fail(str(error))
+
+
+def _prove_functions(out: Path) -> None:
+    from mechproof.arithmetic.intervals import EPS
+    from mechproof.coq.checker import CheckerError
+    from mechproof.pipeline.bound_scripts import prove_functions_in_coq
+
+    try:
+        with show_progress("running Coq") as report:
+            found = prove_functions_in_coq(out, report)
+    except (CheckerError, ForeignFileError, OSError) as error:
+        fail(str(error))
+    for one in found:
+        told = f"no proof in Coq: {one.reason}"
+        if one.bound is not None:
+            off = "" if one.off is None else f", without them off by {one.off / EPS:g} eps at most"
+            told = f"roundings at most {one.bound / EPS:.4f} eps{off} ({out / one.file})"
+        say(f"{one.name}: {told}")
+    if not all(one.file for one in found):
+        raise typer.Exit(1)
 
 
 def _tell(done: Certified, out: Path) -> None:

@@ -16,9 +16,10 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from mechproof.arithmetic.balls import Ball, to_ball, working_precision
-from mechproof.coq.coq_reading import ROUNDED, Read, read_script
-from mechproof.coq.rounding_scripts import BoundTheorem, name_letter
+from mechproof.arithmetic.ball_functions import FUNCTIONS
+from mechproof.arithmetic.balls import Ball, evaluate, to_ball, working_precision
+from mechproof.coq.coq_reading import ROUNDED, Read, ReadStatement, read_script
+from mechproof.coq.rounding_scripts import BoundTheorem, FunctionEnclosure, name_letter
 from mechproof.coq.script_comparison import ReadBackError
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 
@@ -26,10 +27,15 @@ POINTS, SEED, BITS = 16, 1, 600
 Point = Mapping[str, Fraction]
 
 
-def compare_bound_script(text: str, theorem: BoundTheorem) -> None:
-    """Raise `ReadBackError` unless a script states the theorem."""
+def compare_bound_script(
+    text: str, theorem: BoundTheorem, enclosure: FunctionEnclosure | None = None
+) -> None:
+    """Raise `ReadBackError` unless a script states the theorem, and what is enclosed."""
     try:
-        (statement,) = read_script(text)
+        statement, *others = read_script(text)
+        _require(len(others) == bool(enclosure), "how many theorems")
+        if enclosure:
+            _compare_enclosed(others[0], theorem, enclosure)
     except ValueError as fault:
         raise ReadBackError(str(fault)) from fault
     inputs = theorem.straight.inputs
@@ -50,6 +56,34 @@ def compare_bound_script(text: str, theorem: BoundTheorem) -> None:
             bar = _Evaluation(given).find(error.rhs)
             share = abs(_Evaluation(given).find(exact)) if theorem.relative else arb(1)
             _require(bool((bar - to_ball(theorem.bound) * share).contains(0)), "the bound")
+
+
+def _compare_enclosed(
+    statement: ReadStatement, theorem: BoundTheorem, enclosure: FunctionEnclosure
+) -> None:
+    """Compare a statement on one input with the program and the function, in balls."""
+    ((name, (_, high)),) = theorem.ranges.items()
+    letter = name_letter(name)
+    said = (statement.quantifier, statement.variables, len(statement.conclusions))
+    _require(said == ("forall", ((letter, "R"),), 1), "binders of what is enclosed")
+    _require(
+        _list_ends(statement.hypotheses) == {letter: (Fraction(0), high)},
+        "ranges of what is enclosed",
+    )
+    (error,) = statement.conclusions
+    if not (isinstance(error, sp.Le) and isinstance(error.lhs, sp.Abs)):
+        raise ReadBackError("the script of a bound says something else: no inequality")
+    _require(_read_number(error.rhs) == enclosure.off, "how much it is off")
+    value, minus = error.lhs.args[0].args
+    for point in _draw(theorem):
+        given = {letter: point[name]}
+        with working_precision(BITS):
+            read = [_Evaluation(given).find(term) for term in (value, minus)]
+            ball = to_ball(point[name])
+            (exact,) = run(theorem.straight, {name: ball}, IN_BALLS)
+            _require(bool(read[0].overlaps(exact)), f"what is enclosed at {point}")
+            function = evaluate(enclosure.function, {sp.Symbol(name): ball})
+            _require(bool(read[1].overlaps(-function)), f"the function at {point}")
 
 
 def _require(holds: bool, part: str) -> None:
@@ -117,8 +151,8 @@ class _Evaluation:
             return reduce(operator.add, parts)
         if isinstance(term, sp.Mul):
             return reduce(operator.mul, parts)
-        if isinstance(term, sp.Abs):
-            return abs(parts[0])
+        if term.func in FUNCTIONS:
+            return FUNCTIONS[term.func](*parts)
         _require(term.func == ROUNDED, str(term.func))
         return _round(parts[0])
 

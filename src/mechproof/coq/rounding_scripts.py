@@ -15,7 +15,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
-from mechproof.coq.terms import TAKEN, UnwritableError
+import sympy as sp
+
+from mechproof.coq.terms import TAKEN, UnwritableError, write_term
 from mechproof.programs.program import Operand
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step, StraightLineProgram
@@ -36,6 +38,8 @@ _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 # Halvings, one after another, after which the analysis gives up.
 _HALVINGS, _HALVINGS_RELATIVE = 100, 3000
+# Taylor models of coq-interval.
+_PRECISION = "i_prec 90, i_degree 20"
 _LETTER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
@@ -52,14 +56,29 @@ class BoundTheorem:
     relative: bool = False
 
 
-def write_bound_script(title: str, theorem: BoundTheorem) -> str:
+@dataclass(frozen=True)
+class FunctionEnclosure:
+    """That a program without roundings is within so much of a function of its input, from 0 on."""
+
+    function: sp.Expr
+    off: Fraction
+
+
+def write_bound_script(
+    title: str, theorem: BoundTheorem, enclosure: FunctionEnclosure | None = None
+) -> str:
     """Write the script of one program. Raises `UnwritableError` for what Coq does not analyse."""
+    writer = _Writer(theorem)
+    enclosed = writer.write_enclosed(enclosure) if enclosure else ()
+    parts = "bound, enclosed" if enclosure else "bound"
     return "\n".join(
         (
             f"(* {title} *)",
-            "Require Import Roundings.\nOpen Scope R_scope.\n",
-            *_Writer(theorem).write(),
-            "Definition all_parts := (bound).\n",
+            "Require Import Roundings.\nFrom Interval Require Import Tactic.",
+            "Open Scope R_scope.\n",
+            *writer.write(),
+            *enclosed,
+            f"Definition all_parts := ({parts}).\n",
         )
     )
 
@@ -92,10 +111,8 @@ class _Writer:
         yield f"Theorem bound : forall {' '.join(names)} : R,"
         for name, (low, high) in zip(names, ranges, strict=True):
             yield f"  {_write(low)} <= {name} -> {name} <= {_write(high)} ->"
-        for named in (self._computed, self._exact):
-            for step in self._steps:
-                text = _write_step(step, named, named is self._computed)
-                yield f"  let {named[step.result]} := {text} in"
+        yield from self._write_steps(self._computed)
+        yield from self._write_steps(self._exact)
         last = self._steps[-1].result
         computed, exact = self._computed[last], self._exact[last]
         share = f" * Rabs {exact}" if theorem.relative else ""
@@ -103,6 +120,25 @@ class _Writer:
         yield "Proof."
         yield from self._write_proof(names, ranges)
         yield "Qed.\n"
+
+    def write_enclosed(self, enclosure: FunctionEnclosure) -> Iterator[str]:
+        (letter,) = self._theorem.straight.inputs
+        name = self._names[letter]
+        function = write_term(enclosure.function, {sp.Symbol(letter): name})
+        ((_, high),) = self._theorem.ranges.values()
+        last = self._exact[self._steps[-1].result]
+        yield f"Theorem enclosed : forall {name} : R,"
+        yield f"  0 <= {name} -> {name} <= {_write(high)} ->"
+        yield from self._write_steps(self._exact)
+        yield f"  Rabs ({last} - {function}) <= {_write(enclosure.off)}."
+        yield f"Proof.\n  intros {name} low high. cbv zeta."
+        yield f"  interval with (i_taylor {name}, i_bisect {name}, {_PRECISION})."
+        yield "Qed.\n"
+
+    def _write_steps(self, named: Mapping[str, str]) -> Iterator[str]:
+        for step in self._steps:
+            text = _write_step(step, named, named is self._computed)
+            yield f"  let {named[step.result]} := {text} in"
 
     def _write_proof(self, names: Sequence[str], ranges: Sequence[Range]) -> Iterator[str]:
         theorem = self._theorem

@@ -131,6 +131,27 @@ def _list_angles() -> Array:
     return np.array([0.0, NEAR, *inner, np.pi / 2 - 2 * NEAR, quarter])
 
 
+def find_end_of_rests() -> float:
+    """Return what no rest of an angle is above, less its quarter turns."""
+    return float((PI * exactly(0.25)).high) * BEYOND
+
+
+def find_end_of_small() -> float:
+    """Return what no argument of a small arctangent is above."""
+    return _find_legal() * BEYOND
+
+
+def _find_legal() -> float:
+    return float(np.nextafter((ONE / exactly(3.0)).sqrt().high, 1.0))
+
+
+def bound_roundings(straight: StraightLineProgram, high: float) -> float:
+    """Bound the roundings of steps of one input from 0 to an end, in eps of their value."""
+    edges = np.linspace(0.0, high, PIECES + 1)
+    given = dict.fromkeys(straight.inputs)
+    return float(np.max(_bound(straight, given, edges[:-1], edges[1:])))
+
+
 def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
     """Return which pieces have so many quarter turns, and how large their rests are."""
     least, most = edges[:-1], edges[1:]
@@ -138,7 +159,7 @@ def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
         half = PI * exactly(0.5)
         rests = half - Interval(least, most)
         least, most = np.maximum(rests.low, 0.0), np.maximum(rests.high, -rests.low)
-    end = float((PI * exactly(0.25)).high) * BEYOND
+    end = find_end_of_rests()
     (places,) = np.nonzero(least < end)
     return places, least[places], np.minimum(most[places], end)
 
@@ -241,8 +262,8 @@ def _prove_small(kind: str) -> ErrorTable:
     (name,) = build(kind, DOUBLE).program.inputs
     found = resolve(build(kind, DOUBLE).program, Case())
     find_parities(found.straight, {name: ODD})
-    legal = float(np.nextafter((ONE / exactly(3.0)).sqrt().high, 1.0))
-    end = legal * BEYOND
+    legal = _find_legal()
+    end = find_end_of_small()
 
     def sides(y: Series) -> tuple[Series, Series]:
         (value,) = run(found.straight, {name: y}, IN_BALLS)
