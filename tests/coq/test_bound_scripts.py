@@ -25,6 +25,8 @@ CORES = """
 (FPCore (u v T) :name "doppler1" :pre (and (<= -100 u 100) (<= 20 v 20000) (<= -30 T 50))
   (let ([t1 (+ 331.4 (* 0.6 T))]) (/ (* (- t1) v) (* (+ t1 u) (+ t1 u)))))
 (FPCore (x) :name "root" :pre (<= 1/3 x 7) (sqrt (- (fma x x 2) (* 0.1 x))))
+(FPCore (x y) :name "waves" :pre (and (<= -1 x 1) (<= 1/4 y 1))
+  (+ (* (sin x) (cos y)) (- (atan (tan (* x y))) (log (+ (exp x) y)))))
 """
 ONE, TWO = Fraction(1), Fraction(2)
 
@@ -38,7 +40,7 @@ def state(number: int, bound: Fraction, folder: Path, relative: bool = False) ->
 
 
 @pytest.mark.parametrize("relative", [False, True])
-@pytest.mark.parametrize("number", [0, 1])
+@pytest.mark.parametrize("number", [0, 1, 2])
 def test_a_script_says_what_it_was_written_from(
     number: int, relative: bool, tmp_path: Path
 ) -> None:
@@ -77,8 +79,11 @@ def test_another_statement_is_caught(old: str, new: str, tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("step", "said"),
     [
-        (Step("r", "sin", ("x",), HALF), "the analysis has no sin"),
-        (Step("r", "multiply", ("x", "x"), 1.0), "multiply is rounded once, or exact"),
+        (Step("r", "sinh", ("x",), HALF), "the analysis has no sinh"),
+        (
+            Step("r", "multiply", ("x", "x"), 1.0),
+            "multiply within 1 ulp: the analysis has half an ulp",
+        ),
         (Step("q", "multiply", ("x", "x"), HALF), "one output, which is a result"),
     ],
 )
@@ -156,6 +161,7 @@ def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
         "first": (0, Fraction(985, 10**16)),
         "second": (1, Fraction(13, 10**16)),
         "share": (1, Fraction(9, 10**16)),
+        "waves": (2, Fraction(1, 10**15)),
     }
     names = []
     for name, (number, bound) in bounds.items():
@@ -164,7 +170,9 @@ def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
         program = put_in_box(theorem.straight, theorem.ranges, convention)
         worst = find_worst_input(program, (program.box,))
         assert worst is not None
-        for kind, at_most in (("holds", bound), ("fails", Fraction(worst.error) * 99 / 100)):
+        # What NumPy has of functions may be off by more than half an ulp.
+        found = Fraction(worst.error) * (99 if number < len("ab") else 50) / 100
+        for kind, at_most in (("holds", bound), ("fails", found)):
             text = write_bound_script(name, replace(theorem, bound=at_most))
             names.append(f"{name}_{kind}.v")
             (tmp_path / names[-1]).write_text(text, encoding="utf-8")
@@ -177,8 +185,16 @@ def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
         "smaller_box": text.replace("(100, 1)%Z)", "(99, 1)%Z)"),
         "pole": text.replace("-100 <= u", "-400 <= u").replace("((-100, 1)", "((-400, 1)"),
     }
+    waves = write_bound_script("it", state(2, Fraction(1, 10**12), tmp_path))
+    wrong |= {
+        "tangent": waves.replace("x <= 1 ->", "x <= 2 ->").replace(
+            "((-1, 1)%Z, (1,", "((-1, 1)%Z, (2,"
+        ),
+        "logarithm": waves.replace("1 / 4 <=", "-1 <=").replace("((1, 4)%Z", "((-1, 1)%Z"),
+        "sine": waves.replace("Called Sine", "Called Cosine"),
+    }
     for name, altered in wrong.items():
-        assert altered != text
+        assert altered not in (text, waves)
         names.append(f"{name}_fails.v")
         (tmp_path / names[-1]).write_text(altered, encoding="utf-8")
     (tmp_path / f"{ROUNDINGS}.v").write_text(read_library(ROUNDINGS), encoding="utf-8")

@@ -56,10 +56,70 @@ Qed.
 Definition fraction := (Z * Z)%type.
 Definition real (q : fraction) : R := IZR (fst q) / IZR (snd q).
 
+(* Functions that are taken as rounded to nearest, too. *)
+Inductive function := Sine | Cosine | Tangent | Arctangent | Exponential | Logarithm.
+
+Definition call (f : function) : R -> R :=
+  match f with
+  | Sine => sin | Cosine => cos | Tangent => tan | Arctangent => atan | Exponential => exp
+  | Logarithm => ln
+  end.
+Definition derivative (f : function) (x : R) : R :=
+  match f with
+  | Sine => cos x | Cosine => - sin x | Tangent => 1 / (cos x * cos x)
+  | Arctangent => 1 / (1 + x * x) | Exponential => exp x | Logarithm => 1 / x
+  end.
+Definition has_derivative (f : function) (x : R) : Prop :=
+  match f with Tangent => cos x <> 0 | Logarithm => 0 < x | _ => True end.
+
+Lemma derivative_correct f x : has_derivative f x -> derivable_pt_lim (call f) x (derivative f x).
+Proof.
+  destruct f; simpl; intros H.
+  - apply derivable_pt_lim_sin.
+  - apply derivable_pt_lim_cos.
+  - replace (1 / (cos x * cos x)) with ((cos x * cos x - - sin x * sin x) / Rsqr (cos x)).
+    + apply (derivable_pt_lim_div sin cos); auto using derivable_pt_lim_sin, derivable_pt_lim_cos.
+    + unfold Rsqr. generalize (sin2_cos2 x). unfold Rsqr. intros E.
+      replace (cos x * cos x - - sin x * sin x) with (sin x * sin x + cos x * cos x) by ring.
+      rewrite E. reflexivity.
+  - replace (1 / (1 + x * x)) with (/ (1 + Rsqr x)) by (unfold Rsqr; field; nra).
+    replace (Rsqr x) with (x ^ 2) by (unfold Rsqr; ring). apply derivable_pt_lim_atan.
+  - apply derivable_pt_lim_exp.
+  - unfold Rdiv. rewrite Rmult_1_l. now apply derivable_pt_lim_ln.
+Qed.
+
+Definition slope (f : function) (v w : R) : R :=
+  if Req_EM_T v w then derivative f v else (call f v - call f w) / (v - w).
+
+Lemma slope_correct f v w : call f v - call f w = slope f v w * (v - w).
+Proof. unfold slope. destruct (Req_EM_T v w) as [->|N]; [ring|field; lra]. Qed.
+
+(* By the theorem of the mean. *)
+Lemma slope_between f v w :
+  (forall x, Rmin v w <= x <= Rmax v w -> has_derivative f x) ->
+  exists x, Rmin v w <= x <= Rmax v w /\ slope f v w = derivative f x.
+Proof.
+  intros H. unfold slope. destruct (Req_EM_T v w) as [->|N].
+  { exists w. rewrite Rmin_left, Rmax_left by lra. split; [lra|reflexivity]. }
+  assert (D : forall a b, a < b -> Rmin v w = a -> Rmax v w = b ->
+    exists x, a <= x <= b /\ call f b - call f a = derivative f x * (b - a)).
+  { intros a b L A B. destruct (MVT_cor2 (call f) (derivative f) a b L) as (x & E & I).
+    - intros x I. apply derivative_correct, H. lra.
+    - exists x. split; [lra|exact E]. }
+  destruct (Rlt_le_dec v w) as [L|L].
+  - destruct (D v w L) as (x & I & E); [apply Rmin_left; lra|apply Rmax_right; lra|].
+    exists x. rewrite Rmin_left, Rmax_right by lra. split; [exact I|].
+    replace (call f v - call f w) with (- (derivative f x * (w - v))) by lra. field. lra.
+  - destruct (D w v ltac:(lra)) as (x & I & E); [apply Rmin_right; lra|apply Rmax_left; lra|].
+    exists x. rewrite Rmin_right, Rmax_left by lra. split; [exact I|].
+    rewrite E. field. lra.
+Qed.
+
 (* Operands are counted backwards from the last result. *)
 Inductive operation :=
 | Copied (a : nat) | Opposite (a : nat) | Sum (a b : nat) | Difference (a b : nat)
-| Product (a b : nat) | Quotient (a b : nat) | Fused (a b c : nat) | Root (a : nat).
+| Product (a b : nat) | Quotient (a b : nat) | Fused (a b c : nat) | Root (a : nat)
+| Called (f : function) (a : nat).
 
 (* A constant is a double that is meant, or one in place of another number. *)
 Inductive step :=
@@ -74,6 +134,7 @@ Definition value (o : operation) (v : list R) : R :=
   | Copied a => v.[a] | Opposite a => - v.[a]
   | Sum a b => v.[a] + v.[b] | Difference a b => v.[a] - v.[b] | Product a b => v.[a] * v.[b]
   | Quotient a b => v.[a] / v.[b] | Fused a b c => v.[a] * v.[b] + v.[c] | Root a => sqrt v.[a]
+  | Called f a => call f v.[a]
   end.
 
 Definition compute (rounds : bool) (s : step) (v : list R) : R :=
@@ -99,12 +160,14 @@ Definition slopes (o : operation) (v w : list R) : list (nat * R) :=
   | Quotient a b => [(a, 1 / v.[b]); (b, - (w.[a] / w.[b] / v.[b]))]
   | Fused a b c => [(a, v.[b]); (b, w.[a]); (c, 1)]
   | Root a => [(a, 1 / (sqrt v.[a] + sqrt w.[a]))]
+  | Called f a => [(a, slope f v.[a] w.[a])]
   end.
 
 Definition defined (o : operation) (v w : list R) : Prop :=
   match o with
   | Quotient a b => v.[b] <> 0 /\ w.[b] <> 0
   | Root a => 0 < v.[a] /\ 0 < w.[a]
+  | Called f a => forall x, Rmin v.[a] w.[a] <= x <= Rmax v.[a] w.[a] -> has_derivative f x
   | _ => True
   end.
 
@@ -120,11 +183,25 @@ Proof.
     replace (v.[a] - w.[a]) with (sqrt v.[a] * sqrt v.[a] - sqrt w.[a] * sqrt w.[a]).
     2: rewrite !sqrt_sqrt by lra; ring.
     field. lra.
+  - rewrite slope_correct. ring.
 Qed.
 
 (* The same of intervals. *)
 Definition p : Z := 53%Z.
 Definition one := I.fromZ p 1.
+
+Definition call_in (f : function) (x : I.type) : I.type :=
+  match f with
+  | Sine => I.sin p x | Cosine => I.cos p x | Tangent => I.tan p x | Arctangent => I.atan p x
+  | Exponential => I.exp p x | Logarithm => I.ln p x
+  end.
+Definition derivative_in (f : function) (x : I.type) : I.type :=
+  match f with
+  | Sine => I.cos p x | Cosine => I.neg (I.sin p x)
+  | Tangent => I.div p one (I.mul p (I.cos p x) (I.cos p x))
+  | Arctangent => I.div p one (I.add p one (I.mul p x x))
+  | Exponential => I.exp p x | Logarithm => I.div p one x
+  end.
 
 Definition value_in (o : operation) (v : list I.type) : I.type :=
   match o with
@@ -132,6 +209,7 @@ Definition value_in (o : operation) (v : list I.type) : I.type :=
   | Sum a b => I.add p v.{a} v.{b} | Difference a b => I.sub p v.{a} v.{b}
   | Product a b => I.mul p v.{a} v.{b} | Quotient a b => I.div p v.{a} v.{b}
   | Fused a b c => I.add p (I.mul p v.{a} v.{b}) v.{c} | Root a => I.sqrt p v.{a}
+  | Called f a => call_in f v.{a}
   end.
 
 Definition slopes_in (o : operation) (v w : list I.type) : list (nat * I.type) :=
@@ -142,6 +220,7 @@ Definition slopes_in (o : operation) (v w : list I.type) : list (nat * I.type) :
   | Quotient a b => [(a, I.div p one v.{b}); (b, I.neg (I.div p (I.div p w.{a} w.{b}) v.{b}))]
   | Fused a b c => [(a, v.{b}); (b, w.{a}); (c, one)]
   | Root a => [(a, I.div p one (I.add p (I.sqrt p v.{a}) (I.sqrt p w.{a})))]
+  | Called f a => [(a, derivative_in f (I.join v.{a} w.{a}))]
   end.
 
 Definition is_not_zero (x : I.type) : bool :=
@@ -153,6 +232,8 @@ Definition is_defined (o : operation) (v w : list I.type) : bool :=
   match o with
   | Quotient a b => is_not_zero v.{b} && is_not_zero w.{b}
   | Root a => is_positive v.{a} && is_positive w.{a}
+  | Called Tangent a => is_not_zero (I.cos p (I.join v.{a} w.{a}))
+  | Called Logarithm a => is_positive (I.join v.{a} w.{a})
   | _ => true
   end.
 
@@ -291,30 +372,63 @@ Proof.
   eapply is_at_most_correct; eauto using has_found.
 Qed.
 
+Lemma has_sin x r : has x r -> has (I.sin p x) (sin r).
+Proof. intros H. exact (I.sin_correct p x _ H). Qed.
+Lemma has_cos x r : has x r -> has (I.cos p x) (cos r).
+Proof. intros H. exact (I.cos_correct p x _ H). Qed.
+Lemma has_call f x r : has x r -> has (call_in f x) (call f r).
+Proof.
+  intros H. destruct f; simpl; auto using has_sin, has_cos.
+  - generalize (I.tan_correct p x _ H). unfold has, Xtan, Xbind, Xtan'.
+    case is_zero; [now destruct (I.convert (I.tan p x))|easy].
+  - exact (I.atan_correct p x _ H).
+  - exact (I.exp_correct p x _ H).
+  - generalize (I.ln_correct p x _ H). unfold has, Xln, Xbind, Xln'.
+    case Xreal.is_positive; [easy|now destruct (I.convert (I.ln p x))].
+Qed.
+Lemma has_derivative_in f x r : has x r -> has (derivative_in f x) (derivative f r).
+Proof.
+  intros H. destruct f; cbn [derivative_in derivative];
+    auto 9 using has_sin, has_cos, has_neg, has_div, has_mul, has_add, has_one.
+  exact (has_call Exponential _ _ H).
+Qed.
+Lemma has_join x y r s t :
+  has x r -> has y s -> Rmin r s <= t <= Rmax r s -> has (I.join x y) t.
+Proof.
+  intros H K B.
+  refine (contains_connected _ _ _ _ _ t B); apply I.join_correct;
+    unfold Rmin, Rmax; destruct (Rle_dec r s); auto.
+Qed.
+
 Lemma value_in_correct o x r : have x r -> has (value_in o x) (value o r).
 Proof.
   intros H. destruct o; simpl;
-    auto using has_at, has_neg, has_add, has_sub, has_mul, has_div, has_sqrt.
+    auto using has_at, has_neg, has_add, has_sub, has_mul, has_div, has_sqrt, has_call.
 Qed.
 
 Definition have_slopes := Forall2 (fun (x : nat * I.type) (r : nat * R) =>
   fst x = fst r /\ has (snd x) (snd r)).
 
 Lemma slopes_in_correct o x y r s :
-  have x r -> have y s -> have_slopes (slopes_in o x y) (slopes o r s).
+  have x r -> have y s -> defined o r s -> have_slopes (slopes_in o x y) (slopes o r s).
 Proof.
-  intros H K.
+  intros H K D.
   destruct o; cbn [slopes_in slopes];
     repeat (apply Forall2_cons; [split; [reflexivity|cbn [fst snd]]|]); try apply Forall2_nil;
     auto 9 using has_one, has_minus_one, has_at, has_neg, has_add, has_sub, has_mul, has_div,
       has_sqrt.
+  destruct (slope_between f _ _ D) as (t & B & ->).
+  apply has_derivative_in. eapply has_join; eauto using has_at.
 Qed.
 
 Lemma is_defined_correct o x y r s :
   have x r -> have y s -> is_defined o x y = true -> defined o r s.
 Proof.
-  intros H K. destruct o; simpl; auto; intros D; apply Bool.andb_true_iff in D;
-    destruct D; split; eauto using is_not_zero_correct, is_positive_correct, has_at.
+  intros H K. destruct o; simpl; auto; intros D;
+    try (apply Bool.andb_true_iff in D;
+      destruct D; split; eauto using is_not_zero_correct, is_positive_correct, has_at).
+  intros t B. assert (J : has (I.join x.{a} y.{a}) t) by (eapply has_join; eauto using has_at).
+  destruct f; simpl; auto; eauto using is_not_zero_correct, is_positive_correct, has_cos.
 Qed.
 
 (* Linear forms in the roundings. *)
@@ -480,8 +594,8 @@ Lemma after_correct o is_rounded s s' v w :
 Proof.
   intros (W & V & forms & d & F & D & E & S). unfold after.
   destruct (is_defined o _ _) eqn:K; [|easy].
-  apply (is_defined_correct _ _ _ _ _ V W) in K. apply slopes_correct in K.
-  pose proof (slopes_in_correct o _ _ _ _ V W) as M.
+  apply (is_defined_correct _ _ _ _ _ V W) in K.
+  pose proof (slopes_in_correct o _ _ _ _ V W K) as M. apply slopes_correct in K.
   pose proof (have_combine _ _ _ _ F M) as C.
   pose proof (dot_combine forms d v w (slopes o v w) E) as T.
   pose proof (length_combine forms (length d) (slopes o v w) S) as L.

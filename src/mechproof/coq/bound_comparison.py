@@ -10,7 +10,7 @@ import operator
 import random
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 
 import numpy as np
 import sympy as sp
@@ -19,7 +19,12 @@ from flint import arb
 from mechproof.arithmetic.ball_functions import FUNCTIONS
 from mechproof.arithmetic.balls import Ball, evaluate, to_ball, working_precision
 from mechproof.coq.coq_reading import ROUNDED, Read, ReadStatement, read_script
-from mechproof.coq.rounding_scripts import BoundTheorem, FunctionEnclosure, name_letter
+from mechproof.coq.rounding_scripts import (
+    PLAIN_FUNCTIONS,
+    BoundTheorem,
+    FunctionEnclosure,
+    name_letter,
+)
 from mechproof.coq.script_comparison import ReadBackError
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 
@@ -119,7 +124,7 @@ def _draw(theorem: BoundTheorem) -> list[Point]:
 
 def _compare_at(theorem: BoundTheorem, point: Point, read: list[arb]) -> None:
     doubles = {name: np.float64(float(value)) for name, value in point.items()}
-    (computed,) = run(theorem.straight, doubles, IN_DOUBLES)
+    (computed,) = run(theorem.straight, doubles, _NEAREST)
     _require(bool(read[0] == arb(float(computed))), f"what is computed at {dict(point)}")
     balls = {name: to_ball(value) for name, value in point.items()}
     (exact,) = run(theorem.straight, balls, IN_BALLS)
@@ -154,7 +159,7 @@ class _Evaluation:
         if term.func in FUNCTIONS:
             return FUNCTIONS[term.func](*parts)
         _require(term.func == ROUNDED, str(term.func))
-        return _round(parts[0])
+        return arb(_round(parts[0]))
 
 
 def _round(ball: arb) -> Ball:
@@ -164,4 +169,12 @@ def _round(ball: arb) -> Ball:
         mantissa, exponent = end.man_exp()
         ends.append(float(Fraction(int(mantissa)) * Fraction(2) ** int(exponent)))
     _require(ends[0] == ends[1], "a rounding that the precision does not decide")
-    return arb(ends[0])
+    return ends[0]
+
+
+def _call(kind: str, value: np.float64) -> np.float64:
+    return np.float64(_round(IN_BALLS[kind](arb(float(value)))))
+
+
+# Functions as statements have them; those of NumPy are not rounded to nearest.
+_NEAREST = IN_DOUBLES.but(**{kind: partial(_call, kind) for kind in PLAIN_FUNCTIONS})

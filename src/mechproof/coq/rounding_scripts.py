@@ -23,7 +23,7 @@ from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step, StraightLineProgram
 
 Range = tuple[Fraction, Fraction]
-# Of an operation: its name in the analysis, and how it is written.
+# Of an operation: its name in the analysis, and how it is written. All are rounded to nearest.
 _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "copy": ("Copied", "{}"),
@@ -34,8 +34,15 @@ _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "divide": ("Quotient", "{} / {}"),
         "fma": ("Fused", "{} * {} + {}"),
         "sqrt": ("Root", "sqrt {}"),
+        "sin": ("Called Sine", "sin {}"),
+        "cos": ("Called Cosine", "cos {}"),
+        "tan": ("Called Tangent", "tan {}"),
+        "arctan": ("Called Arctangent", "atan {}"),
+        "exp": ("Called Exponential", "exp {}"),
+        "log": ("Called Logarithm", "ln {}"),
     }
 )
+PLAIN_FUNCTIONS = tuple(k for k, (name, _) in _OPERATIONS.items() if name.startswith("Called"))
 # Halvings, one after another, after which the analysis gives up.
 _HALVINGS, _HALVINGS_RELATIVE = 100, 3000
 # Taylor models of coq-interval.
@@ -202,7 +209,7 @@ def _check(step: Step) -> None:
     if step.kind not in _OPERATIONS:
         raise UnwritableError(f"the analysis has no {step.kind}")
     if step.ulps not in (EXACT, HALF):
-        raise UnwritableError(f"{step.kind} is rounded once, or exact")
+        raise UnwritableError(f"{step.kind} within {step.ulps:g} ulp: the analysis has half an ulp")
 
 
 def _list_values(step: Step) -> tuple[Fraction, Fraction]:
