@@ -9,6 +9,7 @@ import pytest
 
 from mechproof.arithmetic.largest import bound_largest
 from mechproof.comparison import fptaylor, gappa
+from mechproof.coq import checker
 from mechproof.fpcore.fpcore_reading import read_cores
 from mechproof.pipeline.bounding import read_boundings
 from mechproof.pipeline.bounds_page import HEADS, compare
@@ -70,7 +71,7 @@ def test_fptaylor_bounds_the_same() -> None:
 
 
 def test_pages_have_a_row_for_each_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for other in (gappa, fptaylor):
+    for other in (gappa, fptaylor, checker):
         monkeypatch.setattr(other, "is_installed", lambda: False)
     file = tmp_path / "one.fpcore"
     file.write_text('(FPCore (x) :name "one" :pre (<= 1 x 2) (/ x 3))', encoding="utf-8")
@@ -82,6 +83,19 @@ def test_pages_have_a_row_for_each_program(tmp_path: Path, monkeypatch: pytest.M
     assert rows[0].endswith("| - | - | - | 1 (A) | < 0.001 |")
     assert rows[1].endswith("| - | - | - | - | - |")
     assert "- A: a book." in page
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not checker.is_installed(), reason="Coq is not installed")
+def test_pages_have_what_coq_proves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for other in (gappa, fptaylor):
+        monkeypatch.setattr(other, "is_installed", lambda: False)
+    file = tmp_path / "one.fpcore"
+    file.write_text('(FPCore (x) :name "one" :pre (<= 1 x 7/4) (/ x 3))', encoding="utf-8")
+    page = compare(read_boundings(file), tmp_path / "cited.json")
+    for proved, coq in re.findall(r"^\| one \| ([\d.e-]+) \| ([\d.e-]+) \|", page, re.M):
+        assert float(proved) <= float(coq) <= 1.02 * float(proved)
+    assert page.count("Coq 1 of the 1 that it proves.") == len(HEADS)
 
 
 def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:

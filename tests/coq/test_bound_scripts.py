@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -10,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from mechproof.coq.bound_comparison import compare_bound_script
-from mechproof.coq.checker import check_files
+from mechproof.coq.checker import check_files, is_installed
 from mechproof.coq.elementary_scripts import ElementaryCase, list_elementary
 from mechproof.coq.libraries import ROUNDINGS, read_library
 from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
@@ -134,8 +133,10 @@ def test_another_enclosure_is_caught(old: str, new: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
-@pytest.mark.parametrize("name", ["sin_0", "small_arctan"])
+@pytest.mark.skipif(not is_installed(), reason="Coq is not installed")
+@pytest.mark.parametrize(
+    "name", ["sin_0", pytest.param("small_arctan", marks=pytest.mark.thorough)]
+)
 def test_coq_encloses_a_function_and_no_other(name: str, tmp_path: Path) -> None:
     case = find_case(name)
     assert case.enclosure is not None
@@ -154,7 +155,7 @@ def test_coq_encloses_a_function_and_no_other(name: str, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")
+@pytest.mark.skipif(not is_installed(), reason="Coq is not installed")
 def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
     # FPTaylor proves 1.06e-13 of the first. Of each the next bound is below the worst error found.
     bounds = {

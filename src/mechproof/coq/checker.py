@@ -38,9 +38,14 @@ class CheckerError(RuntimeError):
     """Coq is not there, or does not take what all files require."""
 
 
+def is_installed() -> bool:
+    """Say whether Coq is there."""
+    return shutil.which("coqc") is not None
+
+
 def find_version() -> str:
     """Return the version of Coq. Raises `CheckerError` where it is not installed."""
-    if shutil.which("coqc") is None:
+    if not is_installed():
         raise CheckerError(
             "coqc is not installed; on Debian: apt-get install coq libcoq-interval "
             "libcoq-coquelicot libcoq-flocq"

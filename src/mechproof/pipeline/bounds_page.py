@@ -11,12 +11,12 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from shutil import which
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from mechproof.arithmetic.largest import bound_largest
 from mechproof.comparison import fptaylor, gappa
+from mechproof.coq import checker
 from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import PARTS, TOLERANCE, Bounding
 from mechproof.roundoff.boxed import Convention, put_in_box
@@ -42,11 +42,11 @@ _TITLE = """# Bounds of rounding errors
 `mechproof bound docs/fpbench/benchmarks.fpcore --table docs/bounds.md` writes this page: absolute
 errors in doubles of programs of [FPBench](fpbench/benchmarks.fpcore), as they are proved here, and
 by Gappa and FPTaylor, which are run on the same steps with the same conventions (Gappa plainly and
-with the box cut into some 256 parts, of which the better bound counts). *Coq* is the least of some
-shares of our bound that Coq proves once more, with `--coq FOLDER`. What is *cited* is the
-lowest bound that others publish. *found* is the error at the worst input that a search of fixed
-budget found. A dash means: none, not run, or not published. Functions are taken as rounded to
-nearest, as FPTaylor takes them.
+with the box cut into some 256 parts, of which the better bound counts). *Coq* is the lowest of some
+multiples of our bound that Coq proves, as with `--coq FOLDER`. What is *cited* is the lowest bound
+that others publish. *found* is the error at the worst input that a search of fixed budget found. A
+dash means: none, not run, or not published. Functions are taken as rounded to nearest, as FPTaylor
+takes them.
 """
 
 
@@ -100,7 +100,7 @@ def _put_coq(
     report: Callable[[str], None],
 ) -> list[Compared]:
     """Return the rows with what Coq proves, where it is installed."""
-    if which("coqc") is None:
+    if not checker.is_installed():
         return rows
     with TemporaryDirectory() as folder:
         proved = [row.proved for row in rows]
