@@ -65,6 +65,7 @@ def test_an_assumption_that_does_not_hold_is_found_out() -> None:
     ("arguments", "told"),
     [
         (["x+y", "--where", "0<x<1"], "--where says no number that is <= y"),
+        ([r"\frac13+\sqrt2"], "it has no letter, so that there is no box to bound it over"),
         (["x+y", "--where", "0<x<y", "--where", "0<y<1"], "it is no range of one letter"),
         (["x<1", "--where", "0<x<1", "--tolerance", "2"], "--tolerance 2"),
         (["x", "--where", "0<x<1", "--ulps", "0.1"], "ulps = 0.1: must satisfy"),

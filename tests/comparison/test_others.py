@@ -106,6 +106,12 @@ def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:
     for table, rounded in zip(tables, (False, True), strict=True):
         rows = dict(re.findall(r"^\| (\w+) \| ([\d.e-]+) \|", table, re.M))
         assert list(rows) == names
+        # Of no program Coq proves less than what was found, or more than twice what is proved.
+        for numbers in re.findall(
+            r"^\| \w+ \| ([\d.e-]+) \| ([\d.e-]+) \| ([\d.e-]+|-) ", table, re.M
+        ):
+            proved, coq, found = (0.0 if n == "-" else float(n) for n in numbers)
+            assert max(proved, found) <= coq <= 2.001 * proved
         for name in ("verhulst", "carbonGas", "rigidBody1"):
             program = program_of(name, rounded=rounded)
             found = bound_largest(program.bound, program.box, 0.002, 20_000).bound

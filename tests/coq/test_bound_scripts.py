@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -15,6 +16,7 @@ from mechproof.coq.libraries import ROUNDINGS, read_library
 from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
 from mechproof.coq.script_comparison import ReadBackError
 from mechproof.coq.terms import UnwritableError
+from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import read_boundings
 from mechproof.roundoff.boxed import Convention, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input
@@ -27,6 +29,8 @@ CORES = """
 (FPCore (x y) :name "waves" :pre (and (<= -1 x 1) (<= 1/4 y 1))
   (+ (* (sin x) (cos y)) (- (atan (tan (* x y))) (log (+ (exp x) y)))))
 """
+WAVES = 2
+needs_coq = pytest.mark.skipif(not is_installed(), reason="Coq is not installed")
 ONE, TWO = Fraction(1), Fraction(2)
 
 
@@ -39,7 +43,7 @@ def state(number: int, bound: Fraction, folder: Path, relative: bool = False) ->
 
 
 @pytest.mark.parametrize("relative", [False, True])
-@pytest.mark.parametrize("number", [0, 1, 2])
+@pytest.mark.parametrize("number", [0, 1, WAVES])
 def test_a_script_says_what_it_was_written_from(
     number: int, relative: bool, tmp_path: Path
 ) -> None:
@@ -81,7 +85,7 @@ def test_another_statement_is_caught(old: str, new: str, tmp_path: Path) -> None
         (Step("r", "sinh", ("x",), HALF), "the analysis has no sinh"),
         (
             Step("r", "multiply", ("x", "x"), 1.0),
-            "multiply within 1 ulp: the analysis has half an ulp",
+            "multiply within 1 ulp: the analysis rounds to nearest",
         ),
         (Step("q", "multiply", ("x", "x"), HALF), "one output, which is a result"),
     ],
@@ -91,6 +95,24 @@ def test_what_the_analysis_has_not_is_named(step: Step, said: str) -> None:
     straight = StraightLineProgram(("x",), (step,), outputs)
     with pytest.raises(UnwritableError, match=said):
         write_bound_script("it", BoundTheorem(straight, {"x": (ONE, TWO)}, ONE))
+
+
+def test_a_title_ends_no_comment(tmp_path: Path) -> None:
+    theorem = state(0, ONE, tmp_path)
+    text = write_bound_script('*) Axiom a : 1 = 2. (* "', theorem)
+    assert text.splitlines()[0] == "(* ) Axiom a : 1 = 2. (  *)"
+    compare_bound_script(text, theorem)
+
+
+@needs_coq
+def test_where_nothing_is_proved_coq_is_not_asked(tmp_path: Path) -> None:
+    file = tmp_path / "cores.fpcore"
+    file.write_text('(FPCore (x) :name "pole" :pre (<= 0 x 1) (/ 1 x))', encoding="utf-8")
+    folder = tmp_path / "coq"
+    (one,) = prove_in_coq(read_boundings(file), [math.inf], Convention(), folder)
+    assert one.reason == "there is no bound to begin with"
+    assert not one.file
+    assert not [*folder.glob("bound*")]
 
 
 def test_nothing_is_left_unproved_in_the_analysis() -> None:
@@ -133,7 +155,7 @@ def test_another_enclosure_is_caught(old: str, new: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not is_installed(), reason="Coq is not installed")
+@needs_coq
 @pytest.mark.parametrize(
     "name", ["sin_0", pytest.param("small_arctan", marks=pytest.mark.thorough)]
 )
@@ -155,14 +177,14 @@ def test_coq_encloses_a_function_and_no_other(name: str, tmp_path: Path) -> None
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not is_installed(), reason="Coq is not installed")
+@needs_coq
 def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
     # FPTaylor proves 1.06e-13 of the first. Of each the next bound is below the worst error found.
     bounds = {
         "first": (0, Fraction(985, 10**16)),
         "second": (1, Fraction(13, 10**16)),
         "share": (1, Fraction(9, 10**16)),
-        "waves": (2, Fraction(1, 10**15)),
+        "waves": (WAVES, Fraction(1, 10**15)),
     }
     names = []
     for name, (number, bound) in bounds.items():
@@ -172,7 +194,7 @@ def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
         worst = find_worst_input(program, (program.box,))
         assert worst is not None
         # What NumPy has of functions may be off by more than half an ulp.
-        found = Fraction(worst.error) * (99 if number < len("ab") else 50) / 100
+        found = Fraction(worst.error) * (Fraction(1, 2) if number == WAVES else Fraction(99, 100))
         for kind, at_most in (("holds", bound), ("fails", found)):
             text = write_bound_script(name, replace(theorem, bound=at_most))
             names.append(f"{name}_{kind}.v")
@@ -186,7 +208,7 @@ def test_coq_accepts_bounds_that_hold_and_no_others(tmp_path: Path) -> None:
         "smaller_box": text.replace("(100, 1)%Z)", "(99, 1)%Z)"),
         "pole": text.replace("-100 <= u", "-400 <= u").replace("((-100, 1)", "((-400, 1)"),
     }
-    waves = write_bound_script("it", state(2, Fraction(1, 10**12), tmp_path))
+    waves = write_bound_script("it", state(WAVES, Fraction(1, 10**12), tmp_path))
     wrong |= {
         "tangent": waves.replace("x <= 1 ->", "x <= 2 ->").replace(
             "((-1, 1)%Z, (1,", "((-1, 1)%Z, (2,"

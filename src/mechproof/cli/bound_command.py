@@ -12,7 +12,7 @@ from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.coq.checker import CheckerError
 from mechproof.fpcore.s_expressions import FPCoreError
-from mechproof.pipeline.bound_scripts import prove_in_coq
+from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq
 from mechproof.pipeline.bounding import (
     FPCORE,
     PARTS,
@@ -30,8 +30,6 @@ from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.roundoff.boxed import Convention
 from mechproof.tools.files import write_whole
 from mechproof.tools.made import ForeignFileError
-
-DIGITS = 4
 
 
 def bound(
@@ -142,7 +140,7 @@ def _prove(
     for one in checked:
         told = f"no proof in Coq: {one.reason}"
         if one.bound is not None:
-            told = f"Coq proves {_round(one.bound, ROUND_CEILING)} ({folder / one.file})"
+            told = f"Coq proves {float(one.bound):.{DIGITS}g} ({folder / one.file})"
         say(f"{one.name}: {told}")
 
 

@@ -62,7 +62,7 @@ def certify(
 
     Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
     does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
-    fails; 2: bad usage.
+    fails, or no bound of a function is proved; 2: bad usage.
     """
     from mechproof.pipeline.row_scripts import certify as certify_papers
 
@@ -95,7 +95,7 @@ def certify(
 def _prove_functions(out: Path) -> None:
     from mechproof.arithmetic.intervals import EPS
     from mechproof.coq.checker import CheckerError
-    from mechproof.pipeline.bound_scripts import prove_functions_in_coq
+    from mechproof.pipeline.bound_scripts import DIGITS, prove_functions_in_coq
 
     try:
         with show_progress("running Coq") as report:
@@ -105,8 +105,14 @@ def _prove_functions(out: Path) -> None:
     for one in found:
         told = f"no proof in Coq: {one.reason}"
         if one.bound is not None:
-            off = "" if one.off is None else f", without them off by {one.off / EPS:g} eps at most"
-            told = f"roundings at most {one.bound / EPS:.4f} eps{off} ({out / one.file})"
+            off = (
+                ""
+                if one.off is None
+                else f", without them off by {float(one.off) / EPS:g} eps at most"
+            )
+            told = (
+                f"roundings at most {float(one.bound) / EPS:.{DIGITS}g} eps{off} ({out / one.file})"
+            )
         say(f"{one.name}: {told}")
     if not all(one.file for one in found):
         raise typer.Exit(1)

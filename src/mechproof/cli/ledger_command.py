@@ -72,7 +72,11 @@ def print_ledgers(ledgers: Sequence[Ledger], *, show_findings: bool, show_all: b
 def _print_lines(findings: Sequence[LedgerFinding]) -> None:
     """Print what is wrong where, and what it costs first, on a line each."""
     cells = [
-        (f"{f.system} {f.number}", f.verdict.value, str(*f.costs[:1]) or WEIGHTS[f.weight])
+        (
+            f"{f.system} {f.number}",
+            f.verdict.value,
+            str(f.costs[0]) if f.costs else WEIGHTS[f.weight],
+        )
         for f in findings
     ]
     if not console.is_terminal:

@@ -20,9 +20,10 @@ from mechproof.arithmetic.ball_functions import FUNCTIONS
 from mechproof.arithmetic.balls import Ball, evaluate, to_ball, working_precision
 from mechproof.coq.coq_reading import ROUNDED, Read, ReadStatement, read_script
 from mechproof.coq.rounding_scripts import (
-    PLAIN_FUNCTIONS,
+    CALLED,
     BoundTheorem,
     FunctionEnclosure,
+    Range,
     name_letter,
 )
 from mechproof.coq.script_comparison import ReadBackError
@@ -39,56 +40,39 @@ def compare_bound_script(
     try:
         statement, *others = read_script(text)
         _require(len(others) == bool(enclosure), "how many theorems")
+        terms = _list_compared(statement, theorem.ranges)
+        enclosed: _Terms | None = None
         if enclosure:
-            _compare_enclosed(others[0], theorem, enclosure)
+            ((name, (_, high)),) = theorem.ranges.items()
+            enclosed = _list_compared(others[0], {name: (Fraction(0), high)})
     except ValueError as fault:
         raise ReadBackError(str(fault)) from fault
-    inputs = theorem.straight.inputs
-    letters = [name_letter(name) for name in inputs]
+    for point in _draw(theorem):
+        with working_precision(BITS):
+            _compare_at(theorem, point, _evaluate(terms, point))
+            if enclosure and enclosed:
+                _compare_enclosed(theorem, enclosure, point, _evaluate(enclosed, point))
+
+
+_Terms = tuple[sp.Expr, sp.Expr, sp.Expr]
+
+
+def _list_compared(statement: ReadStatement, ranges: Mapping[str, Range]) -> _Terms:
+    """Return what is said to be near to what, and the bound, for inputs in their ranges."""
+    letters = {name_letter(name): ends for name, ends in ranges.items()}
     said = (statement.quantifier, statement.variables, len(statement.conclusions))
     _require(said == ("forall", tuple((letter, "R") for letter in letters), 1), "binders")
-    ranges = [theorem.ranges[name] for name in inputs]
-    _require(_list_ends(statement.hypotheses) == dict(zip(letters, ranges, strict=True)), "ranges")
-    error = statement.conclusions[0]
-    if not (isinstance(error, sp.Le) and isinstance(error.lhs, sp.Abs)):
-        raise ReadBackError("the script of a bound says something else: no inequality")
-    computed, minus = error.lhs.args[0].args
-    exact = sp.Mul(-1, minus, evaluate=False)
-    for point in _draw(theorem):
-        given = dict(zip(letters, (point[name] for name in inputs), strict=True))
-        with working_precision(BITS):
-            _compare_at(theorem, point, [_Evaluation(given).find(e) for e in (computed, exact)])
-            bar = _Evaluation(given).find(error.rhs)
-            share = abs(_Evaluation(given).find(exact)) if theorem.relative else arb(1)
-            _require(bool((bar - to_ball(theorem.bound) * share).contains(0)), "the bound")
-
-
-def _compare_enclosed(
-    statement: ReadStatement, theorem: BoundTheorem, enclosure: FunctionEnclosure
-) -> None:
-    """Compare a statement on one input with the program and the function, in balls."""
-    ((name, (_, high)),) = theorem.ranges.items()
-    letter = name_letter(name)
-    said = (statement.quantifier, statement.variables, len(statement.conclusions))
-    _require(said == ("forall", ((letter, "R"),), 1), "binders of what is enclosed")
-    _require(
-        _list_ends(statement.hypotheses) == {letter: (Fraction(0), high)},
-        "ranges of what is enclosed",
-    )
+    _require(_list_ends(statement.hypotheses) == letters, "ranges")
     (error,) = statement.conclusions
     if not (isinstance(error, sp.Le) and isinstance(error.lhs, sp.Abs)):
         raise ReadBackError("the script of a bound says something else: no inequality")
-    _require(_read_number(error.rhs) == enclosure.off, "how much it is off")
     value, minus = error.lhs.args[0].args
-    for point in _draw(theorem):
-        given = {letter: point[name]}
-        with working_precision(BITS):
-            read = [_Evaluation(given).find(term) for term in (value, minus)]
-            ball = to_ball(point[name])
-            (exact,) = run(theorem.straight, {name: ball}, IN_BALLS)
-            _require(bool(read[0].overlaps(exact)), f"what is enclosed at {point}")
-            function = evaluate(enclosure.function, {sp.Symbol(name): ball})
-            _require(bool(read[1].overlaps(-function)), f"the function at {point}")
+    return value, sp.Mul(-1, minus, evaluate=False), error.rhs
+
+
+def _evaluate(terms: _Terms, point: Point) -> list[Ball]:
+    evaluation = _Evaluation({name_letter(name): value for name, value in point.items()})
+    return [evaluation.find(term) for term in terms]
 
 
 def _require(holds: bool, part: str) -> None:
@@ -122,13 +106,27 @@ def _draw(theorem: BoundTheorem) -> list[Point]:
     ]
 
 
-def _compare_at(theorem: BoundTheorem, point: Point, read: list[arb]) -> None:
+def _compare_at(theorem: BoundTheorem, point: Point, read: list[Ball]) -> None:
     doubles = {name: np.float64(float(value)) for name, value in point.items()}
     (computed,) = run(theorem.straight, doubles, _NEAREST)
     _require(bool(read[0] == arb(float(computed))), f"what is computed at {dict(point)}")
-    balls = {name: to_ball(value) for name, value in point.items()}
-    (exact,) = run(theorem.straight, balls, IN_BALLS)
-    _require(bool(read[1].overlaps(exact)), f"what is exact at {dict(point)}")
+    _require(bool(read[1].overlaps(_run(theorem, point))), f"what is exact at {dict(point)}")
+    share = abs(read[1]) if theorem.relative else arb(1)
+    _require(bool(read[2].overlaps(to_ball(theorem.bound) * share)), "the bound")
+
+
+def _compare_enclosed(
+    theorem: BoundTheorem, enclosure: FunctionEnclosure, point: Point, read: list[Ball]
+) -> None:
+    _require(bool(read[0].overlaps(_run(theorem, point))), f"what is near at {dict(point)}")
+    function = evaluate(enclosure.function, {sp.Symbol(n): v for n, v in point.items()}, BITS)
+    _require(bool(read[1].overlaps(function)), f"the function at {dict(point)}")
+    _require(bool(read[2].overlaps(to_ball(enclosure.off))), "how near it is")
+
+
+def _run(theorem: BoundTheorem, point: Point) -> Ball:
+    (exact,) = run(theorem.straight, {n: to_ball(v) for n, v in point.items()}, IN_BALLS)
+    return exact
 
 
 class _Evaluation:
@@ -177,4 +175,4 @@ def _call(kind: str, value: np.float64) -> np.float64:
 
 
 # Functions as statements have them; those of NumPy are not rounded to nearest.
-_NEAREST = IN_DOUBLES.but(**{kind: partial(_call, kind) for kind in PLAIN_FUNCTIONS})
+_NEAREST = IN_DOUBLES.but(**{kind: partial(_call, kind) for kind in CALLED})

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from mechproof.coq.checker import ASSUMED, ASSUMED_MODULES, LIMIT, check_files, find_version
-from mechproof.coq.folder import RowScript, write_folder
+from mechproof.coq.folder import RowScript, list_texts, write_folder
 from mechproof.coq.libraries import digest_libraries
 
 PAGE = "COQ.md"
@@ -109,7 +109,7 @@ def check_folder(
     faults = check_files(folder, names, tell, limit=limit)
     coverage = Coverage(find_version(), tuple(certificates), {**taken, **faults})
     refused = {name for name, fault in faults.items() if fault}
-    write_folder(folder, [c for c in certificates if c.file not in refused])
+    write_folder(folder, list_texts(c for c in certificates if c.file not in refused))
     (folder / PAGE).write_text(write_page(coverage), encoding="utf-8")
     return coverage
 

@@ -7,10 +7,9 @@ Lauter and Melquiond (2011) divide the proof of a function of CRlibm so, the fir
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from types import MappingProxyType
 
 import sympy as sp
 
@@ -18,6 +17,7 @@ from mechproof.coq.rounding_scripts import BoundTheorem, FunctionEnclosure
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import build
 from mechproof.roundoff.elementary_errors import (
+    ANGLES,
     QUARTERS,
     bound_roundings,
     find_end_of_rests,
@@ -31,14 +31,6 @@ _EPS = Fraction(1, 2**52)
 _LEAST = Fraction(1, 2**300)
 # By which the programs miss their functions at most: a quarter of eps.
 _OFF = _EPS / 4
-# Of an even number of quarter turns, and of one more; of a cotangent there is no enclosure at zero.
-_FUNCTIONS: Mapping[str, tuple[Callable[[sp.Expr], sp.Expr] | None, ...]] = MappingProxyType(
-    {
-        "sin": (sp.sin, sp.cos),
-        "cos": (sp.cos, lambda rest: -sp.sin(rest)),
-        "tan": (sp.tan, None),
-    }
-)
 
 
 @dataclass(frozen=True)
@@ -61,22 +53,25 @@ class ElementaryCase:
 def list_elementary() -> Iterator[ElementaryCase]:
     """Yield the cases of sine, cosine, tangent and small arctangent."""
     rest = sp.Symbol(REST)
-    for kind, functions in _FUNCTIONS.items():
-        for quarters, function in enumerate(functions):
+    for kind in ANGLES:
+        # Two quarter turns more change signs alone, if anything.
+        for quarters in range(2):
             number = Whole(Fraction(QUARTERS), Fraction(quarters))
             found = resolve(build(kind, DOUBLE).program, Case(number)).straight
+            function = getattr(sp, kind)(rest + quarters * sp.pi / 2)
             straight = replace(found, inputs=(REST,))
-            enclosed = FunctionEnclosure(function(rest), _OFF) if function else None
-            yield _bound(f"{kind}_{quarters}", straight, find_end_of_rests(), enclosed)
+            yield _bound(f"{kind}_{quarters}", straight, find_end_of_rests(), function)
     small = resolve(build("small_arctan", DOUBLE).program, Case()).straight
     (name,) = small.inputs
-    enclosed = FunctionEnclosure(sp.atan(sp.Symbol(name)), _OFF)
-    yield _bound("small_arctan", small, find_end_of_small(), enclosed)
+    yield _bound("small_arctan", small, find_end_of_small(), sp.atan(sp.Symbol(name)))
 
 
 def _bound(
-    name: str, straight: StraightLineProgram, high: float, enclosure: FunctionEnclosure | None
+    name: str, straight: StraightLineProgram, high: float, function: sp.Expr
 ) -> ElementaryCase:
+    # Next to a pole nothing is enclosed.
+    at_zero = function.xreplace(dict.fromkeys(function.free_symbols, sp.S.Zero))
+    enclosure = FunctionEnclosure(function, _OFF) if at_zero.is_finite else None
     return ElementaryCase(
         name, straight, Fraction(high), bound_roundings(straight, high), enclosure
     )

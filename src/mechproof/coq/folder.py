@@ -6,7 +6,7 @@ A row has a file, or a reason why it has none.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -110,9 +110,13 @@ def withhold(judgement: Judgement, reason: str) -> RowScript:
     return RowScript(*about, reason=reason)
 
 
-def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:
-    """Return the text of every file of the folder by its name."""
-    scripts = {c.file: c.text for c in certificates if c.text}
+def list_texts(scripts: Iterable[RowScript]) -> dict[str, str]:
+    """Return the texts that there are by the names of their files."""
+    return {script.file: script.text for script in scripts if script.text}
+
+
+def list_files(scripts: Mapping[str, str]) -> dict[str, str]:
+    """Return the text of every file of a folder of scripts by its name."""
     assumptions = write_assumptions([name.removesuffix(".v") for name in scripts])
     required = {name for text in scripts.values() for name in list_required(text)}
     libraries = [name for name in (*LIBRARIES, ROUNDINGS) if name in required]
@@ -125,11 +129,11 @@ def list_files(certificates: Sequence[RowScript]) -> dict[str, str]:
     return {**texts, **scripts, ASSUMPTIONS: assumptions, "Makefile": makefile}
 
 
-def write_folder(folder: Path, certificates: Sequence[RowScript]) -> None:
-    """Write the files into a folder that is new, empty or was written so.
+def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
+    """Write scripts and what they require into a folder that is new, empty or was written so.
 
     Raises `ForeignFileError` for any other, and `OSError`.
     """
     if folder.is_dir() and not (folder / LIST).exists() and any(folder.iterdir()):
         raise ForeignFileError(f"{folder}: holds files that are no scripts of `mechproof certify`")
-    Made(folder, LIST).update(list_files(certificates))
+    Made(folder, LIST).update(list_files(scripts))

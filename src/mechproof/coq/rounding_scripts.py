@@ -18,11 +18,23 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.coq.terms import TAKEN, UnwritableError, write_term
+from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step, StraightLineProgram
 
 Range = tuple[Fraction, Fraction]
+# Functions of the analysis by its names.
+CALLED: Mapping[str, str] = MappingProxyType(
+    {
+        "sin": "Sine",
+        "cos": "Cosine",
+        "tan": "Tangent",
+        "arctan": "Arctangent",
+        "exp": "Exponential",
+        "log": "Logarithm",
+    }
+)
 # Of an operation: its name in the analysis, and how it is written. All are rounded to nearest.
 _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -34,19 +46,15 @@ _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "divide": ("Quotient", "{} / {}"),
         "fma": ("Fused", "{} * {} + {}"),
         "sqrt": ("Root", "sqrt {}"),
-        "sin": ("Called Sine", "sin {}"),
-        "cos": ("Called Cosine", "cos {}"),
-        "tan": ("Called Tangent", "tan {}"),
-        "arctan": ("Called Arctangent", "atan {}"),
-        "exp": ("Called Exponential", "exp {}"),
-        "log": ("Called Logarithm", "ln {}"),
+        **{kind: (f"Called {name}", f"{KINDS[kind].coq} {{}}") for kind, name in CALLED.items()},
     }
 )
-PLAIN_FUNCTIONS = tuple(k for k, (name, _) in _OPERATIONS.items() if name.startswith("Called"))
 # Halvings, one after another, after which the analysis gives up.
 _HALVINGS, _HALVINGS_RELATIVE = 100, 3000
 # Taylor models of coq-interval.
 _PRECISION = "i_prec 90, i_degree 20"
+# What ends a comment, or begins a text in it.
+_COMMENTED = re.compile(r'[*"]')
 _LETTER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
@@ -80,7 +88,7 @@ def write_bound_script(
     parts = "bound, enclosed" if enclosure else "bound"
     return "\n".join(
         (
-            f"(* {title} *)",
+            f"(* {_COMMENTED.sub('', title)} *)",
             "Require Import Roundings.\nFrom Interval Require Import Tactic.",
             "Open Scope R_scope.\n",
             *writer.write(),
@@ -209,7 +217,9 @@ def _check(step: Step) -> None:
     if step.kind not in _OPERATIONS:
         raise UnwritableError(f"the analysis has no {step.kind}")
     if step.ulps not in (EXACT, HALF):
-        raise UnwritableError(f"{step.kind} within {step.ulps:g} ulp: the analysis has half an ulp")
+        raise UnwritableError(
+            f"{step.kind} within {step.ulps:g} ulp: the analysis rounds to nearest (--ulps 0.5)"
+        )
 
 
 def _list_values(step: Step) -> tuple[Fraction, Fraction]:

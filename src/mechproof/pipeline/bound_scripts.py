@@ -1,13 +1,14 @@
 """Bound scripts: in, programs with proved bounds; out, the bounds that Coq proves once more.
 
-Coq's analysis has intervals without monomials or grids, so that its bounds are larger: of shares of
-ours the least that it proves is kept.
+Coq's analysis has intervals without monomials or grids, so that its bounds may be larger: of some
+multiples of ours the least that it proves is kept.
 """
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
@@ -17,7 +18,7 @@ from pathlib import Path
 from mechproof.coq.bound_comparison import compare_bound_script
 from mechproof.coq.checker import BOUND_LIMIT, check_files
 from mechproof.coq.elementary_scripts import ElementaryCase, list_elementary
-from mechproof.coq.folder import RowScript, write_folder
+from mechproof.coq.folder import write_folder
 from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.pipeline.bounding import Bounding
@@ -37,12 +38,13 @@ class CoqBound:
 
     name: str
     file: str = ""
-    bound: float | None = None
+    bound: Fraction | None = None
     reason: str = ""
-    off: float | None = None
+    off: Fraction | None = None
 
 
-Write = Callable[[float], tuple[RowScript, Fraction]]
+# Of a share of a bound: what is stated then, and the script.
+Write = Callable[[float], tuple[Fraction, str]]
 
 
 def prove_in_coq(
@@ -57,11 +59,10 @@ def prove_in_coq(
     Raises `CheckerError` where Coq is not installed, `ForeignFileError` for a folder with other
     files, and `OSError`.
     """
-    files = map(_name_file, range(len(boundings)), boundings)
-    writers = [
-        partial(_write, bounding, convention, least, file)
-        for bounding, least, file in zip(boundings, proved, files, strict=True)
-    ]
+    writers = {
+        _name_file(number, bounding.name): partial(_write, bounding, convention, least)
+        for number, (bounding, least) in enumerate(zip(boundings, proved, strict=True), start=1)
+    }
     return _prove_least([bounding.name for bounding in boundings], writers, folder, tell)
 
 
@@ -73,66 +74,64 @@ def prove_functions_in_coq(
     Raises as `prove_in_coq` does.
     """
     cases = [*list_elementary()]
-    writers = [partial(_write_case, case) for case in cases]
+    writers = {f"function_{case.name}.v": partial(_write_case, case) for case in cases}
     found = _prove_least([case.name for case in cases], writers, folder, tell)
-    enclosed = (case.enclosure for case in cases)
     return tuple(
-        replace(one, off=float(enclosure.off) if one.file and enclosure else None)
-        for one, enclosure in zip(found, enclosed, strict=True)
+        replace(one, off=case.enclosure.off) if one.file and case.enclosure else one
+        for one, case in zip(found, cases, strict=True)
     )
 
 
 def _prove_least(
-    names: Sequence[str], writers: Sequence[Write], folder: Path, tell: Callable[[str], None]
+    names: Sequence[str],
+    writers: Mapping[str, Write],
+    folder: Path,
+    tell: Callable[[str], None],
 ) -> tuple[CoqBound, ...]:
-    """Have Coq prove one share after the other of what is not proved yet."""
-    found: dict[int, CoqBound] = {}
-    accepted: list[RowScript] = []
+    """Have Coq prove one share after the other of what is not proved yet, each in its file."""
+    named = dict(zip(writers, names, strict=True))
+    found: dict[str, CoqBound] = {}
+    accepted: dict[str, str] = {}
     for share in SHARES:
-        tried: dict[str, tuple[int, RowScript, Fraction]] = {}
-        for number, write in enumerate(writers):
-            if number in found:
-                continue
+        tried: dict[str, tuple[Fraction, str]] = {}
+        for file in writers.keys() - found.keys():
             try:
-                script, bound = write(share)
-                tried[script.file] = number, script, bound
+                tried[file] = writers[file](share)
             except UnwritableError as error:
-                found[number] = CoqBound(names[number], reason=str(error))
-        write_folder(folder, [*accepted, *(script for _, script, _ in tried.values())])
-        for file, wrong in check_files(folder, tried, tell, limit=BOUND_LIMIT).items():
-            number, script, bound = tried[file]
+                found[file] = CoqBound(named[file], reason=str(error))
+        write_folder(folder, accepted | {file: text for file, (_, text) in tried.items()})
+        for file, wrong in check_files(folder, sorted(tried), tell, limit=BOUND_LIMIT).items():
+            bound, text = tried[file]
             if not wrong:
-                found[number] = CoqBound(names[number], file, float(bound))
-                accepted.append(script)
+                found[file] = CoqBound(named[file], file, bound)
+                accepted[file] = text
     write_folder(folder, accepted)
-    lost = f"Coq's analysis proves none below {SHARES[-1]:g} times ours"
-    return tuple(found.get(n, CoqBound(name, reason=lost)) for n, name in enumerate(names))
+    lost = f"Coq's analysis proves none up to {SHARES[-1]:g} times ours"
+    return tuple(found.get(file, CoqBound(name, reason=lost)) for file, name in named.items())
 
 
 def _write(
-    bounding: Bounding, convention: Convention, proved: float, file: str, share: float
-) -> tuple[RowScript, Fraction]:
+    bounding: Bounding, convention: Convention, proved: float, share: float
+) -> tuple[Fraction, str]:
+    if not math.isfinite(proved):
+        raise UnwritableError("there is no bound to begin with")
     program = put_in_box(bounding.straight, bounding.ranges, convention)
     bound = _round_up(proved * share)
     theorem = BoundTheorem(program.straight, program.ranges, bound, convention.relative)
     text = write_bound_script(bounding.name, theorem)
     compare_bound_script(text, theorem)
-    return _as_script(bounding.name, file, text), bound
+    return bound, text
 
 
-def _write_case(case: ElementaryCase, share: float) -> tuple[RowScript, Fraction]:
+def _write_case(case: ElementaryCase, share: float) -> tuple[Fraction, str]:
     theorem = case.state(_round_up(case.bound * share))
     text = write_bound_script(case.name, theorem, case.enclosure)
     compare_bound_script(text, theorem, case.enclosure)
-    return _as_script(case.name, f"function_{case.name}.v", text), theorem.bound
+    return theorem.bound, text
 
 
-def _as_script(name: str, file: str, text: str) -> RowScript:
-    return RowScript(name, "PROVED", "rounding errors", "bounds", file, text)
-
-
-def _name_file(number: int, bounding: Bounding) -> str:
-    return f"bound_{number + 1}_{re.sub(r'[^a-z0-9]+', '_', bounding.name.lower())[:40]}.v"
+def _name_file(number: int, name: str) -> str:
+    return f"bound_{number}_{re.sub(r'[^a-z0-9]+', '_', name.lower())[:40]}.v"
 
 
 def _round_up(number: float) -> Fraction:

@@ -105,7 +105,10 @@ def _put_coq(
     with TemporaryDirectory() as folder:
         proved = [row.proved for row in rows]
         found = prove_in_coq(boundings, proved, convention, Path(folder), report)
-    return [replace(row, coq=one.bound) for row, one in zip(rows, found, strict=True)]
+    return [
+        replace(row, coq=None if one.bound is None else float(one.bound))
+        for row, one in zip(rows, found, strict=True)
+    ]
 
 
 def _compare(task: tuple[Bounding, str, Mapping[str, Any]]) -> Compared:

@@ -13,7 +13,14 @@ from pathlib import Path
 
 from mechproof.coq.checker import RECORD_LIMIT, CheckerError
 from mechproof.coq.coverage import Coverage, check_folder, keep_record, read_known, read_refused
-from mechproof.coq.folder import CERTIFIABLE, RowScript, withhold, write_folder, write_row_script
+from mechproof.coq.folder import (
+    CERTIFIABLE,
+    RowScript,
+    list_texts,
+    withhold,
+    write_folder,
+    write_row_script,
+)
 from mechproof.document.constraints.consequences import FOLLOWING
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.pipeline.judging import (
@@ -80,7 +87,7 @@ def certify(
         left = [
             one for one in scripts if not check and one.text and refused.get(one.id) == one.digest
         ]
-        write_folder(folder, [one for one in scripts if one not in left])
+        write_folder(folder, list_texts(one for one in scripts if one not in left))
         written = sum(bool(one.text) for one in scripts) - len(left)
         yield (done := Certified(len(scripts), written, len(left)))
         if not check:

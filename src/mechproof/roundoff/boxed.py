@@ -90,6 +90,8 @@ def put_in_box(
     straight: StraightLineProgram, ranges: Mapping[str, Range], convention: Convention
 ) -> BoxedProgram:
     """Return a program over a box; ValueError for operations without a rule, and empty ranges."""
+    if not straight.inputs:
+        raise ValueError("it has no letter, so that there is no box to bound it over")
     if unknown := sorted({step.kind for step in straight.steps} - KINDS):
         raise ValueError(f"no rounding of {', '.join(unknown)} can be bounded")
     steps = tuple(_state_error(step, convention) for step in straight.steps)
