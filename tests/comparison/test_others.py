@@ -115,4 +115,5 @@ def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:
         for name in ("verhulst", "carbonGas", "rigidBody1"):
             program = program_of(name, rounded=rounded)
             found = bound_largest(program.bound, program.box, 0.002, 20_000).bound
-            assert float(rows[name]) == pytest.approx(found, rel=2e-3)
+            # Rounded up: four digits are known to a thousandth.
+            assert found <= float(rows[name]) <= 1.001 * found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +12,7 @@ from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.coq.checker import CheckerError
 from mechproof.fpcore.s_expressions import FPCoreError
-from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq
+from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq, round_digits
 from mechproof.pipeline.bounding import (
     FPCORE,
     PARTS,
@@ -177,15 +177,11 @@ def _tell(found: ProvedBound) -> list[str]:
         return [f"{found.name}: no bound of the {kind} is proved where {found.open}"]
     inputs = ", inputs rounded" if found.rounded_inputs else ""
     lines = [
-        f"{found.name}: {kind} at most {_round(found.proved, ROUND_CEILING)}{inputs}"
+        f"{found.name}: {kind} at most {round_digits(found.proved, ROUND_CEILING):g}{inputs}"
         f" ({found.parts} parts, {found.seconds:.1f} s)"
     ]
     if found.at:
         at = ", ".join(f"{name} = {float(value)!r}" for name, value in found.at.items())
-        lines.append(f"  found {_round(found.found, ROUND_FLOOR)} at {at}")
+        lines.append(f"  found {round_digits(found.found, ROUND_FLOOR):g} at {at}")
     lines.append(f"  as long as {' and '.join(found.assumptions)}")
     return lines
-
-
-def _round(number: float, rounding: str) -> str:
-    return f"{Context(prec=DIGITS, rounding=rounding).create_decimal(Decimal(number)):g}"

@@ -116,7 +116,7 @@ def _write(
     if not math.isfinite(proved):
         raise UnwritableError("there is no bound to begin with")
     program = put_in_box(bounding.straight, bounding.ranges, convention)
-    bound = _round_up(proved * share)
+    bound = Fraction(round_digits(proved * share, ROUND_CEILING))
     theorem = BoundTheorem(program.straight, program.ranges, bound, convention.relative)
     text = write_bound_script(bounding.name, theorem)
     compare_bound_script(text, theorem)
@@ -124,7 +124,7 @@ def _write(
 
 
 def _write_case(case: ElementaryCase, share: float) -> tuple[Fraction, str]:
-    theorem = case.state(_round_up(case.bound * share))
+    theorem = case.state(Fraction(round_digits(case.bound * share, ROUND_CEILING)))
     text = write_bound_script(case.name, theorem, case.enclosure)
     compare_bound_script(text, theorem, case.enclosure)
     return theorem.bound, text
@@ -134,5 +134,6 @@ def _name_file(number: int, name: str) -> str:
     return f"bound_{number}_{re.sub(r'[^a-z0-9]+', '_', name.lower())[:40]}.v"
 
 
-def _round_up(number: float) -> Fraction:
-    return Fraction(Context(prec=DIGITS, rounding=ROUND_CEILING).create_decimal(Decimal(number)))
+def round_digits(number: float, rounding: str) -> Decimal:
+    """Round a bound to the digits it is told with; `rounding` is one of the modes of `decimal`."""
+    return Context(prec=DIGITS, rounding=rounding).create_decimal(Decimal(number))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from decimal import ROUND_CEILING, ROUND_FLOOR
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,7 +18,7 @@ from typing import Any
 from mechproof.arithmetic.largest import bound_largest
 from mechproof.comparison import fptaylor, gappa
 from mechproof.coq import checker
-from mechproof.pipeline.bound_scripts import prove_in_coq
+from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq, round_digits
 from mechproof.pipeline.bounding import PARTS, TOLERANCE, Bounding
 from mechproof.roundoff.boxed import Convention, put_in_box
 from mechproof.roundoff.boxed_worst import find_worst_input
@@ -44,9 +45,9 @@ errors in doubles of programs of [FPBench](fpbench/benchmarks.fpcore), as they a
 by Gappa and FPTaylor, which are run on the same steps with the same conventions (Gappa plainly and
 with the box cut into some 256 parts, of which the better bound counts). *Coq* is the lowest of some
 multiples of our bound that Coq proves, as with `--coq FOLDER`. What is *cited* is the lowest bound
-that others publish. *found* is the error at the worst input that a search of fixed budget found. A
-dash means: none, not run, or not published. Functions are taken as rounded to nearest, as FPTaylor
-takes them.
+that others publish. *found* is the error at the worst input that a search of fixed budget found.
+What is proved is rounded up, what is found down. A dash means: none, not run, or not published.
+Functions are taken as rounded to nearest, as FPTaylor takes them.
 """
 
 
@@ -141,9 +142,10 @@ def _write_table(head: str, rows: Sequence[Compared]) -> Iterator[str]:
         run = _write_ratio(row.proved / min(others)) if others else "-"
         told = f"{cited[0]:.3g} ({cited[1]})" if cited else "-"
         share = _write_ratio(row.proved / cited[0]) if cited else "-"
-        found = (row.proved, row.coq, row.found, row.gappa, row.fptaylor)
-        bounds = ("-" if bound is None else f"{bound:.4g}" for bound in found)
-        yield f"| {row.name} | {' | '.join(bounds)} | {run} | {told} | {share} |"
+        proved = float(round_digits(row.proved, ROUND_CEILING))
+        found = None if row.found is None else float(round_digits(row.found, ROUND_FLOOR))
+        bounds = map(_write, (proved, row.coq, found, row.gappa, row.fptaylor))
+        yield f"| {' | '.join((row.name, *bounds, run, told, share))} |"
     yield ""
     yield _count(rows)
     yield ""
@@ -161,6 +163,10 @@ def _count(rows: Sequence[Compared]) -> str:
         f"{NEAR_CITED} of the best. Gappa proves {sum(r <= NEAR for r in also)} within {NEAR} of "
         f"ours, Coq {sum(r <= NEAR for r in checked)} of the {len(checked)} that it proves."
     )
+
+
+def _write(bound: float | None) -> str:
+    return "-" if bound is None else f"{bound:.{DIGITS}g}"
 
 
 def _write_ratio(ratio: float) -> str:
