@@ -17,6 +17,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.coq.terms import Names, UnwritableError, write_term
+from mechproof.record.parts import find_free
 
 # A shorter term is written where it stands.
 _SHORTEST = 30
@@ -72,7 +73,7 @@ class _Parts:
             return
         for part in node.args:
             self.visit(part)
-        if isinstance(node, sp.Expr) and not is_inverse and not node.free_symbols:
+        if isinstance(node, sp.Expr) and not is_inverse and not find_free(node):
             self.order.append(node)
 
 

@@ -98,18 +98,24 @@ def list_needs(expression: sp.Basic) -> list[sp.Basic]:
 
 def list_integrals(expression: sp.Basic) -> list[sp.Integral]:
     """List the integrals of an expression, each once."""
-    found = (node for node in _list_outside(expression) if isinstance(node, sp.Integral))
-    return list(dict.fromkeys(found))
+    return [node for node in _list_outside(expression) if isinstance(node, sp.Integral)]
 
 
-def _list_outside(expression: sp.Basic) -> Iterator[sp.Basic]:
-    """Yield the parts of an expression from below, of integrals the limits alone."""
-    parts = expression.args
-    if isinstance(expression, sp.Integral):
-        parts = tuple(limit for limits in expression.limits for limit in limits[1:])
-    for part in parts:
-        yield from _list_outside(part)
-    yield expression
+def _list_outside(expression: sp.Basic) -> list[sp.Basic]:
+    """List the parts of an expression from below, each once, of integrals the limits alone."""
+    found: dict[sp.Basic, None] = {}
+
+    def visit(node: sp.Basic) -> None:
+        parts = node.args
+        if isinstance(node, sp.Integral):
+            parts = tuple(limit for limits in node.limits for limit in limits[1:])
+        for part in parts:
+            if part not in found:
+                visit(part)
+        found[node] = None
+
+    visit(expression)
+    return [*found]
 
 
 def _need(node: sp.Basic) -> Iterator[sp.Basic]:
