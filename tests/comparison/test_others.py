@@ -90,12 +90,13 @@ def test_pages_have_a_row_for_each_program(tmp_path: Path, monkeypatch: pytest.M
 def test_pages_have_what_coq_proves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for other in (gappa, fptaylor):
         monkeypatch.setattr(other, "is_installed", lambda: False)
+    monkeypatch.delitem(HEADS, "rounded")
     file = tmp_path / "one.fpcore"
     file.write_text('(FPCore (x) :name "one" :pre (<= 1 x 7/4) (/ x 3))', encoding="utf-8")
     page = compare(read_boundings(file), tmp_path / "cited.json")
-    for proved, coq in re.findall(r"^\| one \| ([\d.e-]+) \| ([\d.e-]+) \|", page, re.M):
-        assert float(proved) <= float(coq) <= 1.02 * float(proved)
-    assert page.count("Coq 1 of the 1 that it proves.") == len(HEADS)
+    ((proved, coq),) = re.findall(r"^\| one \| ([\d.e-]+) \| ([\d.e-]+) \|", page, re.M)
+    assert float(proved) <= float(coq) <= 1.02 * float(proved)
+    assert "Coq 1 of the 1 that it proves." in page
 
 
 def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:
