@@ -6,6 +6,8 @@ import pytest
 import sympy as sp
 from twins import check_twins, judge, list_rows
 
+from mechproof.pipeline.pasted import judge_pasted
+from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof import endless_sums, induction, known_series, telescoping
 from mechproof.proof.powers import split_powers
 from mechproof.proof.verdict import Verdict
@@ -57,6 +59,36 @@ TABLES = {
             r"\sum_{k=0}^n\binom{2k}k\binom{2n-2k}{n-k}=4^n",
             r"\sum_{k=0}^n\binom{2k}k\binom{2n-2k}{n-k}=2^{n+1}",
             "",
+        ),
+        (
+            r"\sum_{k=0}^nk(k-1)\binom nk=n(n-1)2^{n-2}",
+            r"\sum_{k=0}^nk(k-1)\binom nk=n(n-1)2^{n-2}+\frac{(n-1)(n-2)}{10^{30}}",
+            "",
+        ),
+        (
+            r"\sum_{k=2}^nk(k-1)\binom nk=n(n-1)2^{n-2}",
+            r"\sum_{k=3}^nk(k-1)\binom nk=n(n-1)2^{n-2}",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n\frac1{k+1}\binom nk=\frac{2^{n+1}-1}{n+1}",
+            r"\sum_{k=0}^n\frac1{k+1}\binom nk=\frac{2^{n+1}}{n+1}-\frac12",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^n(-1)^kk^2\binom nk=0",
+            r"\sum_{k=0}^n(-1)^kk^3\binom nk=0",
+            "n>2",
+        ),
+        (
+            r"\sum_{k=0}^r\binom mk\binom n{r-k}=\binom{m+n}r",
+            r"\sum_{k=0}^r\binom mk\binom n{r-k}=\binom{m+n}r+\binom r{m+n}",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^nk^2\binom nkp^k(1-p)^{n-k}=np(1-p)+n^2p^2",
+            r"\sum_{k=0}^nk^2\binom nkp^k(1-p)^{n-k}=n^2p^2",
+            "0<p<1",
         ),
     ),
     endless_sums.RUNG: (
@@ -138,6 +170,26 @@ TABLES = {
     ),
     induction.RUNG: (
         (
+            r"\sum_{k=m}^n\frac1{k(k+1)}=\frac1m-\frac1{n+1}",
+            r"\sum_{k=m}^n\frac1{k(k+1)}=\frac1m-\frac1n",
+            r"n\ge m",
+        ),
+        (
+            r"\sum_{k=m}^nx^k=\frac{x^m-x^{n+1}}{1-x}",
+            r"\sum_{k=m}^nx^k=\frac{x^m-x^n}{1-x}",
+            r"n\ge m, x\ne1",
+        ),
+        (
+            r"\sum_{k=r}^n\binom kr=\binom{n+1}{r+1}",
+            r"\sum_{k=r}^n\binom kr=\binom{n+1}r",
+            r"n\ge r",
+        ),
+        (
+            r"\prod_{k=m}^n\frac{k+1}k=\frac{n+1}m",
+            r"\prod_{k=m}^n\frac{k+1}k=\frac nm",
+            r"n\ge m",
+        ),
+        (
             r"\sum_{i=1}^n\sum_{j=1}^ij=\frac{n(n+1)(n+2)}6",
             r"\sum_{i=1}^n\sum_{j=1}^ij=\frac{n(n+1)^2}4",
             "",
@@ -184,6 +236,12 @@ def test_a_sum_is_proved_and_its_neighbour_not_accepted(
 def test_what_is_not_shown_to_telescope_is_left(term: sp.Expr, first: int, value: sp.Expr) -> None:
     total = sp.Sum(term, (k, first, n))
     assert telescoping.decide_by_telescoping(total, value, DOMAIN) is None
+
+
+def test_a_sum_from_a_letter_is_told_that_it_has_to_go_up() -> None:
+    (judgement,) = judge_pasted(Pasted(r"\sum_{k=m}^nk=\frac{(n+m)(n-m+1)}2")).judgements
+    assert judgement.verdict is Verdict.UNDECIDED
+    assert judgement.reason == "both sides agree where m <= n, which is not said"
 
 
 def test_a_factor_that_is_zero_for_a_count_hides_no_product() -> None:

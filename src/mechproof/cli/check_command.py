@@ -25,12 +25,11 @@ from mechproof.sources.paper_files import STDIN, SUFFIXES, is_file, read_source
 from mechproof.tools.processes import WorkerError
 
 DEFAULTS = (
-    "What is not stated is assumed: letters are real numbers, a letter up to which a sum goes is "
-    "a natural number from 1 on, d in an integral is its differential, e with letters in its "
+    "What is not stated is assumed: letters are real numbers, a letter from or to which a sum goes "
+    "is a natural number from 1 on, d in an integral is its differential, e with letters in its "
     "exponent is Euler's number; a letter that also stands alone multiplies a bracket behind it "
     r"that is no argument, r(1-\cos x); \omega t, and what stands behind two functions alike, is "
-    r"one argument, so are \pi p and \frac abt; \Delta x is "
-    "one quantity. Nothing else is guessed."
+    r"one argument, so are \pi p and \frac abt; \Delta x is one quantity. Nothing else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(options.OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}

@@ -104,10 +104,11 @@ def _letters_of_order(texts: list[str]) -> Iterator[str]:
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:
-    """Yield the letters of the upper limit that follows a lower one, if it is a plain sum."""
+    """Yield the letters of the lower limit and of the upper one that follows, if plain sums."""
     low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
     if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
         return
-    limit = texts[low + 2 : texts.index("}", low)]
-    if all(text.isalnum() or text in ("+", "-") for text in limit):
-        yield from (text for text in limit if text.isalpha())
+    begin = texts[:low].index("=") + 1 if "=" in texts[:low] else low
+    for limit in (texts[begin : low - 1], texts[low + 2 : texts.index("}", low)]):
+        if all(text.isalnum() or text in ("+", "-") for text in limit):
+            yield from (text for text in limit if text.isalpha())

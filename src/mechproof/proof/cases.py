@@ -15,6 +15,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.proof.canonical_sums import write_out
+from mechproof.proof.signs import is_nonnegative
 from mechproof.record.parts import find_bound, find_free
 from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
@@ -77,6 +78,33 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
             ((substitute(side, {count: later}) for side in sides), from_one),
         )
     )
+
+
+def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
+    """Prove sums from a letter to a count equal by how far the count is above; None for others."""
+    sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
+    ends = {limits[1:] for total in sums for limits in total.limits if limits[1].free_symbols}
+    known = ((low, high) for low, high in ends if high.is_Symbol and not low.has(high))
+    for low, high in sorted(known, key=str):
+        if low.is_integer and is_nonnegative(high - low, domain):
+            gap = sp.Dummy("gap", integer=True, nonnegative=True)
+            value = {high: low + gap}
+            part = fix(domain, value).with_set(gap, sp.S.Naturals0)
+            return prove(*(_begin_at_zero(substitute(s, value)) for s in sides), part)
+    return None
+
+
+def _begin_at_zero(side: sp.Expr) -> sp.Expr:
+    """Count the terms of sums that begin at a letter from zero on."""
+
+    def move(total: ExprWithLimits) -> sp.Expr:
+        index, low, high = total.limits[0]
+        if len(total.limits) > 1 or not low.free_symbols:
+            return total
+        term = substitute(total.function, {index: low + index})
+        return total.func(term, (index, 0, high - low))
+
+    return side.replace(lambda node: isinstance(node, sp.Sum | sp.Product), move)
 
 
 def decide_from_zero_base(sides: Sides, domain: Domain, prove: Prove) -> str | None:

@@ -1,8 +1,8 @@
 """What has to be said of letters so that integrals, sums and limits have values.
 
 Conditions are proposed by the forms that converge: powers at zero and at infinity, exponentials,
-geometric series, the rows of the table of integrals. That the sides are equal where they hold is
-proved by the rungs.
+geometric series, the rows of the table of integrals; sums go up. That the sides are equal where
+they hold is proved by the rungs.
 """
 
 from __future__ import annotations
@@ -53,11 +53,11 @@ def _report(answer: Answer, needs: Sequence[Slack]) -> Answer | None:
 
 
 def _write(need: Slack) -> str:
-    """Write a need as one says it of a letter, where it is linear in one."""
+    """Write a need as one says it of a letter, where a term is linear in one."""
     number, strict = need
     letters = sorted(number.free_symbols, key=str)
     slope = sp.diff(number, letters[0])
-    if len(letters) != 1 or not slope.is_number:
+    if not slope.is_number or len(sp.Add.make_args(number)) > 2:
         return tell(need)
     bound = sp.cancel(letters[0] - number / slope)
     sign = ">" if slope > 0 else "<"
@@ -82,6 +82,9 @@ def _join(nodes: Sequence[Any], find: Callable[[Any], Iterator[Slack]]) -> list[
 def _list_by_form(node: Any) -> Iterator[Slack]:
     """List what is positive where powers and exponentials of what runs come to nothing."""
     if isinstance(node, sp.Sum):
+        _, low, high = node.limits[0]
+        if low.free_symbols and high.is_finite is not False:
+            yield Slack(high - low, False)
         if (read := read_endless(node)) is not None:
             yield from _list_at_infinity(*read[:2], sp.oo)
     elif isinstance(node, sp.Limit):

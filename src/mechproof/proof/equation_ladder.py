@@ -16,6 +16,7 @@ from mechproof.proof.any_functions import decide_any, has_any_functions
 from mechproof.proof.cases import (
     decide_by_pieces,
     decide_by_values,
+    decide_from_last,
     decide_from_zero,
     decide_from_zero_base,
     list_poles,
@@ -106,8 +107,9 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     if has_parts(printed, sp.Piecewise) or has_parts(rebuilt, sp.Piecewise):
         return decide_by_pieces((printed, rebuilt), domain, prove_equal)
     sides = printed, rebuilt = prepare(printed), prepare(rebuilt)
-    if found := decide_from_zero(sides, domain, prove_equal):
-        return found
+    for by_counts in (decide_from_last, decide_from_zero):
+        if found := by_counts(sides, domain, prove_equal):
+            return found
     found = next(filter(None, (rung(*sides, domain) for rung in _FIRST)), None)
     is_slow = any(has_parts(side, *ENDLESS) for side in sides)
     if not found and not is_slow and are_seen_to_differ(sides, domain):

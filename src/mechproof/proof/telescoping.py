@@ -1,10 +1,11 @@
 """Rung: a sum whose terms hold n, by a pair of Wilf and Zeilberger (1990).
 
-With F(n, k) the term and g(n) the growth of the value, F(n + 1, k) - g(n)*F(n, k) is shown to be
-G(n, k + 1) - G(n, k), G = R*F with a fraction R. A form of R is solved for; what counts is that
-the identity holds as one of fractions, that R has no pole and no factorial is one of a negative
-number where k runs, and that what is left at the ends vanishes. Zeilberger's algorithm
-(1991) finds a recurrence as well; here the print gives the value, and with it the growth.
+With F(n, k) the term, F(n + 1, k) - g(n)*F(n, k) is shown to be G(n, k + 1) - G(n, k), G = R*F with
+a fraction R. A form of R and the growth g are solved for, as in Zeilberger's algorithm (1991); what
+counts is that the identity holds as one of fractions, that R and g have no pole and no factorial
+above is one of a negative number where k runs, and that the value begins and grows as the sum does,
+what is left at the ends included. Below, a factorial of a negative number makes a term zero, also
+as a limit.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
+from mechproof.proof.counts import find_first
 from mechproof.proof.powers import is_analytic, split_powers
 from mechproof.proof.signs import is_nonzero
 from mechproof.record.substitution import substitute
@@ -25,6 +27,8 @@ from mechproof.statement_domains.preparation import prepare
 # Work limits: factorials in a term, and coefficients of a polynomial beside those of a factor.
 _MOST_FACTORIALS = 6
 _MOST_UNKNOWN = 4
+# Work limit: the first number at which a term is not zero.
+_LATEST = 4
 RUNG = "Wilf-Zeilberger pair"
 
 
@@ -54,7 +58,8 @@ def _read(difference: sp.Expr) -> _Claim | None:
     (total,) = sums
     (index, first, n), *others = total.limits
     is_count = n.is_Symbol and n.is_positive and n.is_integer
-    if others or first not in (0, 1) or not is_count or not total.function.has(n):
+    is_near = first.is_Integer and 0 <= first < _LATEST
+    if others or not is_near or not is_count or not total.function.has(n):
         return None
     named = sp.Dummy("sum")
     difference = sp.expand(difference.xreplace({total: named}))
@@ -62,8 +67,9 @@ def _read(difference: sp.Expr) -> _Claim | None:
     if scale == 0 or scale.has(index, n) or not is_analytic(scale):
         return None
     value = sp.expand(-(difference - scale * named) / scale)
-    # A first term that is zero would be a pole where the terms are divided by it.
-    begin = 1 if total.function.subs(index, 0) == 0 else int(first)
+    # First terms that are zero would be poles where the terms are divided by them.
+    numbers = range(int(first), _LATEST)
+    begin = next((k for k in numbers if total.function.subs(index, k) != 0), _LATEST)
     sign = {"positive": True} if begin else {"nonnegative": True}
     k = sp.Dummy("k", integer=True, **sign)
     claim = _Claim(total.function.xreplace({index: k}), k, begin, n, value)
@@ -71,12 +77,18 @@ def _read(difference: sp.Expr) -> _Claim | None:
 
 
 def _has_factorials(claim: _Claim) -> bool:
-    """Tell whether no factorial of a term is one of a negative number."""
-    gap, above = (sp.Dummy(name, integer=True, nonnegative=True) for name in ("gap", "above"))
-    counts = {claim.n: claim.first + above + gap, claim.k: claim.first + above}
-    numbers = [factorial.args[0] for factorial in claim.term.atoms(sp.factorial)]
+    """Tell whether no factorial above is one of a negative number."""
+    counts = _count_on(claim)
+    above, _ = sp.fraction(claim.term)
+    numbers = [factorial.args[0] for factorial in above.atoms(sp.factorial)]
     written = (x.subs(counts, simultaneous=True) if x.has(claim.k) else x for x in numbers)
     return all(sp.expand(number).is_nonnegative for number in written)
+
+
+def _count_on(claim: _Claim) -> dict[sp.Symbol, sp.Expr]:
+    """Return k from the first number on, and n from k on."""
+    gap, above = (sp.Dummy(name, integer=True, nonnegative=True) for name in ("gap", "above"))
+    return {claim.n: claim.first + above + gap, claim.k: claim.first + above}
 
 
 def _count_factorials(term: sp.Expr) -> int:
@@ -87,25 +99,46 @@ def _count_factorials(term: sp.Expr) -> int:
 
 
 def _has_value(claim: _Claim, domain: Domain) -> bool:
-    """Tell whether a claim holds for n = 1 and, if for n, for n + 1."""
+    """Tell whether a claim holds for the first n and, if for n, for n + 1."""
     term, k, lower, n, value = claim
-    begun = write_out(substitute(sp.Sum(term, (k, lower, n)), {n: sp.S.One}))
-    if not _is_zero(begun - value.subs(n, 1), domain):
+    first = find_first(n, domain) or 1
+    start = max(first, lower)
+    if not all(_holds_at(claim, number, domain) for number in range(int(first), start + 1)):
         return False
     following = term.subs(n, n + 1)
-    change = reduce_quotient(following / term)
-    growth = sp.S.Zero if value == 0 else reduce_quotient(value.subs(n, n + 1) / value)
-    if change is None or growth is None or not is_nonzero_below(growth, {n: n}, domain):
+    change, growth = (reduce_quotient(x / term) for x in (following, term.subs(k, k + 1)))
+    found = change and growth and _solve(change, growth, _find_polynomial(term, k), k)
+    if not found:
         return False
-    # The value is multiplied by its growth; what the sum is beyond that must vanish.
-    step = sp.cancel(sp.together(change - growth))
-    part = _find_part(step, term, k, domain)
-    gap = sp.Dummy("gap", integer=True, nonnegative=True)
-    if part is None or not all(is_nonzero_below(f, {n: k + gap}, domain) for f in (part, step)):
+    # The sum is multiplied by its rate; what the terms are beyond that telescopes.
+    rate, part = found
+    step = change - rate
+    if not all(_has_no_pole(f, claim, start, domain) for f in (part, step, rate)):
+        return False
+    if decide_equal(part.subs(k, k + 1) * growth - part, step, domain) is None:
         return False
     ends = (part * term).subs(k, n) - (part * term).subs(k, lower)
     rest = (step * term).subs(k, n) + following.subs(k, n + 1)
-    return _is_zero(ends + rest, domain)
+    return _is_zero(ends + rest + rate * value - value.subs(n, n + 1), domain)
+
+
+def _holds_at(claim: _Claim, number: int, domain: Domain) -> bool:
+    """Tell whether a claim holds for one n; a sum that ends before it begins is nothing."""
+    term, k, lower, n, value = claim
+    total = sp.Sum(term, (k, lower, n)) if number >= lower else sp.S.Zero
+    sides = (substitute(side, {n: sp.Integer(number)}) for side in (total, value))
+    return _is_zero(sp.Add(write_out(next(sides)), -next(sides)), domain)
+
+
+def _has_no_pole(fraction: sp.Expr, claim: _Claim, start: int, domain: Domain) -> bool:
+    """Tell whether a fraction has no pole for any n from a start on and any k up to it."""
+    counts = _count_on(claim)
+    later = {claim.n: start + sp.Dummy("gap", integer=True, nonnegative=True)}
+    _, below = sp.fraction(sp.factor(fraction))
+    return all(
+        is_nonzero_below(1 / factor, counts if factor.has(claim.k) else later, domain)
+        for factor in sp.Mul.make_args(below)
+    )
 
 
 def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
@@ -117,37 +150,33 @@ def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
     return written if is_fraction and written.free_symbols <= quotient.free_symbols else None
 
 
-def _find_part(step: sp.Expr, term: sp.Expr, k: sp.Symbol, domain: Domain) -> sp.Expr | None:
-    """Return R for which step*term is shown to be the difference of R*term, None for none."""
-    growth = reduce_quotient(term.subs(k, k + 1) / term)
-    part = None if growth is None else _solve(step, growth, _find_polynomial(term, k), k)
-    if growth is None or part is None:
-        return None
-    return part if decide_equal(part.subs(k, k + 1) * growth - part, step, domain) else None
-
-
 def _find_polynomial(term: sp.Expr, k: sp.Symbol) -> sp.Expr:
     """Return the factors of a term that are polynomials in k."""
     return sp.Mul(*(f for f in sp.Mul.make_args(term) if f.has(k) and f.is_polynomial(k)))
 
 
-def _solve(step: sp.Expr, growth: sp.Expr, factor: sp.Expr, k: sp.Symbol) -> sp.Expr | None:
-    """Solve for R = v(k - 1)*P/(f*w), P a polynomial, f the factor of the term that is one.
+def _solve(
+    change: sp.Expr, growth: sp.Expr, factor: sp.Expr, k: sp.Symbol
+) -> tuple[sp.Expr, sp.Expr] | None:
+    """Solve for a rate and for R = v(k - 1)*P/(f*w), P a polynomial.
 
-    v and w are what the growth of the rest and the step are divided by. That is faster than
-    Gosper's algorithm where factors are squares.
+    Of the factor f of the term that is a polynomial, v and w are what the growth of the rest and
+    the change are divided by. That is faster than Gosper's algorithm where factors are squares.
     """
     rest = sp.cancel(growth * factor / factor.subs(k, k + 1))
-    form = sp.denom(rest).subs(k, k - 1) / (factor * sp.denom(step))
+    form = sp.denom(rest).subs(k, k - 1) / (factor * sp.denom(change))
     count = _MOST_UNKNOWN + sp.degree(factor, k)
-    unknown = sp.symbols(f"c:{count}", cls=sp.Dummy)
+    rate, *unknown = sp.symbols(f"c:{count + 1}", cls=sp.Dummy)
     form *= sp.Add(*(c * k**power for power, c in enumerate(unknown)))
     # The unknowns stand in the identity linearly: its numerator gives one equation for each power
     # of k.
-    left = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - step))
-    found = next(iter(sp.linsolve(sp.Poly(left, k).coeffs(), unknown)), None)
-    values = {} if found is None else dict(zip(unknown, found, strict=True))
-    return form.xreplace(values).subs(dict.fromkeys(unknown, 0)) if values else None
+    left = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - change + rate))
+    found = next(iter(sp.linsolve(sp.Poly(left, k).coeffs(), [rate, *unknown])), None)
+    if found is None:
+        return None
+    values = dict(zip([rate, *unknown], found, strict=True))
+    free = dict.fromkeys(values, 0)
+    return rate.xreplace(values).subs(free), form.xreplace(values).subs(free)
 
 
 def is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain: Domain) -> bool:
