@@ -217,6 +217,11 @@ DIVERGENT = [
     (r"\int_{-a}^a\frac{dx}x=0", ("a>0",)),
     (r"\int_0^{2a}\frac{dx}{x-a}=0", ("a<0",)),
     (r"\int_{-1}^1\frac{dx}x=0", ()),
+    (r"\int_{-a}^a\frac{dx}{x^2}=-\frac2a", ()),
+    (r"\int_{-a}^{2a}\frac{dx}x=\ln2", ()),
+    (r"\int_{-a}^a\frac{\cos x}xdx=0", ("a>0",)),
+    (r"\int_0^\infty\frac{\cos x}xdx=0", ()),
+    (r"\int_2^\infty\frac{dx}{\ln x}=4", ()),
     (r"\int_0^\pi\tan x\,dx=0", ()),
     (r"\int_0^2\frac x{x^2-1}dx=\frac12\ln3", ()),
     (r"\int_0^1\left(\frac1x-\frac1{1-x}\right)dx=0", ()),
@@ -237,8 +242,6 @@ DIVERGENT = [
 OPEN = [
     # Known integrals with letters for which they have no value, or another one.
     (r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
-    (r"\int_0^\infty\frac{\cos ax}{1+x^2}\,dx=\frac\pi2e^{-a}", ()),
-    (r"\int_0^\infty\frac{x\sin ax}{1+x^2}\,dx=\frac\pi2e^{-a}", (r"a\ge0",)),
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),
     (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=\frac\pi2\ln\frac a2", ()),
     (r"\int_0^\infty\frac{\ln x}{a^2+x^2}dx=\frac{\pi\ln a}{2a}", ()),
@@ -248,12 +251,13 @@ OPEN = [
     (r"\int_{-1}^1\frac{dx}x=\int_{-2}^2\frac{dx}x", ()),
     (r"\int_{-1}^1\frac{dx}{\sqrt[3]x}=0", ()),
     (r"\int_0^a\frac{dx}x=0", ()),
+    (r"\int_{-a}^a\frac{\cos x}xdx=0", ()),
+    (r"\int_0^1\frac{\sin^2\frac1x}xdx=1", ()),
     (r"\int_0^\infty\cos ax\,dx=0", ()),
     (r"\sum_{k=0}^\infty q^k=\frac1{1-q}", (r"q\le0",)),
     (r"\lim_{n\to\infty}\sin2\pi n=0", ()),
     (r"\lim_{x\to\infty}(\sin^2x+\cos^2x)=1", ()),
     (r"\int_0^1\frac{dx}x-\int_0^1\frac{dx}x=0", ()),
-    (r"\int_0^\infty\frac{\cos x}xdx=0", ()),
     (r"\lim_{x\to0}\frac1x=\infty", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n-k}=0", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^{2n}\frac1{n+k}=\ln2", ()),
@@ -336,6 +340,19 @@ def test_where_it_converges_is_told(latex: str, true: str, needed: str, wrong: s
     ],
 )
 def test_a_sum_in_a_logarithm_is_no_product(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("latex", "where"),
+    [
+        (r"\int_0^\infty\frac{\cos ax}{1+x^2}\,dx=\frac\pi2e^{-a}", ()),
+        (r"\int_0^\infty\frac{x\sin ax}{1+x^2}\,dx=\frac\pi2e^{-a}", (r"a\ge0",)),
+    ],
+)
+def test_a_known_integral_has_its_own_value_for_other_letters(
+    latex: str, where: tuple[str, ...]
+) -> None:
     assert judge(latex, where) is Verdict.REFUTED
 
 

@@ -13,11 +13,12 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
-from mechproof.proof.improper import is_improper, is_iterated
+from mechproof.proof.improper import find_residue, is_improper, is_iterated
 from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivatives
 from mechproof.proof.refutation import FEW, has_value, points_for
 from mechproof.proof.signs import is_nonzero, is_positive
@@ -48,8 +49,28 @@ def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
     node = min(nodes, key=sp.default_sort_key)
     if len(nodes) > 1 or not _is_term(node, endless[0], domain):
         return ""
-    told = _RULES[type(node)](node, domain)
-    return f"{_NAMES[type(node)]} does not converge: {told}" if told else ""
+    claimed = next(s for s in sides if s is not endless[0]) - endless[0].xreplace({node: sp.S.Zero})
+    parts = _list_parts(node, claimed, domain) if isinstance(node, sp.Integral) else [domain]
+    told = [_RULES[type(node)](node, part) for part in parts]
+    return f"{_NAMES[type(node)]} does not converge: {told[0]}" if told and all(told) else ""
+
+
+def _list_parts(integral: sp.Integral, claimed: sp.Expr, domain: Domain) -> list[Domain]:
+    """List where the one limit is above the other, and below.
+
+    Between limits that are the same an integral is zero: all is one part unless that is not
+    claimed there.
+    """
+    low, high = integral.limits[0][1:] if len(integral.limits[0]) == 3 else (sp.S.Zero, sp.oo)
+    length = high - low
+    letters = [s for s in sorted(length.free_symbols, key=str) if sp.diff(length, s).is_number]
+    if not letters or is_nonzero(length, domain):
+        return [domain]
+    there = claimed.subs(letters[0], sp.cancel(letters[0] - length / sp.diff(length, letters[0])))
+    if not (there.has(sp.zoo, sp.nan, sp.oo) or is_nonzero(there, domain)):
+        return [domain]
+    parts = (narrow(domain, relation) for relation in (length > 0, length < 0))
+    return [part for part in parts if part is not None]
 
 
 def lack_values_alike(sides: Sequence[sp.Expr], domain: Domain) -> bool:
@@ -99,7 +120,7 @@ def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
     if is_iterated(integral) or len(integral.limits[0]) < 3:
         return ""
     variable, low, high = integral.limits[0]
-    if (low > high) == sp.true:
+    if (low > high) == sp.true or is_positive(low - high, domain):
         integral = sp.Integral(integral.function, (variable, high, low))
     if not is_improper(integral):
         return ""
@@ -110,8 +131,14 @@ def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
 
 
 def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
-    """Say at which end an antiderivative is infinite, or swings."""
+    """Say at which end an integrand is like 1/x, or an antiderivative is infinite or swings."""
     variable, *limits = piece.limits[0]
+    for place, side in zip(limits, (1, -1), strict=True):
+        if find_residue(piece.function, variable, place, side, domain) is not None:
+            x = sp.Symbol(variable.name.strip("_"))
+            slow = 1 / (x if place.is_infinite else x - place)
+            where = f"as {x} comes to {write_value(place)}"
+            return f"its integrand is no less than a multiple of {slow} {where}"
     for candidate, run in list_antiderivatives(piece, domain):
         values = find_ends(candidate, variable, run, domain)
         for place, end, value in zip(limits, (run.start, run.end), values, strict=True):

@@ -235,7 +235,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         reason = f"both sides agree where {needed}, which is not said"
         return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
-    if example := comparison.counterexample or find_counterexample(sides, domain):
+    if example := comparison.counterexample or find_counterexample(sides, domain, settle_sides):
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
         return Answer(Verdict.REFUTED, BALLS, reason, (example,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)

@@ -5,6 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof.coordinates import parametrise, write_by_sines
+from mechproof.proof.growth import find_limit
+from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.statement_domains.domain import Domain
 
 _MOST_ZEROS = 12
 
@@ -55,6 +58,29 @@ def list_poles(
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
     poles = {zero for base in bases for zero in list_zeros_between(base, variable, *ends)}
     return [place.subs(variable, pole) for pole in sorted(poles, key=sp.N)]
+
+
+def changes_sign_at_pole(integral: sp.Integral, place: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an integrand is infinite like 1/x or more so, its signs unlike about a pole."""
+    integrand, (variable, *_) = integral.args
+    sides = [find_residue(integrand, variable, place, side, domain) for side in (1, -1)]
+    if None in sides:
+        return False
+    signs = [sp.sign(side) for side in sides]
+    return is_positive(signs[0] * signs[1], domain)
+
+
+def find_residue(
+    integrand: sp.Expr, variable: sp.Symbol, place: sp.Expr, side: int, domain: Domain
+) -> sp.Expr | None:
+    """Return c if the integrand is like c/(x - place) from a side, or like c/x far out.
+
+    It is infinite for what grows faster; None where nothing is shown, or there is no such c but 0.
+    """
+    distance = variable if place.is_infinite else variable - place
+    limit = find_limit(write_by_sines(integrand) * distance, variable, place, side, domain)
+    is_met = limit is not None and (limit.is_infinite or is_nonzero(limit, domain))
+    return limit if is_met else None
 
 
 def list_zeros_between(

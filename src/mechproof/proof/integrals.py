@@ -23,6 +23,7 @@ from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.improper import (
+    changes_sign_at_pole,
     has_power_of_zero,
     is_improper,
     is_iterated,
@@ -77,12 +78,16 @@ def _turn(integral: sp.Integral) -> sp.Integral:
     return min((integral, sp.Integral(other, *integral.limits)), key=sp.default_sort_key)
 
 
-def find_counterexample(sides: Sequence[sp.Expr], domain: Domain) -> Evidence | None:
+def find_counterexample(
+    sides: Sequence[sp.Expr],
+    domain: Domain,
+    settle: Callable[[Sequence[sp.Expr], Domain], tuple[tuple[sp.Expr, ...], list[str]]],
+) -> Evidence | None:
     """Return a point at which improper integrals with letters are worked out, and sides differ."""
     if not any(is_improper(node) and node.free_symbols for node in list_free(*sides)):
         return None
     for point in points_for((*sides,), domain, _FEWEST):
-        values = [settle_improper(substitute(side, point), domain) for side in sides]
+        values, _ = settle([substitute(side, point) for side in sides], domain)
         if any(value.has(sp.Integral) or value.free_symbols for value in values):
             return None
         one, other = (balls.evaluate(value, {}, _PRECISION) for value in values)
@@ -142,6 +147,8 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     elif written != integrand:
         return _find_value(sp.Integral(written, *integral.limits), domain)
     pieces = cut_at_poles(integral)
+    if any(changes_sign_at_pole(integral, piece.limits[0][2], domain) for piece in pieces[:-1]):
+        return None
     found = _add_up([_find_by_antiderivative(piece, domain) for piece in pieces])
     return _find_from_both_ends(integral, domain) if found is None else found
 

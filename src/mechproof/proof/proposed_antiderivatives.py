@@ -6,7 +6,7 @@ One by tan(x/2) jumps at odd multiples of pi; its arctangent is written without 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple
@@ -23,8 +23,6 @@ from mechproof.statement_domains.domain import Domain
 
 # Work limit: a power of the variable by which waves are divided.
 _HIGHEST = 2
-# The same integral is asked for more than once, and SymPy may try its rules for long.
-_integrate = lru_cache(maxsize=64)(manualintegrate)
 _TANGENT = sp.Dummy("t", real=True)
 
 
@@ -35,8 +33,7 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
         for s in sorted(integrand.free_symbols - {variable}, key=str)
         if is_positive(s, domain)
     }
-    if (parts := _split_logarithm(integrand, variable)) and parts.rest.has(variable):
-        # There is no elementary one (Liouville), and SymPy would try its rules for long.
+    if _is_beyond(integrand, variable):
         return
     back = {positive: symbol for symbol, positive in told.items()}
     met: set[sp.Expr] = set()
@@ -46,6 +43,20 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
                 if candidate not in met:
                     met.add(candidate)
                     yield candidate
+
+
+def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
+    """Tell where there is no elementary antiderivative (Liouville), and SymPy would try for long.
+
+    So it is of powers divided by a logarithm: with x = e^t these are exponentials, divided by t.
+    """
+    parts = _split_logarithm(integrand, variable)
+    if parts is not None:
+        return bool(parts.rest.has(variable))
+    terms = sp.Add.make_args(sp.powsimp(sp.expand(integrand * sp.log(variable))))
+    powers = [term.as_independent(variable)[1] for term in terms]
+    divided = all(p == 1 or p.as_base_exp()[0] == variable for p in powers)
+    return divided and {*powers} != {1 / variable}
 
 
 class _Parts(NamedTuple):
@@ -98,13 +109,26 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     # These first: at some fractions SymPy tries its rules for long.
     at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
     for propose in (*at_first, _propose_by_rules, *by_others, _propose_in_parallel):
-        with suppress(PolynomialError, NotImplementedError):
-            yield from propose(integrand, variable)
+        yield from _list_proposed(propose, integrand, variable)
+
+
+# The same integral is asked for more than once, and some ways take long.
+@lru_cache(maxsize=256)
+def _list_proposed(
+    propose: Callable[[sp.Expr, sp.Symbol], Iterator[sp.Expr]],
+    integrand: sp.Expr,
+    variable: sp.Symbol,
+) -> tuple[sp.Expr, ...]:
+    """List what one way proposes, up to where SymPy gives up."""
+    found: list[sp.Expr] = []
+    with suppress(PolynomialError, NotImplementedError):
+        found += propose(integrand, variable)
+    return tuple(found)
 
 
 def _propose_by_rules(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate by SymPy's rules, those by which one integrates by hand."""
-    found = _close(_integrate(integrand, variable), sp.Integral(integrand, variable))
+    found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
 
@@ -246,13 +270,27 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
     waves = written.atoms(sp.sin, sp.cos)
     if waves and below.has(variable) and sp.degree(below, variable) > _HIGHEST:
         return
-    slopes = [-node.args[0] / variable**2 for node in integrand.atoms(sp.exp)]
-    hints = [sp.erf(sp.sqrt(a) * variable) for a in slopes if not a.has(variable)]
-    if below.has(variable):
-        hints += [sp.Si(wave.args[0]) for wave in sorted(waves, key=sp.default_sort_key)]
-    found = heurisch(sp.expand(written), variable, hints=hints)
-    if found is not None and not found.has(sp.Integral):
-        yield from _list_pieces(found)
+    whole = sp.S.Zero
+    for part in _part_by_functions(sp.expand(written), variable):
+        slopes = [-node.args[0] / variable**2 for node in part.atoms(sp.exp)]
+        hints = [sp.erf(sp.sqrt(a) * variable) for a in slopes if not a.has(variable)]
+        if below.has(variable):
+            waves = part.atoms(sp.sin, sp.cos)
+            hints += [sp.Si(wave.args[0]) for wave in sorted(waves, key=sp.default_sort_key)]
+        found = heurisch(part, variable, hints=hints)
+        if found is None or found.has(sp.Integral):
+            return
+        whole += found
+    yield from _list_pieces(whole)
+
+
+def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
+    """Part a sum by the waves and exponentials of its terms: none integrates that of another."""
+    terms: dict[frozenset[sp.Basic], list[sp.Expr]] = {}
+    for term in sp.Add.make_args(integrand):
+        functions = {f for f in term.atoms(sp.exp, sp.sin, sp.cos) if f.has(variable)}
+        terms.setdefault(frozenset(f.args[0] for f in functions), []).append(term)
+    return [sp.Add(*group) for group in terms.values()]
 
 
 def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
