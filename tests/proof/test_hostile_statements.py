@@ -294,7 +294,7 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
         "is zero is not shown",
     ),
     "break": (
-        Equality(Integral(sign(t), (t, 0, x)), x * sp.sign(x)),
+        Equality(Integral(sign(cos(t)), (t, 0, x)), asin(sin(x))),
         "was not shown to be continuous in x over the domain",
     ),
     "inequality": (

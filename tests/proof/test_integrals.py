@@ -83,6 +83,23 @@ TRUE = {
     ),
     "iterated, against the axis": (over(y, (y, 0, x), (x, 1, 0)), -sp.Rational(1, 6)),
     "odd": (integral(x**3 / (1 + x**4 + sp.cos(x)), -e, e), sp.S.Zero),
+    "odd, over the whole line": (integral(sp.sin(x) / (1 + x**2), -sp.oo, sp.oo), sp.S.Zero),
+    "a root that comes to zero": (integral(sp.sqrt(1 + sp.cos(2 * x)), 0, sp.pi), 2 * sp.sqrt(2)),
+    "a root of a sine": (integral(sp.sqrt(1 + sp.sin(x)), 0, sp.pi), sp.S(4)),
+    "over the pole of a logarithm": (integral(sp.log(sp.Abs(x)), -1, 1), sp.S(-2)),
+    "the larger number": (integral(sp.Max(x, 1), 0, 2), sp.Rational(5, 2)),
+    "the larger wave": (integral(sp.Max(sp.sin(x), sp.cos(x)), 0, sp.pi / 2), sp.sqrt(2)),
+    "by pieces": (
+        integral(sp.Piecewise((x**2, x < 1), (2 - x, True)), 0, 2),
+        sp.Rational(5, 6),
+    ),
+    "by pieces that meet at a letter": (
+        integral(sp.Piecewise((x, x < e), (e, True)), 0, 1),
+        e - e**2 / 2,
+    ),
+    "a modulus between letters": (integral(sp.Abs(x), z, y), (y * sp.Abs(y) - z * sp.Abs(z)) / 2),
+    "a sign": (integral(sp.sign(x), 0, y), y * sp.sign(y)),
+    "a floor": (integral(x - sp.floor(x), 0, 3), sp.Rational(3, 2)),
     "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),
     "between two poles": (integral(1 / sp.sqrt(1 - x**2), -1, 1), sp.pi),
     "from a logarithm's pole": (integral(x * sp.log(x), 0, 1), -sp.Rational(1, 4)),
@@ -111,9 +128,10 @@ def test_its_wrong_neighbour_is_refuted(name: str) -> None:
         integral(1 / x, -1, 1),
         integral(x**3 / (1 - x**4), -e, e + 1),
         integral(x / (1 + x**2), -sp.oo, sp.oo),
+        integral(sp.log(sp.Abs(x)) / x, -1, 1),
         integral(x**2 / (1 + x**2) - sp.Rational(1, 10**30), -e, e),
     ],
-    ids=["a pole between", "other ends", "without an end", "not odd"],
+    ids=["a pole between", "other ends", "without an end", "odd, a pole", "not odd"],
 )
 def test_no_other_integral_is_nothing(value: sp.Integral) -> None:
     assert decide(Equality(value, sp.S.Zero), DOMAIN).verdict is not Verdict.PROVED

@@ -29,7 +29,8 @@ Prove = Callable[..., str | None]
 RUNG = "case by case"
 # Work limit: so many moduli, or numbers of which the largest is meant.
 _MOST_WRITTEN = 5
-_IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
+# What is written by pieces.
+IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
 def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
@@ -40,7 +41,7 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     # A case that no point of the domain is in need not be proved.
     cases = {True: narrow(domain, condition), False: narrow(domain, condition.negated)}
     return _join(
-        prove(*_pin([_assume(side, condition, holds=holds) for side in sides], part))
+        prove(*_pin([assume(side, condition, holds=holds) for side in sides], part))
         for holds, part in cases.items()
         if part is not None
     )
@@ -136,13 +137,13 @@ def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Exp
     Nor where a symbol is bound, on which a condition might hang. Where a number among the poles is
     zero its sign does not count.
     """
-    nodes = expression.atoms(*_IN_PIECES)
+    nodes = expression.atoms(*IN_PIECES)
     if len(nodes) > _MOST_WRITTEN or any(len(node.args) > _MOST_WRITTEN for node in nodes):
         return expression
     if expression.has(ExprWithLimits):
         return expression
     return expression.replace(
-        lambda node: isinstance(node, _IN_PIECES), lambda node: _write_pieces(node, poles)
+        lambda node: isinstance(node, IN_PIECES), lambda node: _write_pieces(node, poles)
     )
 
 
@@ -257,7 +258,7 @@ def _list_conditions(sides: Sides) -> set[Relational]:
     return {c.canonical for c in plain if c.free_symbols <= free - bound}
 
 
-def _assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
+def assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
     """Return a side with the pieces that are left, and for |v| the sign that a condition tells."""
     known = {
         relation: sp.sympify(truth)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import sympy as sp
 
 from mechproof.proof.coordinates import parametrise, write_by_sines
 from mechproof.proof.growth import find_limit
+from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import is_nonzero, is_positive
+from mechproof.record import Slack
 from mechproof.statement_domains.domain import Domain
 
 _MOST_ZEROS = 12
@@ -26,14 +30,19 @@ def is_improper(integral: sp.Integral) -> bool:
     )
 
 
-def has_power_of_zero(integral: sp.Integral) -> bool:
-    """Tell whether a base vanishes at a limit whose exponent is no whole number.
+def may_reach_zero(integral: sp.Integral, domain: Domain) -> bool:
+    """Tell whether a base, whose exponent is no whole number, may vanish between the limits.
 
-    What is computed of such a power has the logarithm of zero.
+    What is computed of such a power has a root, or the logarithm, of what may be below zero.
     """
-    powers = [power for power in integral.function.atoms(sp.Pow) if not power.exp.is_integer]
     variable, *limits = integral.limits[0]
-    return any(power.base.subs(variable, end) == 0 for power in powers for end in limits)
+    bases = {p.base for p in integral.function.atoms(sp.Pow) if not p.exp.is_integer}
+    if len(limits) != 2 or not any(base.has(variable) for base in bases):
+        return False
+    place, run = parametrise(variable, *limits)
+    inside = domain.with_set(variable, run)
+    numbers = (base.subs(variable, place) for base in bases if base.has(variable))
+    return not all(is_shown_there(Slack(number, True), inside) for number in numbers)
 
 
 def is_iterated(integral: sp.Integral) -> bool:
@@ -44,7 +53,7 @@ def is_iterated(integral: sp.Integral) -> bool:
 def list_poles(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
-    """List places between the limits at which the integrand is divided by zero.
+    """List places between the limits at which it is divided by zero, or a logarithm is infinite.
 
     Between limits with letters they are found where the variable is written by a number.
     """
@@ -55,6 +64,7 @@ def list_poles(
     divisor = sp.fraction(sp.together(write_by_sines(integrand)))[1]
     below = sp.Mul.make_args(divisor if place == variable else sp.factor_terms(divisor))
     bases = [factor.as_base_exp()[0] for factor in below]
+    bases += [logarithm.args[0] for logarithm in integrand.atoms(sp.log)]
     bases = [base.args[0] if isinstance(base, sp.Abs) else base for base in bases]
     poles = {zero for base in bases for zero in list_zeros_between(base, variable, *ends)}
     return [place.subs(variable, pole) for pole in sorted(poles, key=sp.N)]
@@ -86,7 +96,7 @@ def find_residue(
 def list_zeros_between(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
-    """List zeros between the limits of a polynomial, or of a sine or cosine of a multiple.
+    """List zeros between the limits of a polynomial, or of a*sin(u) + b*cos(u), u a multiple.
 
     Where one is missed, no sign is shown beside it.
     """
@@ -96,10 +106,18 @@ def list_zeros_between(
     found: list[sp.Expr] = []
     if inner.is_polynomial(variable) and inner.free_symbols == {variable}:
         found = list(dict.fromkeys(sp.Poly(inner, variable).real_roots()))
-    elif isinstance(inner, sp.sin | sp.cos) and lower.is_finite and upper.is_finite:
-        slope = sp.diff(inner.args[0], variable)
-        if slope.is_Rational and slope != 0:
-            start = inner.args[0].subs(variable, 0)
-            shift = sp.pi / 2 if isinstance(inner, sp.cos) else sp.S.Zero
-            found = [(sp.pi * k + shift - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS)]
+    elif lower.is_finite and upper.is_finite:
+        found = list(_list_zeros_of_wave(inner, variable))
     return sorted((z for z in found if inside.contains(z) == sp.true), key=sp.N)
+
+
+def _list_zeros_of_wave(inner: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    angle, *others = {wave.args[0] for wave in inner.atoms(sp.sin, sp.cos)} or {sp.S.Zero}
+    slope, waves = sp.diff(angle, variable), (sp.sin(angle), sp.cos(angle))
+    along, across = (sp.expand(inner).coeff(wave) for wave in waves)
+    is_wave = sp.expand(inner - along * waves[0] - across * waves[1]) == 0
+    if others or not (is_wave and along.is_number and across.is_number):
+        return
+    if slope.is_Rational and slope != 0:
+        start = angle.subs(variable, 0) + sp.atan2(across, along)
+        yield from ((sp.pi * k - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS))

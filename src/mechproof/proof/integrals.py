@@ -21,21 +21,19 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise, write_by_sines
 from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
-from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.improper import (
     changes_sign_at_pole,
-    has_power_of_zero,
     is_improper,
     is_iterated,
     list_poles,
-    list_zeros_between,
+    may_reach_zero,
 )
-from mechproof.proof.polynomial_signs import StrictSign
+from mechproof.proof.integral_pieces import cut_at_seams, has_pieces, integrate_polynomials
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import are_seen_to_differ, points_for
 from mechproof.proof.roots_of_squares import write_roots
-from mechproof.proof.signs import find_sign, is_nonzero
+from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record.parts import find_bound, find_parts
@@ -47,6 +45,8 @@ RUNG = "antiderivative"
 _LARGEST = 60
 # Points at which improper integrals with letters are worked out, and the bits of what they are.
 _FEWEST, _PRECISION = 2, 128
+# By a higher power than 1 of what runs to infinity, an integral converges.
+_INTEGRATED = sp.Rational(9, 8)
 _NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 
 
@@ -97,9 +97,14 @@ def find_counterexample(
 
 
 def settle_improper(expression: Any, domain: Domain) -> Any:
-    """Put the values of improper and iterated integrals in their places, as far as shown."""
-    kinds = (is_improper, has_power_of_zero, is_iterated)
-    return put_values(expression, domain, lambda node: any(is_one(node) for is_one in kinds))
+    """Put the values of integrals that balls do not enclose in their places, as far as shown."""
+
+    def is_met(node: sp.Integral) -> bool:
+        is_plain = not (is_improper(node) or is_iterated(node))
+        by_pieces = has_pieces(node.function, node.variables[0])
+        return not is_plain or by_pieces or may_reach_zero(node, domain)
+
+    return put_values(expression, domain, is_met)
 
 
 def put_values(
@@ -140,8 +145,8 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
     written = write_roots(integrand, {variable}, domain)
-    if any(modulus.has(variable) for modulus in written.atoms(sp.Abs)):
-        found = _find_value_by_signs(written, variable, lower, upper, domain)
+    if has_pieces(written, variable):
+        found = _find_by_pieces(sp.Integral(written, *integral.limits), domain)
         if found is not None or written == integrand:
             return found
     elif written != integrand:
@@ -215,11 +220,20 @@ def _jumps(integral: sp.Integral, domain: Domain) -> bool:
 
 
 def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domain) -> bool:
-    """Return whether an integrand is odd, and continuous from one end to the opposite one."""
-    sides = [integrand.subs(variable, end * variable), integrand.subs(variable, -end * variable)]
-    half = domain.with_set(variable, sp.Interval(0, 1))
-    is_odd = end.is_infinite is not True and decide_equal(sides[1], -sides[0], half) is not None
-    return is_odd and all(find_break(side, variable, half) is None for side in sides)
+    """Return whether an integrand is odd, and continuous from one end to the opposite one.
+
+    Over the whole line it has to come to nothing faster than a power of 1/x that is integrated.
+    """
+    is_endless = end.is_infinite is True
+    size, upper = (sp.S.One, sp.oo) if is_endless else (end, sp.S.One)
+    sides = [integrand.subs(variable, size * variable), integrand.subs(variable, -size * variable)]
+    half = domain.with_set(variable, sp.Interval(0, upper))
+    if decide_equal(sides[1], -sides[0], half) is None:
+        return False
+    slow = integrand * variable**_INTEGRATED
+    if is_endless and find_limit(slow, variable, sp.oo, -1, domain) != 0:
+        return False
+    return all(find_break(side, variable, half) is None for side in sides)
 
 
 def _find_by_antiderivative(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -291,31 +305,9 @@ def _find_end(
     return find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
 
 
-def _find_value_by_signs(
-    integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
-) -> sp.Expr | None:
-    """Cut an integral between numbers where what stands in a modulus is zero."""
-    moduli = [modulus for modulus in integrand.atoms(sp.Abs) if modulus.has(variable)]
-    modulus = max(moduli, key=lambda node: (node.count_ops(), str(node)))
-    (inner,) = modulus.args
-    cuts = [lower, *list_zeros_between(inner, variable, lower, upper), upper]
-    total = sp.S.Zero
-    for start, end in pairwise(cuts):
-        sign = _find_sign_between(inner, variable, start, end, domain)
-        if sign is None:
-            return None
-        part = integrand.xreplace({modulus: sign.direction * inner})
-        value = _find_finite(sp.Integral(part, (variable, start, end)), domain)
-        if value is None:
-            return None
-        total += value
-    return total
-
-
-def _find_sign_between(
-    inner: sp.Expr, variable: sp.Symbol, start: sp.Expr, end: sp.Expr, domain: Domain
-) -> StrictSign | None:
-    if start.is_number and end.is_number:
-        return find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
-    place, run = parametrise(variable, start, end)
-    return find_sign(inner.subs(variable, place), domain.with_set(variable, run.interior))
+def _find_by_pieces(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value of an integrand given by pieces, which are integrated one by one."""
+    parts = [_find_finite(part, domain) for part in cut_at_seams(integral, domain)]
+    if not parts:
+        return integrate_polynomials(integral)
+    return None if None in parts else sp.Add(*parts)

@@ -47,14 +47,20 @@ def _write_root(root: sp.Pow, letters: set[sp.Basic], domain: Domain) -> sp.Expr
 def _halve_angle(root: sp.Pow) -> sp.Expr:
     """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
 
-    That of a(1 + cos u) is written by the cosine.
+    That of a(1 + cos u) is written by the cosine; a sine is the cosine of what lacks to a quarter
+    turn.
     """
-    if root.exp != sp.S.Half or len(waves := root.atoms(sp.cos)) != 1:
+    if root.exp != sp.S.Half:
         return root
-    (wave,), cosine = waves, sp.Dummy("c")
-    squares = {sp.sin(wave.args[0]) ** 2: 1 - cosine**2, wave: cosine}
-    radicand = sp.expand(sp.expand(root.base).subs(squares)).as_poly(cosine)
-    for end, half in ((1, sp.sin), (-1, sp.cos)):
-        if radicand and radicand.degree() == 1 and radicand.eval(end) == 0:
-            return sp.sqrt(-2 * end * radicand.LC()) * sp.Abs(half(wave.args[0] / 2))
+    for kind, other in ((sp.cos, sp.sin), (sp.sin, sp.cos)):
+        waves, size = root.atoms(kind), sp.Dummy("c")
+        if len(waves) != 1:
+            continue
+        (wave,) = waves
+        squares = {other(wave.args[0]) ** 2: 1 - size**2, wave: size}
+        radicand = sp.expand(sp.expand(root.base).subs(squares)).as_poly(size)
+        angle = wave.args[0] if kind == sp.cos else sp.pi / 2 - wave.args[0]
+        for end, half in ((1, sp.sin), (-1, sp.cos)):
+            if radicand and radicand.degree() == 1 and radicand.eval(end) == 0:
+                return sp.sqrt(-2 * end * radicand.LC()) * sp.Abs(half(sp.expand(angle / 2)))
     return root
