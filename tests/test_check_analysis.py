@@ -73,6 +73,16 @@ PAIRS = [
     ),
     (r"n!=n(n-1)!", r"n!=(n+1)(n-1)!", ()),
     (r"\binom{n+1}{k+1}=\binom nk+\dbinom n{k+1}", r"\binom{n+1}{k+1}=\binom nk+\binom nk", ()),
+    (r"\binom{-n}k=(-1)^k\binom{n+k-1}k", r"\binom{-n}k=\binom{n+k-1}k", ()),
+    (r"\ln(xy)=\ln|x|+\ln|y|", r"\ln(xy)=\ln|x|+2\ln|y|", ("xy>0",)),
+    (r"\ln\frac xy=\ln|x|-\ln|y|", r"\ln\frac xy=\ln|x|+\ln|y|", ("xy>0",)),
+    (r"\max(ka,kb)=k\max(a,b)", r"\max(ka,kb)=k\min(a,b)", ("k>0",)),
+    (r"\max(ka,kb)=k\min(a,b)", r"\max(ka,kb)=k\max(a,b)", ("k<0",)),
+    (
+        r"\lfloor x\rfloor+\lfloor-x\rfloor=-1",
+        r"\lfloor2x\rfloor+\lfloor-2x\rfloor=-1",
+        (r"x\notin\mathbb{Z}",),
+    ),
     (r"\tbinom{n}{2}=\frac{n(n-1)}2", r"\tbinom{n}{2}=\frac{n(n+1)}2", ()),
     (r"(n+2)!=(n+2)(n+1)n!", r"(n+2)!=(n+2)n!", ()),
     ("5!=120", "5!=24", ()),
@@ -162,8 +172,10 @@ REFUSED = [
     (r"\lim_{x\to x}x=1", "goes to a limit"),
     (r"n!!=1", "a factorial of what"),
     (r"n!^2=1", "a factorial of what"),
-    (r"\binom{3}{1.5}=1", "do not fit together"),
-    (r"(x/2)!=1", "do not fit together"),
+    (r"\binom{3}{1.5}=1", "a factorial of what is no whole number, 3/2: print the gamma function"),
+    (r"(x/2)!=1", "a factorial of what is no whole number"),
+    (r"(-1)!=1", "a factorial is read of whole numbers from 0 to 1000"),
+    (r"\binom{-\frac12}k=1", "is read over numbers from 0 to 12: print its product"),
 ]
 
 

@@ -196,6 +196,13 @@ def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
     for count in (part, whole - part):
         if count.is_Integer and 0 <= count <= _MOST_FACTORS:
             return sp.Mul(*(whole - n for n in range(count))) / sp.factorial(count)
+    if whole.is_integer and whole.is_negative and part.is_nonnegative:
+        return (-1) ** part * _make_binomial(part - whole - 1, part)
+    if whole.is_number and not whole.is_integer:
+        raise MeaningError(
+            rf"\binom of {whole} is read over numbers from 0 to {_MOST_FACTORS}: print its product "
+            "over others, or its gamma functions"
+        )
     above, *below = map(_make_factorial, (whole, part, whole - part))
     return above / sp.Mul(*below)
 
@@ -210,8 +217,13 @@ def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
 
 
 def _make_factorial(argument: sp.Expr) -> sp.Expr:
-    """Return a factorial; `TypeError` for what is no integer, or too large to be worked out."""
-    is_small = not argument.is_number or 0 <= argument <= LARGEST_FACTORIAL
-    if not (argument.is_integer and is_small):
-        raise TypeError(f"the factorial of {argument}")
+    """Return a factorial; `MeaningError` for what is no count, or too large to be worked out."""
+    if argument.is_number and not 0 <= argument <= LARGEST_FACTORIAL:
+        below = f"is read of whole numbers from 0 to {LARGEST_FACTORIAL}"
+        raise MeaningError(f"a factorial {below}, and this is that of {argument}")
+    if not argument.is_integer:
+        raise MeaningError(
+            f"a factorial of what is no whole number, {argument}: print the gamma function, "
+            rf"\Gamma({argument + 1}), or say that its letter counts"
+        )
     return sp.factorial(argument)

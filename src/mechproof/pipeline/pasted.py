@@ -27,7 +27,12 @@ from mechproof.pipeline.pasted_letters import (
     read_letters,
 )
 from mechproof.pipeline.remainders import give_limits, take_remainder
-from mechproof.pipeline.special_letters import find_unknown, take_said, take_set
+from mechproof.pipeline.special_letters import (
+    find_unknown,
+    leave_out_integers,
+    take_said,
+    take_set,
+)
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.verdict import Judgement
@@ -125,7 +130,8 @@ def judge_pasted(pasted: Pasted) -> Checked:
     brackets functions of which nothing is known.
     """
     values, called = take_said(pasted.values)
-    pasted = replace(pasted, values=values, called=called)
+    latex, *where = map(leave_out_integers, (pasted.latex, *pasted.where))
+    pasted = replace(pasted, latex=latex, where=(*where,), values=values, called=called)
     try:
         return _judge(pasted)
     except ValueError:

@@ -38,6 +38,7 @@ _SET = re.compile(
     r"\\in\s*\\mathbb\s*\{?\s*(?P<set>[NR])\s*\}?(?P<zero>_\{?0\}?)?\s*(?P<close>\)?)\s*\Z"
 )
 _LETTER = r"\\?[A-Za-z]+(?:_\w)?"
+_NO_INTEGER = re.compile(rf"({_LETTER})\s*\\notin\s*\\mathbb\s*\{{?\s*Z\s*\}}?")
 _BREAK = r"(?<!\\)[,;]|\\q?quad(?![A-Za-z])|\\text\{\s*,?\s*(?:for(?: all)?|with|where|if)\s*\}|\A"
 _LETTERS = re.compile(
     rf"(?:{_BREAK}|(?=\())(?:\s|\\[,;:! ])*(?P<open>\(?)\s*(?:\\forall\s*)?"
@@ -117,6 +118,11 @@ def take_set(latex: str) -> tuple[str, tuple[str, ...], str]:
         before = before[: -max(len(one) for one in _ENDS if before.endswith(one))].rstrip()
     letters = tuple(letter.strip() for letter in said["letters"].split(","))
     return before, letters, kind["set"] + ("_0" if kind["zero"] else "")
+
+
+def leave_out_integers(latex: str) -> str:
+    r"""Write x\notin\mathbb{Z} as a relation: x is not its floor."""
+    return _NO_INTEGER.sub(r"\1\\ne\\lfloor \1\\rfloor", latex)
 
 
 _CALLED = r"(\\?[A-Za-z]+)"

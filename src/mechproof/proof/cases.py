@@ -15,9 +15,9 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.proof.canonical_sums import write_out
-from mechproof.proof.signs import is_nonnegative
+from mechproof.proof.signs import is_nonnegative, is_positive, is_shown
 from mechproof.record.parts import find_bound, find_free
-from mechproof.record.relations import find_slack, solve
+from mechproof.record.relations import Slack, find_slack, solve
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.narrowing import leaves_values
@@ -39,18 +39,28 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     if condition is None:
         return None
     # A case that no point of the domain is in need not be proved.
-    cases = {True: narrow(domain, condition), False: narrow(domain, condition.negated)}
+    cases = {True: condition, False: condition.negated}
+    met = {holds: narrow(domain, case) for holds, case in cases.items()}
     return _join(
         prove(*_pin([assume(side, condition, holds=holds) for side in sides], part))
-        for holds, part in cases.items()
-        if part is not None
+        for holds, part in met.items()
+        if part is not None and not _always(cases[not holds], domain)
     )
+
+
+def _always(condition: Relational, domain: Domain) -> bool:
+    """Tell whether a condition of more than one letter is shown to hold by their signs."""
+    slack = find_slack(condition)
+    if slack is None or len(slack.value.free_symbols) < 2:
+        return False
+    return is_shown(slack, domain)
 
 
 def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain]:
     """Put in the value of a symbol that lies at once on both sides of it, where pieces meet."""
-    slack = find_slack(domain.where[-1]) if domain.where else None
-    if slack and any(find_slack(other) == (-slack.value, False) for other in domain.where):
+    *others, last = map(find_slack, domain.where or (sp.true,))
+    met = (one for one in others if last and one and _are_opposite(one, last, domain))
+    for slack in met:
         for symbol in sorted(slack.value.free_symbols, key=str):
             slope = slack.value.coeff(symbol)
             rest = sp.expand(slack.value - slope * symbol)
@@ -58,6 +68,13 @@ def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain
                 value = {symbol: -rest / slope}
                 return (*(substitute(side, value) for side in sides), fix(domain, value))
     return (*sides, domain)
+
+
+def _are_opposite(one: Slack, other: Slack, domain: Domain) -> bool:
+    """Tell whether two numbers are not negative, and one is a negative multiple of the other."""
+    if one.strict or not one.value.free_symbols <= other.value.free_symbols:
+        return False
+    return one.value == -other.value or is_positive(-sp.cancel(other.value / one.value), domain)
 
 
 def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:

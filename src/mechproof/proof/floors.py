@@ -46,7 +46,16 @@ def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | Non
     places = sorted({place for one in floors for place in _list_steps(one.args[0], x, period)})
     places += [(one + other) / 2 for one, other in pairwise(places)]
     tried = range(period) if x.is_integer else places
-    return RUNG if all(difference.subs(x, place) == 0 for place in tried) else None
+    left_out = _list_left_out(x, period, domain)
+    met = (place for place in tried if all(one.subs(x, place) != 0 for one in left_out))
+    return RUNG if all(difference.subs(x, place) == 0 for place in met) else None
+
+
+def _list_left_out(x: sp.Symbol, period: int, domain: Domain) -> list[sp.Expr]:
+    """List what is said not to be zero, and repeats itself: x less its floor, for no whole x."""
+    said = (relation.lhs - relation.rhs for relation in domain.where if isinstance(relation, sp.Ne))
+    alone = (sp.expand(number) for number in said if number.free_symbols == {x})
+    return [n for n in alone if n.has(sp.floor) and sp.expand(n.subs(x, x + period) - n) == 0]
 
 
 def _list_steps(argument: sp.Expr, x: sp.Symbol, period: int) -> list[sp.Rational]:

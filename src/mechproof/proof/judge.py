@@ -30,6 +30,9 @@ _TOLD: Mapping[type[Exception], str] = {
     OverflowError: "a number in it is too large",
     MemoryError: "it takes more memory than there is",
 }
+_WITHOUT_RULE = (
+    "SymPy has no rule for a part of it; judge parts by themselves, or at values of letters"
+)
 
 
 @without_estimates()
@@ -79,7 +82,7 @@ def _explain(error: Exception) -> str:
     if isinstance(error, NotImplementedError) and told and "\n" not in told:
         return told
     known = (words for kind, words in _TOLD.items() if isinstance(error, kind))
-    return f"it cannot be worked out: {next(known, 'SymPy has no rule for a part of it')}"
+    return f"it cannot be worked out: {next(known, _WITHOUT_RULE)}"
 
 
 def _decide_row(row: Row, paper: Paper) -> Answer:

@@ -94,7 +94,7 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
     node = node.func(*(write_by_logarithms(argument, domain) for argument in node.args))
     if isinstance(node, sp.log):
         logarithm = _take_logarithm(node.args[0], domain)
-        return node if logarithm is None else logarithm
+        return _take_sizes(node) if logarithm is None else logarithm
     if isinstance(node, sp.exp):
         return _write_exponential(node.args[0])
     if not isinstance(node, sp.Pow) or node.exp.is_Rational:
@@ -114,6 +114,15 @@ def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
     if not all(is_positive(base, domain) for base, _ in factors):
         return None
     return sp.Add(*(exponent * sp.log(base) for base, exponent in factors))
+
+
+def _take_sizes(logarithm: sp.log) -> sp.Expr:
+    """Write the logarithm of a product, which is positive where it has one, by sizes of factors."""
+    factors = sp.Mul.make_args(sp.factor(logarithm.args[0]))
+    if len([factor for factor in factors if not factor.is_number]) < 2:
+        return logarithm
+    sizes = (factor.as_base_exp() for factor in factors)
+    return sp.Add(*(exponent * sp.log(sp.Abs(base)) for base, exponent in sizes))
 
 
 def _write_exponential(exponent: sp.Expr) -> sp.Expr:
