@@ -8,7 +8,7 @@ from twins import check_twins, judge, list_rows
 
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
 from mechproof.proof.cases import RUNG as CASES
-from mechproof.proof.half_angles import find_sign_in_half_angles
+from mechproof.proof.half_angles import find_sign_in_half_angles, find_sign_there
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SIGNS, SQUARES
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
@@ -40,7 +40,7 @@ TABLES = {
         ),
     ),
     CASES: ((r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),),
-    SIGNS: ((r"|a-c|\le|a-b|+|b-c|", r"|a-c|<|a-b|+|b-c|", ""),),
+    SIGNS: ((r"|a-u|\le|a-b|+|b-c|+|c-u|", r"|a-u|<|a-b|+|b-c|+|c-u|", ""),),
     SQUARES: (
         (r"|\sin x|\le|x|", r"|\sin x|<|x|", ""),
         (r"|\sin2x|\le2|\sin x|", r"|\sin2x|\le\frac{19}{10}|\sin x|", ""),
@@ -165,6 +165,15 @@ def test_signs_are_strict_only_where_no_end_is_zero(
     expression: sp.Expr, values: sp.Interval, sign: StrictSign | None
 ) -> None:
     assert find_sign_in_half_angles(expression, Domain({x: values}, (), {})) == sign
+
+
+def test_powers_that_are_not_all_zero_add_up_to_a_positive_number() -> None:
+    domain = Domain({x: sp.Interval(0, sp.pi / 2)}, (), {})
+    roots = [sp.sqrt(number) for number in (sp.sin(x), sp.cos(x), 1 - sp.cos(x))]
+    assert find_sign_there(roots[0] + roots[1], domain) == StrictSign(1, strict=True)
+    for number in (roots[0] + roots[2], roots[0] - roots[1]):
+        sign = find_sign_there(number, domain)
+        assert sign is None or not sign.strict
 
 
 def test_what_jumps_at_an_end_is_not_what_it_is_inside() -> None:

@@ -98,6 +98,14 @@ TRUE = {
         e - e**2 / 2,
     ),
     "a modulus between letters": (integral(sp.Abs(x), z, y), (y * sp.Abs(y) - z * sp.Abs(z)) / 2),
+    "from both ends, of roots": (
+        integral(sp.sqrt(sp.sin(x)) / (sp.sqrt(sp.sin(x)) + sp.sqrt(sp.cos(x))), 0, sp.pi / 2),
+        sp.pi / 4,
+    ),
+    "a modulus of a wave of any length": (
+        integral(sp.Abs(sp.sin(TURN * x / e)), 0, e),
+        2 * e / sp.pi,
+    ),
     "a sign": (integral(sp.sign(x), 0, y), y * sp.sign(y)),
     "a floor": (integral(x - sp.floor(x), 0, 3), sp.Rational(3, 2)),
     "from a pole": (integral(1 / sp.sqrt(x), 0, 1), sp.S(2)),

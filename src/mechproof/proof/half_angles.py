@@ -18,7 +18,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.polynomial_signs import StrictSign
-from mechproof.proof.signs import find_sign, is_workable
+from mechproof.proof.signs import find_sign, is_positive, is_workable
 from mechproof.record import RecordError, Root, Slack
 from mechproof.record.parts import has_parts
 from mechproof.statement_domains.domain import Domain
@@ -73,10 +73,26 @@ def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign 
 
 def find_sign_there(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the sign that is proved in positive coordinates or in tangents of half angles."""
-    found = find_sign(expression, domain)
-    if found is not None and found.strict:
-        return found
-    return find_sign_in_half_angles(expression, domain) or found
+    found = None
+    for find in (find_sign, find_sign_in_half_angles, _find_sign_of_powers):
+        sign = find(expression, domain)
+        if sign is not None and sign.strict:
+            return sign
+        found = sign or found
+    return found
+
+
+def _find_sign_of_powers(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Return the sign of a sum of powers of numbers that are not negative, nor all zero."""
+    powers = [term.as_base_exp() for term in sp.Add.make_args(domain.resolve(expression))]
+    if len(powers) < 2 or all(exponent.is_Integer for _, exponent in powers):
+        return None
+    if not all(is_positive(exponent, domain) for _, exponent in powers):
+        return None
+    if not all(is_shown_there(Slack(base, False), domain) for base, _ in powers):
+        return None
+    squares = sp.Add(*(base**2 for base, _ in powers))
+    return StrictSign(1, is_shown_there(Slack(squares, True), domain))
 
 
 def is_shown_there(slack: Slack, domain: Domain) -> bool:
@@ -176,7 +192,7 @@ def _find_sign(
     if not bases:
         return None if expression.has(*ANGULAR) else find_sign(expression, domain)
     (monomial, denominator), *others = bases
-    values = domain.set_of(monomial) if monomial.is_Symbol else sp.S.Reals
+    values = _find_values(monomial, domain)
     centre, run = _center(values, denominator)
     angle, tangent = sp.Dummy("u", real=True), sp.Dummy("t", real=True)
     base = denominator * (angle + centre)
@@ -192,6 +208,15 @@ def _find_sign(
     if sign is None or sp.true not in (run.contains(sp.pi), run.contains(-sp.pi)):
         return sign
     return _extend(sign, turned.xreplace({sp.sin(angle): 0, sp.cos(angle): -1}), others, domain)
+
+
+def _find_values(monomial: sp.Expr, domain: Domain) -> sp.Set:
+    """Return where a symbol, or a positive number times one, lies."""
+    factor, symbol = monomial.as_independent(*monomial.free_symbols, as_Add=False)
+    values = domain.set_of(symbol) if symbol.is_Symbol else sp.S.Reals
+    if factor == 1 or not (isinstance(values, sp.Interval) and factor.is_positive):
+        return values if factor == 1 else sp.S.Reals
+    return sp.Interval(factor * values.start, factor * values.end, *values.args[2:])
 
 
 def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:

@@ -118,6 +118,6 @@ def _list_zeros_of_wave(inner: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr
     is_wave = sp.expand(inner - along * waves[0] - across * waves[1]) == 0
     if others or not (is_wave and along.is_number and across.is_number):
         return
-    if slope.is_Rational and slope != 0:
+    if slope != 0 and (slope.is_Rational or (slope / sp.pi).is_Rational):
         start = angle.subs(variable, 0) + sp.atan2(across, along)
         yield from ((sp.pi * k - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS))

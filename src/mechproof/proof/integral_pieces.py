@@ -12,7 +12,7 @@ from mechproof.proof.coordinates import parametrise
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.improper import list_zeros_between
 from mechproof.proof.polynomial_signs import StrictSign
-from mechproof.proof.signs import find_sign, is_positive
+from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -118,9 +118,12 @@ def _list_zeros(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
 ) -> list[sp.Expr]:
     """List zeros between the limits, of what is linear also a letter that is shown to lie there."""
-    if lower.is_number and upper.is_number and inner.free_symbols == {variable}:
-        return list_zeros_between(inner, variable, lower, upper)
     slope = sp.diff(inner, variable)
+    place, run = parametrise(variable, lower, upper)
+    moved = sp.expand(inner.subs(variable, place))
+    if moved.free_symbols == {variable}:
+        zeros = list_zeros_between(moved, variable, run.start, run.end)
+        return [place.subs(variable, zero) for zero in zeros]
     if slope == 0 or slope.has(variable):
         return []
     zero = sp.cancel(variable - inner / slope)
@@ -131,7 +134,6 @@ def _list_zeros(
 def _find_sign_between(
     inner: sp.Expr, variable: sp.Symbol, start: sp.Expr, end: sp.Expr, domain: Domain
 ) -> StrictSign | None:
-    if start.is_number and end.is_number:
-        return find_sign_there(inner, domain.with_set(variable, sp.Interval.open(start, end)))
     place, run = parametrise(variable, start, end)
-    return find_sign(inner.subs(variable, place), domain.with_set(variable, run.interior))
+    moved = sp.expand(inner.subs(variable, place))
+    return find_sign_there(moved, domain.with_set(variable, run.interior))
