@@ -78,6 +78,13 @@ PAIRS = [
     (r"\ln\frac xy=\ln|x|-\ln|y|", r"\ln\frac xy=\ln|x|+\ln|y|", ("xy>0",)),
     (r"\max(ka,kb)=k\max(a,b)", r"\max(ka,kb)=k\min(a,b)", ("k>0",)),
     (r"\max(ka,kb)=k\min(a,b)", r"\max(ka,kb)=k\max(a,b)", ("k<0",)),
+    (r"\ln\sqrt{xy}=\frac12\ln|x|+\frac12\ln|y|", r"\ln\sqrt{xy}=\ln|x|+\ln|y|", ("xy>0",)),
+    (r"\sum_{k=m}^{m+n}k=\frac{(n+1)(2m+n)}2", r"\sum_{k=m}^{m+n}k=\frac{n(2m+n)}2", ()),
+    (
+        r"\lfloor x\rfloor+\lfloor-x\rfloor=-1",
+        r"\lfloor x\rfloor+\lfloor-x\rfloor=-2",
+        (r"2x\ne\lfloor2x\rfloor",),
+    ),
     (
         r"\lfloor x\rfloor+\lfloor-x\rfloor=-1",
         r"\lfloor2x\rfloor+\lfloor-2x\rfloor=-1",

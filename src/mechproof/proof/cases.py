@@ -99,7 +99,7 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sums from a letter to a count equal by how far the count is above; None for others."""
+    """Prove sums that begin at a letter equal by how far they go above it; None for others."""
     sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
     ends = {limits[1:] for total in sums for limits in total.limits if limits[1].free_symbols}
     known = ((low, high) for low, high in ends if high.is_Symbol and not low.has(high))
@@ -109,7 +109,8 @@ def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
             value = {high: low + gap}
             part = fix(domain, value).with_set(gap, sp.S.Naturals0)
             return prove(*(_begin_at_zero(substitute(s, value)) for s in sides), part)
-    return None
+    moved = [_begin_at_zero(side) for side in sides]
+    return None if moved == [*sides] else prove(*moved, domain)
 
 
 def _begin_at_zero(side: sp.Expr) -> sp.Expr:
@@ -120,7 +121,7 @@ def _begin_at_zero(side: sp.Expr) -> sp.Expr:
         if len(total.limits) > 1 or not low.free_symbols:
             return total
         term = substitute(total.function, {index: low + index})
-        return total.func(term, (index, 0, high - low))
+        return total.func(term, (index, 0, sp.expand(high - low)))
 
     return side.replace(lambda node: isinstance(node, sp.Sum | sp.Product), move)
 

@@ -44,11 +44,12 @@ def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | Non
     if drift != 0 or steps > _MOST_STEPS or (own != 0 and not x.is_integer):
         return None
     places = sorted({place for one in floors for place in _list_steps(one.args[0], x, period)})
-    places += [(one + other) / 2 for one, other in pairwise(places)]
-    tried = range(period) if x.is_integer else places
+    # Between the steps it is one number, wherever that is looked at.
+    between = [(one + other) / 2 for one, other in pairwise(places)]
     left_out = _list_left_out(x, period, domain)
-    met = (place for place in tried if all(one.subs(x, place) != 0 for one in left_out))
-    return RUNG if all(difference.subs(x, place) == 0 for place in met) else None
+    met = [place for place in places if all(one.subs(x, place) != 0 for one in left_out)]
+    tried = range(period) if x.is_integer else [*met, *between]
+    return RUNG if all(difference.subs(x, place) == 0 for place in tried) else None
 
 
 def _list_left_out(x: sp.Symbol, period: int, domain: Domain) -> list[sp.Expr]:

@@ -94,7 +94,8 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
     node = node.func(*(write_by_logarithms(argument, domain) for argument in node.args))
     if isinstance(node, sp.log):
         logarithm = _take_logarithm(node.args[0], domain)
-        return _take_sizes(node) if logarithm is None else logarithm
+        written = node if logarithm is None else logarithm
+        return written.replace(sp.log, lambda argument: _take_sizes(sp.log(argument)))
     if isinstance(node, sp.exp):
         return _write_exponential(node.args[0])
     if not isinstance(node, sp.Pow) or node.exp.is_Rational:
@@ -110,19 +111,28 @@ def _write_sum_of_exponentials(base: sp.Expr) -> sp.Expr:
 
 def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Return the logarithm of a product by those of its factors, None if not all are positive."""
-    factors = [factor.as_base_exp() for factor in sp.Mul.make_args(sp.factor(argument))]
+    factors = _list_powers(argument)
     if not all(is_positive(base, domain) for base, _ in factors):
         return None
     return sp.Add(*(exponent * sp.log(base) for base, exponent in factors))
 
 
-def _take_sizes(logarithm: sp.log) -> sp.Expr:
+def _take_sizes(logarithm: sp.Expr) -> sp.Expr:
     """Write the logarithm of a product, which is positive where it has one, by sizes of factors."""
-    factors = sp.Mul.make_args(sp.factor(logarithm.args[0]))
-    if len([factor for factor in factors if not factor.is_number]) < 2:
+    if not isinstance(logarithm, sp.log):
         return logarithm
-    sizes = (factor.as_base_exp() for factor in factors)
+    sizes = [
+        (part, exponent * power)
+        for base, exponent in _list_powers(logarithm.args[0])
+        for part, power in _list_powers(base)
+    ]
+    if len([base for base, _ in sizes if not base.is_number]) < 2:
+        return logarithm
     return sp.Add(*(exponent * sp.log(sp.Abs(base)) for base, exponent in sizes))
+
+
+def _list_powers(product: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
+    return [factor.as_base_exp() for factor in sp.Mul.make_args(sp.factor(product))]
 
 
 def _write_exponential(exponent: sp.Expr) -> sp.Expr:
