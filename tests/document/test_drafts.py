@@ -14,6 +14,7 @@ from small_papers import draft
         ("W(p,q)=pq", ["W(p,q) :"]),
         ("y=c(p+q)", ["factor c"]),
         (r"\sum N_k=\mu b", [r"\sum N_k :"]),
+        (r"C_{\alpha f}=v_{\mathrm{max}r}", [r"C_{\alpha f} :", r"v_{\max r} :"]),
         (r"s_2=s_1+v\,\Delta t", [r"\Delta t :"]),
         (r"\mathcal K=b-c", [r"\mathcal{K} :"]),
         # A number behind a display tells the unit of its letter; one of numbers alone does not.

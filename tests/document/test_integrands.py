@@ -33,3 +33,47 @@ PRESSURE = r"""%% mechproof
 def test_what_is_integrated_shows_its_letter(latex: str, outcome: str) -> None:
     found = check("paper.tex", f"{PRESSURE}\\begin{{equation}}{latex}\\end{{equation}}\n")
     assert found.rows[-1].outcome == outcome, found.rows[-1].reason
+
+
+MOTION = r"""%% mechproof
+%% y(t) ; F(t) : moving
+%% s(y) : moving with y
+%% W ; c ; b : numbers
+%% t : time
+%% end
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "taken_as_fixed", "outcome"),
+    [
+        # What moves in time, and is not printed, is no constant.
+        (r"\int_0^t\dot y\,dt", r"t\dot y", "not read"),
+        (r"\int_0^t\ddot F\dot y\cdot dt", r"t\ddot F\dot y", "not read"),
+        (r"\int_0^ts\,dt", "ts", "not read"),
+        (r"\int_0^yF\,dy", "Fy", "not read"),
+        (r"\int_0^yc\dot y\,dy", r"c\dot yy", "not read"),
+        (r"\int_0^yct\,dy", "cty", "not read"),
+        (r"\lim_{t\to0}(c\dot y+t)", r"c\dot y", "not read"),
+        (r"\max_t(\dot y+\sin t)", r"\dot y+1", "not read"),
+        (r"\int_0^ycy\,dy", r"\frac12cy^2", "PROVED"),
+        (r"\int_0^yct\,dc", r"\frac12y^2t", "PROVED"),
+        (r"\int_0^yc\cdot dy", "cy", "PROVED"),
+        (r"\int_0^yc\cdot dy", "2cy", "REFUTED"),
+        (r"\lim_{b\to0}(c\dot y+b)", r"c\dot y", "PROVED"),
+    ],
+)
+def test_what_moves_with_a_letter_is_not_fixed(
+    value: str, taken_as_fixed: str, outcome: str
+) -> None:
+    first, again = check("paper.tex", f"{MOTION}$$W={value}$$ $$W={taken_as_fixed}$$").rows
+    assert (first if outcome == "not read" else again).outcome == outcome, again.reason
+
+
+@pytest.mark.parametrize(
+    ("print_", "outcome"),
+    [(r"b=y+c\dot y^2", "PROVED"), (r"b=y-c\dot y^2", "DEFINITION")],
+)
+def test_a_letter_may_be_given_by_its_own_rate(print_: str, outcome: str) -> None:
+    *_, row = check("paper.tex", f"{MOTION}$$y=b-c\\dot y^2$$ $${print_}$$").rows
+    assert row.outcome == outcome, row.reason

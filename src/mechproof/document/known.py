@@ -145,10 +145,14 @@ class Known:
                 break
             try:
                 value = self._show_moving(self.values[above], by)
-                self.values[rate] = differentiate(value, by, self.symbols.moving)
+                derivative = differentiate(value, by, self.symbols.moving)
             except ValueError:
                 # Of its letters no derivative of so high an order has a symbol.
                 break
+            if self.is_shown(rate, derivative):
+                # Of y = \dot y^2.
+                break
+            self.values[rate] = derivative
             self.printed[rate] = name
             above = rate
 

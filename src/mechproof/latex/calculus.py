@@ -193,15 +193,21 @@ def is_over(parser: Parser) -> bool:
 
 
 def is_differential(parser: Parser) -> bool:
-    """Return whether a d stands here, within an integral, that begins no declared name."""
-    if parser.text != "d" or not parser.integrals or parser.peek() in ("_", "'"):
+    r"""Return whether a d stands here, within an integral, that begins no declared name.
+
+    A dot may stand before it, V\cdot dt.
+    """
+    place = parser.place + (parser.text == r"\cdot")
+    rest = parser.tokens[place:]
+    follows = [token.text for token in rest[:2]]
+    if not parser.integrals or follows[:1] != ["d"] or follows[1:] in (["_"], ["'"]):
         return False
     # Whether each is printed as a differential, \mathrm{d}x.
-    upright = [d.text == "d" != parser.source.latex[d.start : d.end] for d in parser.rest]
+    upright = [d.text == "d" != parser.source.latex[d.start : d.end] for d in rest]
     if upright[0]:
         return True
-    match = parser.names.match(parser.tokens, parser.place)
-    if match and match.end == parser.place + 1:
+    match = parser.names.match(parser.tokens, place)
+    if match and match.end == place + 1:
         if any(upright):
             return False
         if _is_needed(parser):
@@ -222,6 +228,7 @@ def _is_needed(parser: Parser) -> bool:
 
 def read_differential(parser: Parser, opened: OpenIntegral) -> None:
     """Read d and the one name or function behind it."""
+    parser.skip(r"\cdot")
     start = parser.take("d").start
     operand = parser.read_factor()
     if opened.differential is not None:

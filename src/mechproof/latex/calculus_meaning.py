@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from mechproof.latex.moving_letters import list_beside, refuse_unknown
 from mechproof.latex.piecewise_values import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Node, Repeated
@@ -225,6 +226,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
     term = meaning.take_number(node.term, meaning.side(node.term))
     running = make_running(variable.name, term, counts=bool(variable.is_integer))
     inside = settle(split_tangents(term, (point,)), meaning.values, {variable: running})
+    refuse_unknown(meaning, node.start, (inside, "in the limit"), variable)
     return sp.Limit(inside, running, point, node.side)
 
 
@@ -280,18 +282,6 @@ def _check_seams(
             )
 
 
-def _refuse_unknown(meaning: Meaning, place: int, integrand: sp.Expr, variable: sp.Symbol) -> None:
-    """Refuse what is said to depend on a variable of integration, and has no value."""
-    known = integrand.free_symbols & meaning.moving.keys() - meaning.values.keys()
-    unknown = sorted(str(s) for s in known if meaning.moving[s][0] == variable)
-    if unknown:
-        raise meaning.source.refuse(
-            place,
-            f"{', '.join(unknown)} in the integrand depends on {variable}, and is not printed",
-            "Say in the block of letters what it is, let name=value, or that it is constant.",
-        )
-
-
 def _bind(
     meaning: Meaning, node: Integration, integrand: sp.Expr, variable: sp.Expr
 ) -> tuple[sp.Dummy, sp.Expr]:
@@ -301,7 +291,7 @@ def _bind(
         running = make_running(variable.name, integrand)
         inside = settle(integrand, meaning.values, {variable: running})
         moving = meaning.values.get(variable, sp.S.Zero).free_symbols
-        _refuse_unknown(meaning, place, inside, variable)
+        refuse_unknown(meaning, place, (inside, "in the integrand"), variable)
     else:
         running = make_running("u", integrand)
         inside = integrand.xreplace({variable: running})
@@ -312,7 +302,7 @@ def _bind(
         if s != running and (s in meaning.values or s in variable.free_symbols)
         if depends(s, moving, meaning.values)
     ]
-    if caught:
+    if caught := caught or list_beside(meaning, inside, variable):
         raise meaning.source.refuse(
             place,
             f"{', '.join(caught)} in the integrand may move with {variable}",

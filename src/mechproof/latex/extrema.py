@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from mechproof.latex.measures import begins_member
+from mechproof.latex.moving_letters import refuse_unknown
 from mechproof.latex.piecewise_values import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
 from mechproof.latex.values import settle_all
@@ -63,9 +64,12 @@ def _read_letter(parser: Parser, name: str) -> Letter:
 
 def give_term(meaning: Meaning, node: Extremum) -> Any:
     """Return of what it is the extremum."""
-    if meaning.letter(node.by) in meaning.values:
+    by = meaning.letter(node.by)
+    if by in meaning.values:
         raise meaning.source.refuse(node.by.start, f"{node.by.text} is given by others")
-    return meaning.of(node.term)
+    term = meaning.of(node.term)
+    refuse_unknown(meaning, node.start, (term, f"in the {node.name}imum"), by)
+    return term
 
 
 def state_extremum(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
+from mechproof.latex.fragments import join
 from mechproof.latex.latex_signs import SUFFIXES, Token, find_command
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
@@ -159,7 +160,7 @@ def _read_plain(parser: Parser) -> Letter:
     end = find_end(parser.tokens, parser.place)
     texts = [token.text for token in parser.tokens[parser.place : end]]
     _refuse_expression(parser, texts)
-    latex = "".join([word or texts[0], *texts[1:]])
+    latex = join([word or texts[0], *texts[1:]])
     parser.place = end
     return Letter(sp.Symbol(latex, real=True), latex, start=start, end=parser.end)
 
