@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.moving_letters import list_beside, refuse_unknown
+from mechproof.latex.letters_that_move import list_beside, refuse_unknown
 from mechproof.latex.piecewise_values import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Node, Repeated

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from mechproof.latex.letters_that_move import refuse_unknown
 from mechproof.latex.measures import begins_member
-from mechproof.latex.moving_letters import refuse_unknown
 from mechproof.latex.piecewise_values import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
 from mechproof.latex.values import settle_all
