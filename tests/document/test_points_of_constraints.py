@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.document.constraints.witnesses import enclose, find_points
 from mechproof.document.misprints import find_failure, find_misprint
-from mechproof.document.slips import PrintedSides, find_slip
+from mechproof.document.slips import PrintedSides, find_slip, list_changes
 from mechproof.record import PrintedNumber
 from mechproof.statement_domains.domain import Domain
 
@@ -76,3 +76,12 @@ def test_a_print_that_nothing_small_mends_is_no_misprint() -> None:
 def test_a_number_may_have_wrong_digits(printed: str, meant: str) -> None:
     value = sp.Rational("80.1921") / (10 if len(printed) == 3 else 1)
     assert find_slip(PrintedNumber(printed, value), value) == meant
+
+
+def test_letters_made_equal_are_no_slip_for_others() -> None:
+    one, other, third = sp.symbols("a b c")
+    letters = (one, other, third)
+    for sides, has_other in [((one, other), False), ((one, 2 * other), True)]:
+        changes = list_changes(PrintedSides(sides), letters, {})
+        found = {s for change in changes for side in change.sides for s in side.free_symbols}
+        assert (third in found) == has_other

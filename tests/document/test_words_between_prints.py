@@ -234,6 +234,10 @@ CASES: dict[str, tuple[list[str], list[str]]] = {
         ],
         ["DEFINITION", "DEFINITION", "PROVED"],
     ),
+    "an inequality may tell of another case": (
+        ["d=2r", "d>2r", "#**Movable**", "d>2r", "d>3r", "-r^2>0"],
+        ["DEFINITION", "REFUTED", "not judged", "not judged", "REFUTED"],
+    ),
 }
 
 

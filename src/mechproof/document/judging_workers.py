@@ -13,7 +13,7 @@ from mechproof.document.constraints.consequences import GIVEN
 from mechproof.document.constraints.following import judge_following
 from mechproof.document.constraints.solutions import are_exchanged, judge_angles, judge_signs
 from mechproof.document.constraints.unsaid_relations import find_relations
-from mechproof.document.never_true import tell_never_true
+from mechproof.document.never_true import WITH_DEFINITIONS, tell_never_true
 from mechproof.document.numbers.rounded_factors import judge_factor
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.slips import find_slip
@@ -136,7 +136,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         return TRANSPOSED
     if found.verdict is Verdict.REFUTED and task.sign.role is Role.SEAM and not task.asserts:
         return "the pieces differ where they meet: a jump, or a misprint?"
-    if found.verdict is Verdict.REFUTED and task.is_solution:
+    is_relation = task.sign.role is Role.RELATION
+    if found.verdict is Verdict.REFUTED and task.is_solution and not is_relation:
         return (
             f"it differs from {task.sign.first}, but may be another solution or case; if it is "
             f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
@@ -161,6 +162,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         return turned
     is_exact = found.verdict is Verdict.REFUTED and not task.is_rounded
     if is_exact and (never := tell_never_true(task, found.reason)):
+        if task.is_solution and WITH_DEFINITIONS in never:
+            return f"it is never true{WITH_DEFINITIONS}, but may be said of another case"
         return replace(found, reason=never)
     return _take_as_given(task, found)
 

@@ -28,9 +28,16 @@ def tell_never_true(task: Task, reason: str) -> str:
         return f"it is never true{beside}: {said}"
     if not _is_nowhere_true(task, domain):
         return ""
-    is_apart = decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False)))
-    beside = WITH_DEFINITIONS if is_apart is False else ""
+    beside = WITH_DEFINITIONS if _is_true_alone(task) else ""
     return f"it is never true{beside}: {reason}"
+
+
+def _is_true_alone(task: Task) -> bool:
+    """Return whether a row that is true nowhere may be true whatever defines its letters."""
+    if not isinstance(task.row.says, Holds):
+        return decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False))) is False
+    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    return decide(Holds(sp.Not(task.row.says.relation)), domain).verdict is not Verdict.PROVED
 
 
 def _is_nowhere_true(task: Task, domain: Domain) -> bool:

@@ -67,10 +67,12 @@ def list_changes(
 ) -> Iterator[ChangedSides]:
     """Yield sides that differ in one place from those printed.
 
-    Two letters may be exchanged. What defines a letter keeps its letters: with others much would
-    be true.
+    Two letters may be exchanged. What defines a letter keeps its letters, and so does what makes
+    two letters equal: with others much would be true.
     """
     one, other = entry.sides
+    if one.is_Symbol and other.is_Symbol:
+        letters = ()
     if entry.are_printed[0]:
         for changed, printed, meant in _change(one, letters, is_term=True):
             yield ChangedSides((changed, other), printed, meant)

@@ -286,6 +286,8 @@ class TaskMaker:
 
     def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
         """Return whether a letter that is printed again may be meant for another case."""
+        if sign.role is Role.RELATION:
+            return self._is_behind_words(printed, sign)
         if sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return False
         first = next((one for one in self.printed if one.name == sign.first), None)
@@ -299,6 +301,12 @@ class TaskMaker:
         is_beside = first is not None and first.group == printed.group
         is_behind = first is None or first.announced.passage != said.passage
         return is_beside or (is_behind and (said.is_case or said.is_new))
+
+    def _is_behind_words(self, printed: Printed, sign: Sign) -> bool:
+        """Return whether words that say something new stand behind what defines a letter."""
+        names = {self.known.printed.get(letter) for letter in sign.printed}
+        first = (one.announced.scope for one in self.printed if one.name in names)
+        return any(scope != printed.announced.scope for scope in first)
 
     def _is_loose(self, residual: sp.Expr) -> bool:
         """Return whether a letter that no other equation has makes a residual zero."""
