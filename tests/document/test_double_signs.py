@@ -155,3 +155,18 @@ def test_roots_do_not_rest_on_another_arrangement_behind_them() -> None:
     follows = text.replace("In the second arrangement", "and so")
     rows = check("paper.tex", BLOCK + follows).rows
     assert [row.outcome for row in rows] == ["DEFINITION", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcomes"),
+    [
+        # Two complex numbers are not the one letter; what holds with either sign is read.
+        (r"x=-b\pm i\sqrt{c-b^2}", ["not read"]),
+        (r"e^{\pm ia}=\cos a\pm i\sin a", ["PROVED", "PROVED"]),
+        (r"e^{\pm ia}=\cos a\mp i\sin a", ["PROVED", "not judged"]),
+    ],
+)
+def test_double_signs_beside_the_imaginary_unit(latex: str, outcomes: list[str]) -> None:
+    found = check("paper.tex", f"$$x^2+2bx+c=0$$ $${latex}$$ $$y=e^{{ia}}$$")
+    assert [row.outcome for row in found.rows[1:-1]] == outcomes
+    assert found.rows[0].outcome == "DEFINITION"

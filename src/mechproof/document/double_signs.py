@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.document.constraints.complex_parts import is_complex
 from mechproof.document.constraints.solutions import SIGN, read_signs
 from mechproof.document.known import Known
 from mechproof.document.printed_signs import find_roles
@@ -66,6 +67,12 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
         sign = replace(sign, sides=(sign.letter, own.values[sign.letter]))
     sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
     is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
+    if is_one_sided and any(map(is_complex, sides)):
+        raise read.source.refuse(
+            next(DOUBLE.finditer(printed.latex.string)).start(),
+            "a double sign beside the imaginary unit: which of the two numbers is the letter?",
+            "Print them one by one, as letters of their own.",
+        )
     if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
         return []
     halves = _find_halves(sides[0], sides[1], known, pairs)
