@@ -43,6 +43,16 @@ BEAM = (
     "#whence",
 )
 PRESSED = ("#The drum turns to the right, and the moments are", r"Fa=Nb-\mu Nc")
+SPRUNG = (
+    "F=-kx",
+    "#The stiffness can be defined as",
+    r"k=\frac Fx",
+    "#A rod has",
+    r"k=\frac Gl",
+    "#A beam has",
+    r"k=\frac{3G}l",
+    "#The rod again has",
+)
 OPEN = "not judged"
 # Displays, with # words before them, and the outcome of the last one.
 PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
@@ -54,6 +64,13 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
         (*BEAM, r"\frac{dM}{dx}=\begin{cases}F&x<l/2\\-2F&x>l/2\end{cases}"),
         "REFUTED",
     ),
+    "of two letters printed anew one may be meant as first": (
+        (*SPRUNG, r"k=\frac Fx=\frac Gl"),
+        OPEN,
+    ),
+    "what any of the prints refutes": ((*SPRUNG, r"k=\frac Fx=\frac{2G}l"), "REFUTED"),
+    "what says zero beside a definition": (SPRUNG[:3], OPEN),
+    "what says it without new words": ((SPRUNG[0], SPRUNG[2]), "REFUTED"),
     "hence, with the newer print": ((*PARALLEL, *SERIES, "#Hence", IN_SERIES), "PROVED"),
     "hence, with the first print": ((*PARALLEL, *SERIES, "#Hence", IN_PARALLEL), OPEN),
     "new words, with the newer print": (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -49,21 +50,44 @@ def find_contradictions(at: Judging) -> Changes:
 def find_other_solutions(at: Judging) -> Changes:
     """Leave open a constraint, and what is printed behind it of one of its letters by all others.
 
-    That is its solution, or one of both is wrong: together they would tie the others.
+    That is its solution, or one of both is wrong: together they would tie the others. One that says
+    beside what is printed before it that a letter is zero may be of another case.
     """
     for n, task in enumerate(at.tasks):
         is_given = at.rows[n].outcome == Verdict.DEFINITION.value
+        is_given |= _is_refuted(at.rows[n]) and task.said.is_new
         is_given &= task.sign.role in CONSTRAINING and isinstance(task.row.says, Equality)
         if not is_given or task.residual in (None, 0):
             continue
         letters, (one, other) = list_printed(task), task.sign.sides
-        for m in range(n + 1, len(at.tasks)):
+        is_zero = _says_zero(task.residual)
+        for m in range(0 if is_zero else n + 1, len(at.tasks)):
             is_solved = defines(at.tasks[m], letters) and list_printed(at.tasks[m]) == letters
             is_beside = at.tasks[m].said.passage == task.said.passage
             is_beside |= not (task.is_case or at.tasks[m].is_case)
-            if is_solved and is_beside and is_linear(one - other, at.tasks[m].sign.letter):
+            letter = at.tasks[m].sign.letter
+            if not (is_solved and is_linear(one - other, letter)):
+                continue
+            if m < n:
+                at.tasks[n] = replace(task, anew=_solve(one - other, letter, at))
+                yield n, make_row(task, tell_contradiction(at.tasks[m].row.number))
+            elif is_beside:
                 yield n, make_row(task, tell_contradiction(at.tasks[m].row.number))
                 yield m, make_row(at.tasks[m], tell_contradiction(task.row.number))
+
+
+def _solve(rest: sp.Expr, letter: sp.Basic, at: Judging) -> dict[sp.Basic, sp.Expr | None]:
+    """Return what a linear equation makes of a letter; of its derivatives nothing is known then."""
+    above = sp.Poly(sp.fraction(sp.together(rest))[0], letter)
+    _, steps = at.symbols.find_steps(letter)
+    value = -above.coeff_monomial(1) / above.coeff_monomial(letter)
+    return {**dict.fromkeys(steps[steps.index(letter) :]), letter: value}
+
+
+def _says_zero(residual: sp.Expr) -> bool:
+    """Return whether a constraint says that a product of letters is zero."""
+    factors = (one.as_base_exp()[0] for one in sp.Mul.make_args(sp.cancel(residual)))
+    return all(one.is_Symbol or one.is_number for one in factors)
 
 
 def doubt_by_indices(at: Judging) -> Changes:

@@ -1,14 +1,16 @@
 """Rows behind a newer print of a letter, which may be of another case.
 
-It is not known which of the prints they mean. A verdict stands if both prints give it. What holds
-by the newer print alone is proved if no words stand between, or those of a consequence; else it is
-left open. A print that differs, and solves an equation as the first one does, is another root.
+It is not known which of the prints they mean. A verdict stands if both prints give it; of several
+letters, one that refutes stands if it does with any prints of them. What holds by the newer print
+alone is proved if no words stand between, or those of a consequence; else it is left open. A print
+that differs, and solves an equation as the first one does, is another root.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 from typing import Any
 
 import sympy as sp
@@ -34,6 +36,8 @@ from mechproof.record.statements import list_parts
 from mechproof.sources.announcements import Announced
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
+# Beyond so many newer prints they are tried only all together.
+_MANY = 4
 
 
 def find_roots(at: Judging) -> Changes:
@@ -106,10 +110,22 @@ def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
         is_compared = rows[n].outcome in _CERTAIN or differs
         if newer and is_compared and not (is_said or is_open):
             asked.append((n, tuple(newer)))
-    for (n, before), answer in at.ask(judge_anew, asked):
-        found = answer if isinstance(answer, Judgement) else None
-        if chosen := _choose(tasks[n], rows[n], found, [tasks[m] for m in before]):
+    refuted = [(n, before) for n, before in asked if rows[n].outcome == Verdict.REFUTED.value]
+    some = [(n, part) for n, before in refuted for part in _list_parts(before)]
+    found = {one: x for one, x in at.ask(judge_anew, asked + some) if isinstance(x, Judgement)}
+    for n, before in asked:
+        others = [found.get((m, part)) for m, part in some if m == n]
+        is_doubted = any(one and one.verdict is not Verdict.REFUTED for one in others)
+        own = None if is_doubted else found.get((n, before))
+        if chosen := _choose(tasks[n], rows[n], own, [tasks[m] for m in before]):
             yield n, make_row(tasks[n], chosen)
+
+
+def _list_parts(newer: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """Yield some of several newer prints: the first prints of the other letters may be meant."""
+    if len(newer) <= _MANY:
+        for count in range(1, len(newer)):
+            yield from combinations(newer, count)
 
 
 def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
@@ -136,7 +152,8 @@ def _choose(
     if row.judgement is None:
         return None
     first = "it holds" if is_proved else "it differs"
-    return f"{first} with the first definition of what {names} defines anew: which one is meant?"
+    defines = "defines" if len(newer) == 1 else "define"
+    return f"{first} with the first definition of what {names} {defines} anew: which one is meant?"
 
 
 def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
