@@ -55,6 +55,15 @@ DISPLAYS = {
         r"$$a=1 \qquad (3.2)$$" + E % r"\boxed{b=2}\quad\ (7a)." + E % "c=3",
         [("(3.2)", "a=1"), ("(7a)", r"\boxed{b=2}"), ("(1)", "c=3")],
     ),
+    "dots that lead to a number, and a condition": (
+        r"$$a=1\qquad-(3)$$ $$b=2\quad\cdots\cdots(4)$$ $$c=3\quad(d=0)$$ $$e=a-(3)$$",
+        [
+            ("(3)", "a=1"),
+            ("(4)", "b=2"),
+            ("display 1", r"c=3\quad(d=0)"),
+            ("display 2", "e=a-(3)"),
+        ],
+    ),
     "a number of another shape": (
         r"\renewcommand{\theequation}{S\arabic{equation}}" + E % "a=1",
         [("(S1)", "a=1")],

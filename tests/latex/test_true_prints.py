@@ -45,6 +45,7 @@ def judge_print(latex: str, **declared: Any) -> list[Verdict]:
     ("latex", "verdict"),
     [
         *((r"\cos 30^\circ=0.866", TRUE), (r"\cos 30^\circ=0.867", FALSE)),
+        *((r"\cos 30^o=0.866", TRUE), (r"\frac{360^{o}}5=\frac{2\pi}6", FALSE)),
         *((r"0.79=\frac\pi4", TRUE), (r"0.78=\frac\pi4", FALSE)),
         *((r"\arctan 0.5=26.57^\circ", TRUE), (r"\arctan 0.5=26.56^\circ", FALSE)),
         *((r"\sin(-20^\circ)=-0.34", TRUE), (r"\sin(-20^\circ)=0.34", FALSE)),

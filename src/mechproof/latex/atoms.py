@@ -267,7 +267,8 @@ def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
             "a power T: an exponent, or the transposed of a matrix?",
             parser.remedies.name.format("T"),
         )
-    if texts == ["{", r"\circ", "}"]:
+    is_ring = texts == ["{", "o", "}"] and isinstance(base, Number) and not parser.names.find("o")
+    if is_ring or texts == ["{", r"\circ", "}"]:
         parser.place += 4
         return Degrees(base, start=start, end=parser.end)
     return None

@@ -182,7 +182,8 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
         stated = PrintedNumber(number, ratio) if is_number else None
     if stated is None:
         raise ValueError(
-            f"row {row.number!r}: an approximation by no number: print the number at its right"
+            f"row {row.number!r}: an approximation is judged only if it is a number, "
+            r"at the right of \approx"
         )
     return stated
 

@@ -51,7 +51,11 @@ _SHOWN = re.compile(
 )
 _ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 # A number that stands beside an equation without being a tag, as in Markdown.
-_BESIDE = re.compile(r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s)*\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z")
+# Dots or a dash may lead to it.
+_BESIDE = re.compile(
+    r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s|[-\u2013\u2014\u2026]|\.{2,}|\\[cl]?dots)*"
+    r"\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z"
+)
 _UNNUMBERED = re.compile(r"\\(?:IEEE)?(?:nonumber|notag)(?![A-Za-z])")
 # The commands of IEEEeqnarray that number a line, (2), and one below the number before, (2a).
 _NUMBERED = re.compile(r"\\IEEEyes(?:sub)?number\*?(?![A-Za-z])")

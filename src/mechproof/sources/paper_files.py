@@ -88,9 +88,12 @@ def is_markdown_name(name: str) -> bool:
 def _open(path: Path) -> str:
     try:
         return path.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "is not UTF-8"
-        raise DocumentError(f"{path}: {reason}") from error
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        told = "a character that is not UTF-8. Save the file in that encoding."
+        raise DocumentError(f"{path}:{line}: {told}") from error
+    except OSError as error:
+        raise DocumentError(f"{path}: {error.strerror}") from error
 
 
 def _read(
