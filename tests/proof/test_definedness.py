@@ -136,3 +136,8 @@ def test_a_logarithm_that_cancels_is_missed_at_its_zero(place: str) -> None:
 def test_sides_that_both_lack_a_value_at_an_edge_are_equal(place: str) -> None:
     assert judge(rf"\frac1{{\sqrt{{{place}}}}}=\frac{{\sqrt{{{place}}}}}{{{place}}}")[0] in ACCEPTED
     assert judge(rf"\ln\left(({place})^2\right)=2\ln|{place}|")[0] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(("where", "verdict"), [("l>0", Verdict.PROVED), ("l<0", Verdict.REFUTED)])
+def test_sides_that_both_have_a_value_at_an_edge_are_compared(where: str, verdict: Verdict) -> None:
+    assert judge(r"\sqrt{l^2-r^2}=l\sqrt{1-r^2/l^2}", where)[0] is verdict

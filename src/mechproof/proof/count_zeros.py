@@ -80,11 +80,18 @@ def find_edge_without_value(
 
     Empty if none is met: points that are tried elsewhere seldom lie there.
     """
+    needs = tuple(needs)
     zeros = (
         zero for need in needs for zero in _list_roots(need.value, domain, find_free(need.value))
     )
-    inside = filter(domain.is_interior, zeros)
+    inside = (zero for zero in zeros if domain.is_interior(zero) and not _are_met(needs, zero))
     return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in inside)), "")
+
+
+def _are_met(needs: Iterable[Slack], point: Point) -> bool:
+    """Return whether all needs are met at a point: in balls a zero may lie on either side."""
+    numbers = ((need, need.value.xreplace(dict(point))) for need in needs)
+    return all(x.is_positive or (x.is_zero and not need.strict) for need, x in numbers)
 
 
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
