@@ -74,6 +74,8 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
         ("a belt of width $b$ and mass $m$\n", "b : width"),
         ("with the angle of rise $b$\n", "b : angle of rise"),
         ("with respect to $b$\n", "b :"),
+        ("With $a$ and $b$:\n    - $a=2k$\n", "b :"),
+        ("The tight belt couples $b$ and $k$ in time.\n", "b :"),
         ("for small $b$ and by eliminating $b$\n", "b :"),
         ("A belt of width $b$ is fixed at one end.\n", "b : width"),
         ("\\(b\\) ist die Breite des Riemens.\\newline\n", "b : ist die Breite des Riemens"),

@@ -116,8 +116,10 @@ _NO_NOUN = re.compile(
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
     r"|[a-z]+\s+to\s+be|[a-z]+ed\s+(?:at|by|in|on|to|with|from|between)|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
-    # A sentence of its own: "with $a$, $b$ the length of the path is".
-    r"|.*\b(?:is|are|becomes?|equals?|reads?|follows)\Z"
+    # A sentence of its own: "with $a$, $b$ the length of the path is", "the belt couples $a$".
+    r"|.*\b(?:is|are|becomes?|equals?|reads?|follows|couples|relates|connects)\Z"
+    # The bullet of an item behind a colon.
+    r"|\W*\Z"
 )
 # What stands between letters, not in their indices.
 _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
