@@ -88,3 +88,4 @@ def test_signs_roots_and_quotes_in_sentences_are_set_as_people_write_them() -> N
     )
     assert set_reason("both hold") == "Both hold."
     assert set_reason("j has no value.") == "j has no value."
+    assert set_reason("a constraint") == "A constraint."

@@ -178,7 +178,8 @@ def _set_name(name: re.Match[str]) -> str:
 
 def set_reason(text: str) -> Markup:
     """Set a reason as a sentence; one that begins with a letter of a formula keeps it."""
-    begun = text[:1].upper() + text[1:] if re.match(r"[a-z]{2,}(?=[ .;]|$)", text) else text
+    is_word = re.match(r"[a-z]{2,}(?=[ .;]|$)|a (?=[a-z]{2})", text)
+    begun = text[:1].upper() + text[1:] if is_word else text
     return set_prose(begun if begun.endswith((".", "?", "!")) or not begun else f"{begun}.")
 
 

@@ -41,13 +41,17 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
         if multiple is None:
             continue
         factor, rest = multiple
-        reason = f"left - right is that of {name} times {factor}"
+        reason = f"left - right is that of {_multiply(name, factor)}"
         if rest != 0:
             reason = f"cannot hold together with {name}: {reason}, plus {rest}"
             return Verdict.DEFINITION, GIVEN, reason
         if hold_together([other.residual], domain, list_factors_below(task.residual)):
             return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
     return _combine(task, others, domain) or _square(task, others, domain)
+
+
+def _multiply(name: str, factor: sp.Expr) -> str:
+    return name if factor == 1 else f"{name} times {factor}"
 
 
 def list_letters(task: Task) -> set[sp.Basic]:
@@ -68,7 +72,7 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
         used = {n: m for n, m in zip(known, multipliers or (), strict=False) if m != 0}
         divisors = list_factors_below(task.residual)
         if used and hold_together([known[name] for name in used], domain, divisors):
-            parts = ", plus ".join(f"{name} times {m}" for name, m in used.items())
+            parts = ", plus ".join(_multiply(name, m) for name, m in used.items())
             reason = f"follows from constraints, taken as given: left - right is {parts}"
             return Verdict.PROVED, COMBINATION, reason
     return _put_in(task, others, domain)
