@@ -101,8 +101,9 @@ class Task:
     `residual` is their difference, the values of letters put in, `rates` are its derivatives.
     `is_either` tells a constraint that may also be meant as an identity: both sides have the same
     letters, and the block does not say which it is. `is_solution` tells a later print of a letter
-    that may be another solution. `others` compare the same print with further members of the chain
-    that it is compared with. `follows` names what the block says that it follows from. `is_loose`
+    that may be another solution, or an inequality that may be said of another case. `others`
+    compare the same print with further members of the chain that it is compared with.
+    `follows` names what the block says that it follows from. `is_loose`
     tells that a letter that no other equation has makes it true, whatever the others are;
     `ties_running` that it has a letter on which others depend and none of those: if it holds for
     all values, a letter depends on it of which that is not said. `is_case` tells that words before
