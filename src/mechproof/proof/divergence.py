@@ -1,7 +1,8 @@
 """Integrals, sums and limits that have no value: one that is printed for them is wrong.
 
-An integral does not converge where an antiderivative is infinite at a pole or an end, whatever
-signs are met there, or has no limit; a sum does not whose terms do not come to zero.
+An integral does not converge where its integrand is like 1/x at a pole or an end, or more, or an
+antiderivative is infinite there, whatever signs are met, or has no limit; a sum does not whose
+terms do not come to zero.
 """
 
 from __future__ import annotations

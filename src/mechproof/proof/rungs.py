@@ -86,8 +86,8 @@ RUNGS = {
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
     "limits from both sides": "the limits from above and from below differ, so there is none",
     "divergence": "a number is printed for an integral, a sum or a limit that has none: an "
-    "antiderivative is infinite at a pole or an end, the terms do not come to zero, or what swings "
-    "comes to several numbers",
+    "integrand is no less than 1/x or an antiderivative infinite at a pole or an end, the terms do "
+    "not come to zero, or what swings comes to several numbers",
     "recomputation": "a printed number is the exact value rounded to its last place, or is not",
     "separating balls": "at one exact point the enclosures of both sides have nothing in common",
     "enclosure": "no proof is found; the enclosures of both sides meet at every point tried",
