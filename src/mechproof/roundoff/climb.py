@@ -1,8 +1,10 @@
 """Climb: from the worst of some points uphill to worse ones.
 
 A population of points; in each round every one is moved (some ulps, a factor, or across to
-another's value), and the worst survive. The points are on the first axis. It is an evolution
-strategy (Beyer and Schwefel 2002) whose steps are those of doubles.
+another's value), and the worst survive. Where one argument moves alone, or some by one factor so
+that their products or quotients stay nearly, most roundings stay as bad as they are. The points are
+on the first axis. It is an evolution strategy (Beyer and Schwefel 2002) whose steps are those of
+doubles.
 """
 
 from __future__ import annotations
@@ -21,6 +23,8 @@ Points = tuple[Column, ...]
 Measure = Callable[[Points], Column]
 # Moves: up to 2**k ulps, or by a factor 1 + u * 10**-k.
 MOST_ULPS, FINEST_MOVE, WIDEST_MOVE = 30.0, -16.0, -1.0
+# Of the points, this share is moved in one argument, and this in some by one factor.
+ALONE, TOGETHER = 0.4, 0.4
 # So many of those that long doubles find are judged by balls.
 JUDGED = 24
 
@@ -63,7 +67,7 @@ def climb(
     population = _select(_weigh(measure, start), schedule.survivors)
     for _ in range(rounds):
         parents = tuple(np.repeat(c, schedule.children, axis=0) for c in population.points)
-        moved = tuple(_move(column, rng) for column in parents)
+        moved = _breed(parents, rng)
         if inside is not None:
             kept = inside(moved)
             moved = tuple(_choose(kept, *pair) for pair in zip(moved, parents, strict=True))
@@ -115,16 +119,40 @@ def _select(population: Population, most: int) -> Population:
 
 def _choose(kept: Column, one: Column, other: Column) -> Column:
     """Take rows of one where they are kept, and else of the other."""
-    return np.where(kept.reshape(-1, *[1] * (one.ndim - 1)), one, other)
+    return np.where(_reshape(kept, one), one, other)
+
+
+def _reshape(row: Column, column: Column) -> Column:
+    """Return one number for each point as an array that goes with a column."""
+    return row.reshape(-1, *[1] * (column.ndim - 1))
+
+
+def _breed(parents: Points, rng: np.random.Generator) -> Points:
+    """Move every point: in all arguments, in one, or in some by one factor."""
+    count = len(parents[0])
+    share, place = rng.random(count), rng.integers(0, len(parents), count)
+    factor = _draw_factors(count, rng)
+    is_alone, is_together = share < ALONE, share >= 1 - TOGETHER
+    return tuple(
+        np.where(
+            _reshape(is_together, column),
+            column * _reshape(factor ** rng.integers(-1, 2, count), column),
+            _choose(is_alone & (place != number), column, _move(column, rng)),
+        )
+        for number, column in enumerate(parents)
+    )
+
+
+def _draw_factors(size: Any, rng: np.random.Generator) -> Column:
+    factors: Column = 1 + rng.normal(size=size) * 10 ** rng.uniform(FINEST_MOVE, WIDEST_MOVE, size)
+    return factors
 
 
 def _move(column: Column, rng: np.random.Generator) -> Column:
     """Move some numbers, others stay; of every other vector or matrix all."""
     # Errors jump from double to double: steps of all sizes, and no slope to follow.
     steps = np.rint(rng.normal(size=column.shape) * 2.0 ** rng.uniform(0, MOST_ULPS, column.shape))
-    factor = 1 + rng.normal(size=column.shape) * 10 ** rng.uniform(
-        FINEST_MOVE, WIDEST_MOVE, column.shape
-    )
+    factor = _draw_factors(column.shape, rng)
     other = rng.permutation(column, axis=0)
     choice = rng.integers(0, 6, column.shape)
     moved = np.select(
