@@ -15,12 +15,14 @@ from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy, Argument, Chart, Form, Paper, Quantity, Scale, Variable
 from mechproof.roundoff.certificate import cover_all
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.spreading import spread
 from mechproof.roundoff.steps import HALF
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 a, b = sp.symbols("a b", positive=True)
 angle = sp.Symbol("angle", real=True)
+UNIT = sp.Interval(0, 1)
 
 
 def add_up(errors: Array, terms: Array) -> float:
@@ -132,3 +134,48 @@ def test_what_a_maximum_is_at_least_bounds_a_difference() -> None:
         assert not is_shown(subject, 0.99)
     for subject in write_subjects(a - b * b, sp.Max(a, b**3), chart, (a, b)):
         assert not is_shown(subject, 4.0)
+
+
+# In a product with a sum that is no less than 1 or with a maximum, and as a term.
+VALUE = angle * a**2 * b / (1 + b) ** 3
+AT_LEAST = [
+    VALUE * (1 + sp.Abs(angle)),
+    a**2 * sp.Max(sp.Abs(angle * b / (1 + b)), angle) / (1 + b) ** 2,
+    a**2 / (1 + b) * (2 * sp.Max(sp.Abs(angle * b), a) + sp.Abs(angle)) / (2 * (b + 1) ** 2),
+    3 * (sp.Abs(-a * b * angle) * sp.Abs(a) / (1 + b) ** 3 + 1),
+]
+# Half of it, a sum with what may be negative, a maximum of such, and of another size.
+NOT_AT_LEAST = [
+    VALUE * (1 + sp.Abs(angle)) / 2,
+    VALUE * (1 + angle),
+    a**2 * sp.Max(angle * b / (1 + b), -1) / (1 + b) ** 2,
+    sp.Max(sp.Abs(VALUE - b**4), a),
+]
+
+
+@pytest.mark.parametrize("scale", [*AT_LEAST, *NOT_AT_LEAST], ids=str)
+def test_a_scale_is_seen_to_be_no_less_than_the_value(scale: sp.Expr) -> None:
+    chart = Chart("", {s: s for s in (a, b, angle)}, dict.fromkeys((a, b, angle), UNIT))
+    for subject in write_subjects(VALUE, scale, chart, (a, b, angle)):
+        assert subject.scale is not None
+        assert subject.scale.is_at_least == (scale in AT_LEAST)
+
+
+def bound_whole(subject: ComputedStage) -> float:
+    region = next(list_regions(subject.form.charts[0]))
+    return float(subject.bound(region, np.array([region.box]))[0])
+
+
+def test_beside_a_scale_that_is_no_less_boxes_may_be_wide() -> None:
+    """Whatever quotients over a box say: a rounding is half an eps of the value, met once."""
+    chart = Chart("", {s: 1 + s for s in (a, b, angle)}, dict.fromkeys((a, b, angle), UNIT))
+    for subject in write_subjects(VALUE, AT_LEAST[0], chart, (a, b, angle)):
+        assert subject.scale is not None
+        # Three roundings of 1 + b, as its cube has them, and one each of six products.
+        assert 4.5 <= bound_whole(subject) <= 4.51
+        unseen = replace(subject.scale, is_at_least=False)
+        assert bound_whole(replace(subject, scale=unseen)) > 20
+        *others, last = subject.straight.steps
+        steps = (*others, replace(last, ulps=2 * HALF))
+        worse = replace(subject, straight=replace(subject.straight, steps=steps))
+        assert bound_whole(worse) >= 4.99

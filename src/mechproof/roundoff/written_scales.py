@@ -7,12 +7,14 @@ compilers (Cocke and Schwartz 1970).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
 from sympy.simplify.fu import TR9
 
+from mechproof.arithmetic.polynomials import cancel
 from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import build_kernel, input_names
@@ -34,12 +36,14 @@ class WrittenScale:
     """The steps of a scale and of what it is more than the value, where it has all its terms.
 
     Told besides, but for their signs, are so many terms of a sum, without the value, if it is one,
-    and what it is at least: the candidates of a maximum. Those `known` are never negative.
+    and what it is at least: the candidates of a maximum. Those `known` are never negative. It
+    `is_at_least` the value where both are written so, though the value is no term.
     """
 
     straights: tuple[StraightLineProgram, ...]
     terms: int
     known: tuple[bool, ...]
+    is_at_least: bool = False
 
     def weigh(
         self, outputs: Sequence[IntervalMonomial], parts: Sequence[IntervalMonomial] = ()
@@ -51,7 +55,8 @@ class WrittenScale:
         terms = parts[: self.terms] if all(signs[: self.terms]) else ()
         least = [part for part, holds in zip(parts, signs, strict=True) if holds][len(terms) :]
         if not rest or (not terms and rest[0].decide_sign() <= 0):
-            return ErrorScale(whole, False, terms, least)
+            # Terms that are told add up to the scale without the value.
+            return ErrorScale(whole, self.is_at_least and not terms, terms, least)
         # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
         is_known = whole.span.is_finite
         scale = rest[0] if whole.variables.choose(is_known, ~is_known) else whole
@@ -87,7 +92,55 @@ def write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> W
     if parts:
         straights.append(share_equal_steps(write(*map(_drop_signs, parts))))
     known = tuple(part.is_extended_nonnegative is True for part in parts)
-    return WrittenScale(tuple(straights), len(others), known)
+    is_at_least = not own and not others and _is_seen(size, quantity, form, paper)
+    return WrittenScale(tuple(straights), len(others), known, is_at_least)
+
+
+def _is_seen(size: sp.Expr, quantity: Quantity, form: Form, paper: Paper) -> bool:
+    """Say whether a scale is seen to be at least the value of a form."""
+    if form.expression.is_Matrix:
+        return False
+    inputs = input_names(quantity).keys()
+    given = {symbol: value for symbol, value in paper.given.items() if symbol not in inputs}
+    value = _write_out(form.expression, given)
+    return any(_is_multiple(_write_out(part, given), value) for part in list_below(size))
+
+
+def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
+    """List expressions that are no larger than one, signs apart."""
+    yield size
+    parts = size.args
+    if isinstance(size, sp.Add) and all(part.is_extended_nonnegative for part in parts):
+        yield from itertools.chain.from_iterable(map(list_below, parts))
+    elif isinstance(size, sp.Max):
+        for part in parts:
+            if part.is_extended_nonnegative:
+                yield from list_below(part)
+    elif isinstance(size, sp.Mul):
+        for part in parts:
+            if isinstance(part, sp.Add | sp.Max):
+                others = sp.Mul(*(other for other in parts if other is not part))
+                _, *below = list_below(part)
+                yield from (others * one for one in below)
+
+
+def _write_out(expression: sp.Expr, given: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
+    """Return an expression without the symbols that have values."""
+    while expression.free_symbols & given.keys():
+        expression = expression.xreplace(given)
+    return expression
+
+
+def _is_multiple(part: sp.Expr, value: sp.Expr) -> bool:
+    """Say whether a part is seen to be a number of times a value, and no less, signs apart."""
+    one, other = map(_drop_signs, (part, value))
+    if one.has(sp.Abs, sp.Max) or other == 0:
+        return False
+    try:
+        above, below = cancel(one / other)
+    except sp.PolynomialError:
+        return False
+    return bool(above.is_Number and below.is_Number and abs(above) >= below)
 
 
 def _join_waves(size: sp.Basic) -> sp.Basic:
