@@ -219,7 +219,7 @@ def ratio(
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
     falls below the normal range: at most 7.75 eps with np.cos within 1 ulp and np.sin within 1
-    ulp and np.tan within 1 ulp, found 4.83; at most 10.04 eps compiled, found 5.68.
+    ulp and np.tan within 1 ulp, found 4.83; at most 10.04 eps compiled, found 5.86.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
@@ -303,7 +303,7 @@ def position(
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
     falls below the normal range: at most 7.07 eps with np.arctan2 within 1 ulp and np.cos
-    within 1 ulp and np.sin within 1 ulp and np.tan within 1 ulp, found 4.43; at most 8.45 eps
+    within 1 ulp and np.sin within 1 ulp and np.tan within 1 ulp, found 4.48; at most 8.45 eps
     compiled, found 5.46.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
@@ -382,8 +382,8 @@ def acceleration(
     0 or 2**-830 <= e2*|mount|).
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/4, as long as no result overflows or
-    falls below the normal range: at most 24.62 eps with np.cos within 1 ulp and np.sin within 1
-    ulp and np.tan within 1 ulp, found 7.87; at most 31 eps compiled, found 8.25.
+    falls below the normal range: at most 15.62 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 8.04; at most 17.42 eps compiled, found 8.56.
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
@@ -485,7 +485,7 @@ def ratio_cylindrical(
     |x| <= 2**26.
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
-    at most 11 eps with np.tan within 1 ulp, found 5.61; at most 12.5 eps compiled, found 4.61.
+    at most 11 eps with np.tan within 1 ulp, found 6.22; at most 12.5 eps compiled, found 6.72.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
@@ -570,7 +570,7 @@ def position_cylindrical(
 
     Proved of half-angle atan, where |x| <= 3 and e2 <= 1/2, as long as no result overflows or
     falls below the normal range: at most 8 eps with np.arctan within 1 ulp and np.tan within 1
-    ulp, found 3.95; at most 10 eps compiled, found 3.92.
+    ulp, found 4.97; at most 10 eps compiled, found 5.76.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 
@@ -679,8 +679,8 @@ def acceleration_cylindrical(
     2**-330 <= e2).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
-    below the normal range: at most 15 eps with np.tan within 1 ulp, found 8.12; at most 16.5
-    eps compiled, found 7.94.
+    below the normal range: at most 15 eps with np.tan within 1 ulp, found 10.84; at most 16.5
+    eps compiled, found 11.54.
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 
