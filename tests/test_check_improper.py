@@ -11,6 +11,7 @@ from mechproof.proof.verdict import Verdict
 # The print with a place for the value, the true value, a wrong one, and what is said.
 PAIRS = [
     (r"\int_{-1}^1\frac{dx}{\sqrt[3]x}=%s", "0", "1", ()),
+    (r"\int_0^3\frac{dx}{\sqrt[3]{x-1}}=%s", r"\frac32(\sqrt[3]4-1)", "3", ()),
     # Known integrals.
     (r"\int_0^{\pi/2}\ln\sin x\,dx=%s", r"-\frac\pi2\ln2", r"-\pi\ln2", ()),
     (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=%s", r"\frac\pi2\ln\frac a2", r"\frac\pi2\ln a", ("a>0",)),
@@ -297,7 +298,6 @@ OPEN = [
     (r"\sum_{k=1}^\infty\frac1k-\sum_{k=1}^\infty\frac1k=0", ()),
     (r"\frac1{\sum_{k=1}^\infty\frac1k}=0", ()),
     # SymPy would integrate numerically to order the terms of the reason.
-    (r"\int_0^3\frac{dx}{\sqrt[3]{x-1}}=3", ()),
 ]
 
 

@@ -258,13 +258,15 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
     """Integrate by what the integrand is made of, put up with unknown factors (Bronstein 2005).
 
     Beside an exponential of a square stands an error function, beside a wave that is divided by the
-    variable a sine integral. It takes long where functions are divided by or raised to letters, and
-    waves divided by high powers.
+    variable a sine integral. It takes long where functions are divided by or raised to letters,
+    waves divided by high powers, and at roots of functions, or roots but square ones beside them.
     """
     below = sp.fraction(sp.together(integrand))[1]
     functions = {node for node in below.atoms(sp.Function) if not isinstance(node, sp.exp)}
-    raised = (power.exp for power in integrand.atoms(sp.Pow) if power.has(variable))
-    if functions or not all(power.is_number for power in raised):
+    powers = [power for power in integrand.atoms(sp.Pow) if power.has(variable)]
+    if functions or not all(map(_is_tried, powers)):
+        return
+    if integrand.has(sp.Function) and not all((2 * power.exp).is_integer for power in powers):
         return
     written = TR8(integrand) if integrand.has(sp.sin, sp.cos) else integrand
     waves = written.atoms(sp.sin, sp.cos)
@@ -282,6 +284,11 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
             return
         whole += found
     yield from _list_pieces(whole)
+
+
+def _is_tried(power: sp.Pow) -> bool:
+    """Tell whether an exponent is a number, and a whole one of a function."""
+    return bool(power.exp.is_integer or (power.exp.is_number and not power.base.has(sp.Function)))
 
 
 def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
