@@ -12,6 +12,14 @@ from mechproof.proof.verdict import Verdict
 # The print with a place for the value, the true value, a wrong one, and what is said.
 PAIRS = [
     (
+        r"\int_0^z\frac{dt}{t^2+\frac{(1-e)^2}{(1+e)^2}}=%s",
+        (
+            r"\frac{1+e}{1-e}\arctan\frac{(1+e)z}{1-e}",
+            r"\frac{1+e}{1-e}\arctan\frac{(1-e)z}{1+e}",
+        ),
+        ("z>0", "0<e<1"),
+    ),
+    (
         r"\int_0^{2\pi}\frac{d\varphi}{a+b\cos\varphi}=%s",
         (r"\frac{2\pi}{\sqrt{a^2-b^2}}", r"\frac{2\pi}{\sqrt{a^2+b^2}}"),
         ("a>|b|",),

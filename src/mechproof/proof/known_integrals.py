@@ -209,7 +209,8 @@ def _find_between_letters(
         return None
     gap = sp.Dummy("gap", positive=True)
     moved = integrand.subs({X: lower + gap * X, upper: lower + gap}, simultaneous=True)
-    if not all(power.base.is_polynomial(X) for power in moved.atoms(sp.Pow)):
+    bases = [power.base for power in moved.atoms(sp.Pow)]
+    if not all(b.is_polynomial(X) and sp.denom(sp.together(b)).is_number for b in bases):
         return None
     powers = moved.replace(sp.Pow, _split_power)
     factor, rest = powers.as_independent(X, as_Add=False)
