@@ -242,6 +242,7 @@ DIVERGENT = [
 ]
 # Of what is not shown to be infinite, or to have no value, nothing is said.
 OPEN = [
+    (r"\int_0^\infty\frac{\arctan ax-\arctan bx}xdx=\frac\pi2\ln\frac ab", ("a>0",)),
     # Known integrals with letters for which they have no value, or another one.
     (r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),

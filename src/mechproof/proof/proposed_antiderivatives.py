@@ -19,6 +19,7 @@ from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
 from mechproof.proof.signs import is_positive
+from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
 
 # Work limit: a power of the variable by which waves are divided.
@@ -48,15 +49,23 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
 def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
     """Tell where there is no elementary antiderivative (Liouville), and SymPy would try for long.
 
-    So it is of powers divided by a logarithm: with x = e^t these are exponentials, divided by t.
+    So it is of powers divided by a logarithm: with x = e^t these are exponentials, divided by t. So
+    it is of arctangents and the like that are divided by x.
     """
     parts = _split_logarithm(integrand, variable)
     if parts is not None:
         return bool(parts.rest.has(variable))
-    terms = sp.Add.make_args(sp.powsimp(sp.expand(integrand * sp.log(variable))))
-    powers = [term.as_independent(variable)[1] for term in terms]
+    arcs = _list_moving(sp.expand(integrand * variable), variable)
+    if all(isinstance(arc, ARCS) for arc in arcs):
+        return True
+    powers = _list_moving(sp.powsimp(sp.expand(integrand * sp.log(variable))), variable)
     divided = all(p == 1 or p.as_base_exp()[0] == variable for p in powers)
     return divided and {*powers} != {1 / variable}
+
+
+def _list_moving(total: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
+    """List what the terms of a sum are without their constant factors."""
+    return [term.as_independent(variable)[1] for term in sp.Add.make_args(total)]
 
 
 class _Parts(NamedTuple):
