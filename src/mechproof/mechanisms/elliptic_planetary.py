@@ -187,8 +187,8 @@ class EllipticPlanetary(Drive):
         |delta| <= 2*asin(e), and position/phi1 lies between the extremes of the ratio.
 
         Accuracy held by the tests, where R1/R2*|phi1| <= 2**25, for every e: the exact position at
-        phi1 misses phi3 by at most 8*eps*|phi3| (4 eps of the position kernel, twice) and what the
-        step to a neighbour of phi1 makes of the position.
+        phi1 misses phi3 by at most 11*eps*|phi3| (5.5 eps of the position kernel, twice) and what
+        the step to a neighbour of phi1 makes of the position.
 
         """
         units = Units(degrees)

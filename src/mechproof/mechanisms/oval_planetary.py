@@ -264,7 +264,7 @@ class OvalPlanetary(Drive):
         With delta = phi3 - (1 - R4/R5)*phi1, |delta| <= asin(e2).
 
         Accuracy held by the tests, where R4/R5*|phi1| <= 2**25, for every e2: the exact position
-        at phi1 misses phi3 by at most 8*eps times the larger term of the position (4 eps of the
+        at phi1 misses phi3 by at most 14*eps times the larger term of the position (7 eps of the
         kernel, twice) and what the step to a neighbour of phi1 makes of it. Near a double zero of
         the ratio the angle itself is known only to the square root of that.
 
