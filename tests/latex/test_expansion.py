@@ -190,6 +190,7 @@ def test_other_signs() -> None:
     assert says("w<L", derived={w: length / 2}) == Holds(sp.Lt(length / 2, length, evaluate=False))
     assert says(r"w\ne L") == Holds(sp.Ne(w, length, evaluate=False))
     assert says(r"\frac13\approx0.33") == PrintedNumber("0.33", sp.Rational(1, 3))
+    assert says(r"\frac13\simeq0.33") == PrintedNumber("0.33", sp.Rational(1, 3))
     assert says(r"\frac12\approx0.50") == PrintedNumber("0.50", sp.Rational(1, 2))
     assert says(r"-w\approx-2", derived={w: 2 * x}) == PrintedNumber("-2", -2 * x)
     assert says(r"\pi/1800\approx0.1^\circ") == PrintedNumber("0.1", sp.Rational(1, 10))

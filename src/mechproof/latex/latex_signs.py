@@ -52,7 +52,7 @@ _SAME = {
     **{r"\rightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
-    **{r"\neq": r"\ne", r"\textbf": r"\mathbf"},
+    **{r"\neq": r"\ne", r"\simeq": r"\approx", r"\textbf": r"\mathbf"},
     # Accents that amsmath places above other accents.
     **{f"\\{name.title()}": f"\\{name}" for name in ("vec", "hat", "tilde", "bar", "dot", "ddot")},
     **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
