@@ -19,8 +19,8 @@ _RECORDS = {
     for file in sorted((GENERATED / "measured").glob("*.json"))
 }
 _SYSTEMS = sorted(file.stem for file in GENERATED.glob("[!_]*.py"))
-# Quantities whose accuracy has a bound, and those that have a kernel.
-BOUNDED = tuple(name for name, record in _RECORDS.items() if record["bound"])
+# Quantities whose accuracy has a bound, with it, and those that have a kernel.
+BOUNDED = {name: record["bound"] for name, record in _RECORDS.items() if record["bound"]}
 KERNELS = tuple(
     f"{system}.{name}"
     for system in _SYSTEMS

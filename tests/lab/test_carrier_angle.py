@@ -11,6 +11,7 @@ from quantities import find_subject
 from mechproof import CylindricalPair as Pair, EllipticPlanetary, OvalPlanetary
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array
 
 EPS = float(np.finfo(float).eps)
@@ -42,13 +43,22 @@ def sizes_of(mechanism: Mechanism) -> tuple[float, float, float]:
     return float(pair.R4), float(pair.R5), float(mechanism.e2)
 
 
-BAR = 4
+def find_position(kind: type[Mechanism]) -> Subject:
+    is_elliptic = kind is EllipticPlanetary
+    name = "elliptic_planetary.position" if is_elliptic else "oval_planetary.position_cylindrical"
+    return find_subject(name)
+
+
+def find_bar(kind: type[Mechanism]) -> float:
+    """Return by how many eps the position is stated to be off."""
+    accuracy = find_position(kind).quantity.accuracy
+    assert accuracy is not None
+    return float(accuracy.ulp)
 
 
 def truth_of(mechanism: Mechanism, phi1: Array) -> Truth:
-    is_elliptic = isinstance(mechanism, EllipticPlanetary)
-    name = "elliptic_planetary.position" if is_elliptic else "oval_planetary.position_cylindrical"
-    return find_truth(find_subject(name), (phi1, *map(np.array, sizes_of(mechanism))))
+    subject = find_position(type(mechanism))
+    return find_truth(subject, (phi1, *map(np.array, sizes_of(mechanism))))
 
 
 def draw_targets(name: str, seed: int) -> Array:
@@ -126,12 +136,19 @@ def draw_ladder_targets(mechanism: Mechanism) -> Array:
 @pytest.mark.parametrize("e", LADDER, ids=repr)
 @pytest.mark.parametrize("sizes", [(66.0, 16.0), (50.3, 50.2), (1.0, 4e15)], ids=str)
 def test_the_bound_holds_up_to_e_1(sizes: tuple[float, float], e: float) -> None:
-    """Both neighbours enclose the target in positions that are each 4 eps off: 8 eps."""
+    """Both neighbours enclose the target in positions, each off by as much as is stated."""
     elliptic = sizes[0] > sizes[1]
     mechanism = EllipticPlanetary(*sizes, e) if elliptic else OvalPlanetary(Pair(*sizes), e)
     targets = draw_ladder_targets(mechanism)
     found = np.asarray(mechanism.carrier_angle(targets))
-    assert miss_position(mechanism, targets, found) <= 2 * BAR
+    assert miss_position(mechanism, targets, found) <= 2 * find_bar(type(mechanism))
+
+
+@pytest.mark.parametrize("kind", [EllipticPlanetary, OvalPlanetary])
+def test_the_documentation_tells_the_bound(kind: type[Mechanism]) -> None:
+    told = " ".join((kind.carrier_angle.__doc__ or "").split())
+    assert f"at most {2 * find_bar(kind):g}*eps" in told
+    assert f"({find_bar(kind):g} eps of the" in told
 
 
 def test_an_angle_a_few_ulps_off_would_be_seen_near_e_1() -> None:
@@ -139,7 +156,7 @@ def test_an_angle_a_few_ulps_off_would_be_seen_near_e_1() -> None:
     mechanism = EllipticPlanetary(66, 16, LADDER[-1])
     targets = draw_ladder_targets(mechanism)
     found = step_ulps(np.asarray(mechanism.carrier_angle(targets)), np.array(4))
-    assert miss_position(mechanism, targets, found) > 1000 * BAR
+    assert miss_position(mechanism, targets, found) > 1000 * find_bar(EllipticPlanetary)
 
 
 @pytest.mark.parametrize("name", ["elliptic 66/16, 0.475", "one-way"])
@@ -164,7 +181,7 @@ def test_the_bracket_holds_the_angle(
     kind: type[Mechanism], sign: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A position as wrong as its bound allows stays inside the bracket: no failure to converge."""
-    exact, factor = kind.position, 1 + sign * BAR * EPS
+    exact, factor = kind.position, 1 + sign * find_bar(kind) * EPS
     chosen = [name for name, mechanism in MECHANISMS.items() if isinstance(mechanism, kind)]
     targets = {name: draw_targets(name, 5) for name in chosen}
     monkeypatch.setattr(kind, "position", lambda self, phi1: exact(self, phi1) * factor)

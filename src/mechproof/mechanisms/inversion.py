@@ -22,8 +22,8 @@ Orders = NDArray[np.int64]
 
 LARGEST = np.finfo(np.float64).max
 # A bracket that is known of the exact function is widened for the computed one by this relative
-# amount: the accuracy bound of the position kernels, at most 7 eps of the larger term, of which the
-# value is at least half, and the rounding of the bracket, some ten operations of half an eps.
+# amount: twice the accuracy bound of the position kernels, 5.5 and 7 eps, and the rounding of the
+# bracket, some ten operations of half an eps.
 WIDENING = 20 * np.finfo(float).eps
 # An angle may be subnormal where the value is not; there the widening is absolute.
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
