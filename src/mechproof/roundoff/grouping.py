@@ -15,7 +15,7 @@ from mechproof.arithmetic.intervals import Array, careful
 from mechproof.roundoff.interval_monomials import MixedBoxesError
 
 # Boxes that are bounded together.
-TOGETHER = 1024
+TOGETHER = 8192
 # Called with boxes and with the first decisions.
 BoundAlike = Callable[[Boxes, tuple[int, ...]], Array]
 
