@@ -26,7 +26,7 @@ LONGEST = (
 # one in fewer with what is slow; the rest is thorough. Where what takes long is done for all cases
 # `together`, all of them stay slow.
 SHOWN = 12
-SLOW = 4
+SLOW = 8
 
 # What a derivation is made of.
 DERIVED = (".py", ".tex", ".json")
