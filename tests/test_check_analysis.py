@@ -77,6 +77,12 @@ PAIRS = [
     (r"\binom{-n}k=(-1)^k\binom{n+k-1}k", r"\binom{-n}k=\binom{n+k-1}k", ()),
     (r"\ln(xy)=\ln|x|+\ln|y|", r"\ln(xy)=\ln|x|+2\ln|y|", ("xy>0",)),
     (r"\ln\frac xy=\ln|x|-\ln|y|", r"\ln\frac xy=\ln|x|+\ln|y|", ("xy>0",)),
+    (r"\tan^ax\cot^ax=1", r"\tan^ax\cot^ax=2", ("0<x", r"x<\frac\pi2")),
+    (
+        r"(\sin x\cos x)^a=\sin^ax\cos^ax",
+        r"(\sin x\cos x)^a=\sin^ax\cos x",
+        ("0<x", r"x<\frac\pi2"),
+    ),
     (r"\max(ka,kb)=k\max(a,b)", r"\max(ka,kb)=k\min(a,b)", ("k>0",)),
     (r"\max(ka,kb)=k\min(a,b)", r"\max(ka,kb)=k\max(a,b)", ("k<0",)),
     (r"\ln\sqrt{xy}=\frac12\ln|x|+\frac12\ln|y|", r"\ln\sqrt{xy}=\ln|x|+\ln|y|", ("xy>0",)),

@@ -34,6 +34,12 @@ PAIRS = [
         (r"\frac{2\pi a}{(a^2-b^2)^{3/2}}", r"\frac{2\pi b}{(a^2-b^2)^{3/2}}"),
         ("a>|b|",),
     ),
+    (r"\int_0^{\frac\pi2}\frac{dx}{1+\tan^nx}=%s", (r"\frac\pi4", r"\frac\pi3"), ()),
+    (
+        r"\int_0^{\frac\pi2}\frac{\sin^nx}{\sin^nx+\cos^nx}\,dx=%s",
+        (r"\frac\pi4", r"\frac\pi2"),
+        ("n>0",),
+    ),
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=%s", (r"\sqrt{\pi/a}", r"\sqrt{\pi a}"), ("a>0",)),
     (
         r"\frac1{\sqrt{2\pi}s}\int_{-\infty}^\infty e^{-\frac{(x-m)^2}{2s^2}}dx=%s",
@@ -191,6 +197,8 @@ FACTORIALS = [
     (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
 ]
 NOT_PROVED = [
+    # The same from the other end has a constant sum with it, but neither has an integral.
+    (r"\int_0^{\frac\pi2}\left(\frac12+\cot2x\right)dx=\frac\pi4", ()),
     # Floors that are alike but for single numbers, and of different numbers.
     (r"\lfloor x\rfloor+\lfloor-x\rfloor=-1", ()),
     (r"\lfloor x\rfloor<x", ()),

@@ -21,6 +21,7 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise, write_by_sines
 from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
+from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.improper import (
     changes_sign_at_pole,
     is_improper,
@@ -36,6 +37,7 @@ from mechproof.proof.roots_of_squares import write_roots
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
+from mechproof.record import Slack
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
@@ -181,6 +183,8 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     variable, lower, upper = integral.limits[0]
     if lower.is_infinite or upper.is_infinite:
         return None
+    if (value := _find_by_constant_mean(integral, domain)) is not None:
+        return value
     place, run = parametrise(variable, lower, upper)
     running = integral.function.subs(variable, place)
     other = integral.function.subs(variable, lower + upper - variable)
@@ -190,6 +194,27 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     if find_break(running, variable, domain.with_set(variable, run)) is not None:
         return None
     return _find_by_antiderivative(sp.Integral(mean, integral.limits[0]), domain)
+
+
+def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value if the integrand and the same from the other end have a constant sum.
+
+    Where neither is negative both lie between zero and that sum, whatever becomes of their parts at
+    the ends.
+    """
+    variable, lower, upper = integral.limits[0]
+    place, run = parametrise(variable, lower, upper)
+    inside = domain.with_set(variable, run.interior)
+    running, other = (integral.function.subs(variable, x) for x in (place, lower + upper - place))
+    middle = integral.function.subs(variable, (lower + upper) / 2)
+    sides = (running + other, 2 * middle)
+    if middle.has(*_NO_NUMBERS) or are_seen_to_differ(sides, inside):
+        return None
+    is_met = is_shown_there(Slack(running, False), inside)
+    if not is_met or find_break(running, variable, inside) is not None:
+        return None
+    is_constant = decide_equal(*sides, inside) or decide_by_logarithms(*sides, inside)
+    return (upper - lower) * middle if is_constant else None
 
 
 def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:

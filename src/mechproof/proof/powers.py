@@ -9,8 +9,10 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.coordinates import HYPERBOLIC
+from mechproof.proof.coordinates import HYPERBOLIC, write_by_sines
+from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import is_positive
+from mechproof.record import Slack
 from mechproof.record.parts import has_parts
 from mechproof.statement_domains.domain import Domain
 
@@ -100,21 +102,25 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
         return _write_exponential(node.args[0])
     if not isinstance(node, sp.Pow) or node.exp.is_Rational:
         return node
-    logarithm = _take_logarithm(_write_sum_of_exponentials(node.base), domain)
+    logarithm = _take_logarithm(_write_base(node.base), domain)
     return node if logarithm is None else _write_exponential(node.exp * logarithm)
 
 
-def _write_sum_of_exponentials(base: sp.Expr) -> sp.Expr:
-    """Write hyperbolic functions by exponentials, as cosh x + sinh x is one."""
-    return sp.expand(base.rewrite(sp.exp)) if base.has(*HYPERBOLIC) else base
+def _write_base(base: sp.Expr) -> sp.Expr:
+    """Write hyperbolic functions by exponentials, as cosh x + sinh x is one, tangents by sines."""
+    return sp.expand(base.rewrite(sp.exp)) if base.has(*HYPERBOLIC) else write_by_sines(base)
 
 
 def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Return the logarithm of a product by those of its factors, None if not all are positive."""
     factors = _list_powers(argument)
-    if not all(is_positive(base, domain) for base, _ in factors):
+    if not all(_is_positive(base, domain) for base, _ in factors):
         return None
     return sp.Add(*(exponent * sp.log(base) for base, exponent in factors))
+
+
+def _is_positive(base: sp.Expr, domain: Domain) -> bool:
+    return is_positive(base, domain) or is_shown_there(Slack(base, True), domain)
 
 
 def _take_sizes(logarithm: sp.Expr) -> sp.Expr:
