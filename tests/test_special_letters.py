@@ -32,7 +32,12 @@ ROWS = [
         (),
         REFUTED,
     ),
-    # A letter is what lies between numbers.
+    # A letter is what is integrated over, or comes to a number.
+    (r"\int_0^1e\,de=\frac12", (), (), PROVED),
+    (r"\frac d{de}(1-e^2)=-2e", (), (), PROVED),
+    (r"\lim_{e\to0}\frac{1-\sqrt{1-e^2}}{e^2}=\frac12", (), (), PROVED),
+    (r"\lim_{e\to0}\frac{1-\sqrt{1-e^2}}{e^2}=1", (), (), REFUTED),
+    # And what lies between numbers.
     (
         r"1-e\cos E=\frac{1-e^2}{1+e\cos\nu}",
         (r"\nu=2\arctan\left(\sqrt{\frac{1+e}{1-e}}\tan\frac E2\right)",),

@@ -26,6 +26,17 @@ TRUE = {
     r"\lim_{x\to0}x\ln|x|": "0",
     r"\lim_{x\to0^+}x\ln x": "0",
     r"\lim_{x\to0}\frac{\arctan x}x": "1",
+    r"\lim_{x\to0}\frac{\arcsin x-x}{x^3}": r"\frac16",
+    r"\lim_{x\to\infty}x\left(\frac\pi2-\arctan x\right)": "1",
+    r"\lim_{x\to-\infty}x\left(\arctan x+\frac\pi2\right)": "-1",
+    r"\lim_{x\to\infty}(\operatorname{arsinh}x-\ln x)": r"\ln2",
+    r"\lim_{x\to\infty}(\operatorname{arsinh}(-x)+\ln x)": r"-\ln2",
+    r"\lim_{x\to\infty}(\operatorname{arcosh}x-\ln x)": r"\ln2",
+    r"\lim_{x\to1^-}\frac{\arccos x}{\sqrt{1-x}}": r"\sqrt2",
+    r"\lim_{x\to-1^+}\frac{\pi-\arccos x}{\sqrt{1+x}}": r"\sqrt2",
+    r"\lim_{x\to1^-}\frac{\pi-2\arcsin x}{\sqrt{1-x}}": r"2\sqrt2",
+    r"\lim_{x\to-1^+}\frac{\pi+2\arcsin x}{\sqrt{1+x}}": r"2\sqrt2",
+    r"\lim_{x\to\infty}\left(\frac{x+a}{x-a}\right)^x": r"\mathrm{e}^{2a}",
 }
 
 

@@ -47,6 +47,7 @@ from mechproof.pipeline.special_letters import (
     find_called,
     find_declared,
     find_gamma,
+    find_running,
     give_unknown,
     has_differential,
     has_letter_d,
@@ -179,7 +180,7 @@ def _take_special(pasted: Pasted) -> Pasted:
     """Return what is pasted with what its letters are taken for: Euler's number e, factors, ..."""
     prints = pasted.prints
     said = [text.partition("=")[0].strip() for text in pasted.values]
-    said += find_declared(pasted.where)
+    said += [*find_declared(pasted.where), *find_running(prints)]
     named = [*pasted.names, *(letter for letter in UNSURE if letter in said)]
     if "e" not in (*named, *pasted.natural) and means_euler(prints):
         named.append("e")

@@ -47,6 +47,8 @@ _LETTERS = re.compile(
 _ENDS = (",", ";", r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad")
 # Characters before a set among which its letters stand.
 _NEAR = 60
+# What a letter comes to a number in.
+_APPROACHED = re.compile(r"\\lim_\{\s*([A-Za-z])\s*\\(?:to|rightarrow)(?![A-Za-z])")
 # An eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 
@@ -56,6 +58,12 @@ def find_declared(conditions: Iterable[str]) -> list[str]:
     signs = groupby((sign for text in conditions for sign in (*list_signs(text), ",")), ",".__eq__)
     found = [[x for x in part if begins_letter(x) or x == "_"] for _, part in signs]
     return [letters[0] for letters in found if len(letters) == 1]
+
+
+def find_running(prints: Sequence[str]) -> set[str]:
+    r"""Return the letters that must be variables: \int e\,de, \frac{d}{de}, \lim_{e\to0}."""
+    approached = {letter for latex in prints for letter in _APPROACHED.findall(latex)}
+    return approached | list_differentials(prints)
 
 
 def means_euler(prints: Sequence[str]) -> bool:

@@ -16,7 +16,7 @@ from functools import lru_cache, reduce
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.orders import Order, join_logarithms, rewrite_sum
+from mechproof.proof.orders import Order, join_logarithms, rewrite_sum, write_inverses
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial
 from mechproof.statement_domains.domain import Domain
@@ -56,7 +56,10 @@ def find_limit(
 ) -> sp.Expr | None:
     """Return the limit as x comes to a point from above (1) or below (-1), None if not shown."""
     written = _write_far_out(expression, x, point, side)
-    return None if written.has(*_UNREAD) else _find(written, domain, _DEEPEST)
+    if written.has(*_UNREAD):
+        return None
+    seen = write_inverses(written, lambda node: _find(node, domain, _DEEPEST))
+    return _find(seen, domain, _DEEPEST)
 
 
 def is_defined_near(
@@ -140,7 +143,11 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
             return sp.Mul(*ways) * sp.oo
     if (found := _find_like(node, domain, depth)) is not None:
         return found
-    _, rest = node.as_independent(_Y)
+    constant, rest = node.as_independent(_Y)
+    if constant != 1 and all(is_nonzero(one, domain) for one in list_divisors(constant)):
+        limit = _find(rest, domain, depth)
+        if limit is not None and limit.is_finite:
+            return constant * limit
     bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]
     if {*bases} != {_Y, sp.E}:
         return None
@@ -162,7 +169,7 @@ def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
     """Write a factor that is u times what goes to one as u: ln(1 + u), sin u where u goes to 0."""
     factor = (join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
     if isinstance(factor, sp.log):
-        small = sp.expand(factor.args[0] - 1)
+        small = sp.cancel(factor.args[0] - 1)
     elif isinstance(factor, sp.Add):
         return _write_difference(factor, domain, depth)
     elif isinstance(factor, _LIKE_ARGUMENT):

@@ -30,8 +30,8 @@ _MOST_DERIVATIVES = 9
 # Work limit: zeros beyond are not looked at.
 _FAR = sp.Integer(10) ** 9
 _ENTIRE = (
-    *(sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan),
-    *(AnyFunction, Str),
+    *(sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan, sp.asinh),
+    *(sp.erf, AnyFunction, Str),
 )
 
 
@@ -243,4 +243,6 @@ def _is_smooth(node: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domai
         return node.exp >= 0 or is_nonzero(base, domain)
     if isinstance(node, sp.tan):
         return is_nonzero(sp.cos(base), domain)
+    if isinstance(node, sp.asin | sp.acos | sp.atanh):
+        return is_positive(1 - base**2, domain)
     return isinstance(node, sp.Pow | sp.log) and is_positive(base, domain)

@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
+
+# What shows how inverse functions behave where their argument comes to the number beside them.
+_SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
+    (sp.atan, sp.oo): lambda u: sp.pi / 2 - sp.atan(1 / u),
+    (sp.atan, -sp.oo): lambda u: -sp.pi / 2 - sp.atan(1 / u),
+    (sp.asinh, sp.oo): lambda u: sp.log(u + sp.sqrt(u**2 + 1)),
+    (sp.asinh, -sp.oo): lambda u: -sp.log(sp.sqrt(u**2 + 1) - u),
+    (sp.acosh, sp.oo): lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
+    (sp.acos, sp.S.One): lambda u: 2 * sp.asin(sp.sqrt((1 - u) / 2)),
+    (sp.acos, -sp.S.One): lambda u: sp.pi - 2 * sp.asin(sp.sqrt((1 + u) / 2)),
+    (sp.asin, sp.S.One): lambda u: sp.pi / 2 - 2 * sp.asin(sp.sqrt((1 - u) / 2)),
+    (sp.asin, -sp.S.One): lambda u: 2 * sp.asin(sp.sqrt((1 + u) / 2)) - sp.pi / 2,
+}
 
 
 @dataclass(frozen=True)
@@ -61,3 +74,12 @@ def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
         return None
     one, other = node.args
     return sp.expand(one**2 - other**2) / (one - other)
+
+
+def write_inverses(node: sp.Expr, find: Callable[[sp.Expr], sp.Expr | None]) -> sp.Expr:
+    """Write inverse functions so that it is seen what they are like; `find` finds limits."""
+    kinds = tuple({kind for kind, _ in _SEEN})
+    return node.replace(
+        lambda part: isinstance(part, kinds),
+        lambda part: _SEEN.get((type(part), find(part.args[0])), part.func)(part.args[0]),
+    )
