@@ -100,6 +100,7 @@ PAIRS = [
     (r"\tbinom{n}{2}=\frac{n(n-1)}2", r"\tbinom{n}{2}=\frac{n(n+1)}2", ()),
     (r"(n+2)!=(n+2)(n+1)n!", r"(n+2)!=(n+2)n!", ()),
     ("5!=120", "5!=24", ()),
+    (r"\frac{(2n)!}{n!^2}=\binom{2n}n", r"\frac{(2n)!}{n!^3}=\binom{2n}n", ()),
 ]
 NOT_PROVED = [
     # No value, or none that is shown.
@@ -185,7 +186,6 @@ REFUSED = [
     (r"\lim x=1", "a limit of what"),
     (r"\lim_{x\to x}x=1", "goes to a limit"),
     (r"n!!=1", "a factorial of what"),
-    (r"n!^2=1", "a factorial of what"),
     (r"\binom{3}{1.5}=1", "a factorial of what is no whole number, 3/2: print the gamma function"),
     (r"(x/2)!=1", "a factorial of what is no whole number"),
     (r"(-1)!=1", "a factorial is read of whole numbers from 0 to 1000"),

@@ -107,6 +107,21 @@ TABLES = {
     ),
     known_series.RUNG: (
         (
+            r"\sum_{k=0}^\infty\binom{n+k}kx^k=\frac1{(1-x)^{n+1}}",
+            r"\sum_{k=0}^\infty\binom{n+k}kx^k=\frac1{(1-x)^n}",
+            "-1<x, x<1",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{(2n)!}{4^nn!^2(2n+1)}x^{2n+1}=\arcsin x",
+            r"\sum_{n=0}^\infty\frac{(2n)!}{4^nn!^2(2n+1)}x^{2n+1}=\operatorname{arsinh}x",
+            "-1<x, x<1",
+        ),
+        (
+            r"\sum_{n=0}^\infty\frac{(-1)^n(2n)!}{4^nn!^2(2n+1)}x^{2n+1}=\operatorname{arsinh}x",
+            r"\sum_{n=0}^\infty\frac{(-1)^n(2n)!}{4^nn!^2(2n+1)}x^{2n+1}=\arcsin x",
+            r"-1\le x, x\le1",
+        ),
+        (
             r"\sum_{n=0}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
             r"\sum_{n=1}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
             "",

@@ -176,12 +176,20 @@ def _take_side(parser: Parser) -> str:
 
 
 def _read_factorial(parser: Parser, atom: Node) -> Node:
-    """Read the factorial, n!, or double factorial, n!!, of a letter, a number or a bracket."""
+    """Read the factorial, n!, or double factorial, n!!, of a letter, a number or a bracket.
+
+    n!^2 is the square of n!.
+    """
     sign = parser.take("!")
-    make = _make_double_factorial if parser.skip("!") else _make_factorial
-    if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):
+    name, make = ("factorial", _make_factorial)
+    if parser.skip("!"):
+        name, make = ("factorial2", _make_double_factorial)
+    if parser.text == "!" or not isinstance(atom, Letter | Number | Bracket):
         raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
-    return Call(PrintedFunction("factorial", make), (atom,), start=atom.start, end=parser.end)
+    found = Call(PrintedFunction(name, make), (atom,), start=atom.start, end=parser.end)
+    if parser.text != "^":
+        return found
+    return Power(found, parser.read_script("^"), start=atom.start, end=parser.end)
 
 
 def read_binomial(parser: Parser) -> Node:

@@ -46,9 +46,6 @@ class _Series:
 
 _ELEMENTARY = (
     _Series(_A / (_J + 1), sp.exp(_A)),
-    _Series(_A * (_J + 2) / (_J + 1), (1 - _A) ** -2, positive=1 - _A**2),
-    _Series(_A * (_J + 3) / (_J + 1), (1 - _A) ** -3, positive=1 - _A**2),
-    _Series(_A * _ODD / (2 * _J + 2), 1 / sp.sqrt(1 - _A), positive=1 - _A**2),
     _Series(-(_A**2) / (_ODD * (_ODD + 1)), sp.cos(_A)),
     _Series(_A**2 / (_ODD * (_ODD + 1)), sp.cosh(_A)),
     _Series(-(_A**2) / ((_ODD + 1) * (_ODD + 2)), sp.sin(_A), _A),
@@ -56,6 +53,10 @@ _ELEMENTARY = (
     _Series(_A * (_J + 1) / (_J + 2), -sp.log(1 - _A), _A, 1 - _A, 1 + _A),
     _Series(-(_A**2) * _ODD / (_ODD + 2), sp.atan(_A), _A, nonnegative=1 - _A**2),
     _Series(_A**2 * _ODD / (_ODD + 2), sp.atanh(_A), _A, positive=1 - _A**2),
+    _Series(_A**2 * _ODD**2 / ((_ODD + 1) * (_ODD + 2)), sp.asin(_A), _A, nonnegative=1 - _A**2),
+    _Series(
+        -(_A**2) * _ODD**2 / ((_ODD + 1) * (_ODD + 2)), sp.asinh(_A), _A, nonnegative=1 - _A**2
+    ),
 )
 _ZETA = tuple(
     series
@@ -114,7 +115,7 @@ def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | No
     quotient = hypersimp(term, _J)
     if leading == 0 or quotient is None or not quotient.is_rational_function(_J):
         return None
-    for series in SERIES:
+    for series in (*SERIES, *_make_binomial(quotient)):
         for argument in _find_arguments(quotient, series, domain):
             factor = sp.cancel(leading / series.first.subs(_A, argument))
             conditions = (
@@ -125,6 +126,14 @@ def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | No
             if all(conditions):
                 return factor * series.value.subs(_A, argument)
     return None
+
+
+def _make_binomial(quotient: sp.Expr) -> Iterator[_Series]:
+    """Yield Newton's series of (1 - a)**-b if the quotient is a*(j + b)/(j + 1)."""
+    above = sp.cancel(quotient * (_J + 1))
+    if above.is_polynomial(_J) and sp.degree(above, _J) == 1:
+        b = sp.cancel(above.subs(_J, 0) / sp.diff(above, _J))
+        yield _Series(_A * (_J + b) / (_J + 1), (1 - _A) ** -b, positive=1 - _A**2)
 
 
 def _find_arguments(quotient: sp.Expr, series: _Series, domain: Domain) -> Iterator[sp.Expr]:
