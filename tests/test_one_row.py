@@ -27,6 +27,7 @@ ARITHMETICS = {
     "roundoff/expansions.py": "what NumPy computes by others",
     "roundoff/compiled_kernels.py": "what compiled kernels compute by others",
     "roundoff/elementary_errors.py": "what is proved of which function",
+    "roundoff/term_sums.py": "what the sum over a set is off by",
     "coq/rounding_scripts.py": "Coq's linear forms of roundings, in which a sum may be fused",
     "lab/rounding.py": "balls with the errors of doubles",
     "tailoring/taylor_models.py": "series with the errors of doubles",

@@ -103,6 +103,22 @@ BY_SPACE = tuple(
     for side, height in ((SIZE, SIZE * SHARE), (SIZE * SHARE, SIZE))
 )
 
+# Sums have a coordinate of their own. Of the total the thermal error leaves more than it takes, or
+# less: a square, with which a root vanishes.
+BY_TOTAL = (Chart("", {scatter: SIZE}, {SIZE: SIZES[SIZE]}),)
+RATIO, LEFT = sp.symbols("ratio left", positive=True)
+BY_REST = tuple(
+    Chart(
+        "thermal_share*thermal_scatter <= (1 - 2**-20)*total_scatter",
+        {k_thermal: SIZE, share: RATIO * taken, scatter: SIZE * RATIO * whole},
+        {**dict.fromkeys((SIZE, RATIO), SIZES[SIZE]), **within},
+    )
+    for taken, whole, within in (
+        (SHARE, 1 + SHARE, {SHARE: SIZES[SHARE]}),
+        (1, 1 + LEFT**2, {LEFT: sp.Interval(sp.Rational(1, 2**10), 1)}),
+    )
+)
+
 # Of a tilt only the error beyond the offset counts, which in the plane is of any size beside it.
 ONE, TWO, THREE, OFFSET_ALONE = sp.symbols("one two three offset_alone", positive=True)
 # Of the largest error, its root and a little, and the reciprocal of that and a little.

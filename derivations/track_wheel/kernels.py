@@ -16,7 +16,7 @@ from mechproof.record import (
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
-from .charts import BY_RADII, IN_FIRST_PART, OFF_POLE
+from .charts import BY_RADII, BY_REST, BY_TOTAL, IN_FIRST_PART, OFF_POLE
 from .kernels_of_poses import POSES, SOURCE, turns
 from .mechanics import CORRECTED_5, CROSS, SQUARES
 from .symbols import *
@@ -131,7 +131,8 @@ TERMS = Scale(
 THERMAL_ULP = 9
 CONDITIONED = Scale(
     "the value times the condition of its denominator",
-    SOLVED * scatter / (scatter - k_thermal * share),
+    VALUE + VALUE * k_thermal * share / (scatter - k_thermal * share),
+    where=((VALUE, SOLVED),),
 )
 
 SUMMANDS = (
@@ -241,7 +242,7 @@ QUANTITIES = (
         "Compute the total error of independent elementary errors.",
         (*SUMMANDS, TOTAL),
         CORRECTED_5,
-        (Form("sum of squares", CORRECTED_5),),
+        (Form("sum of squares", CORRECTED_5, charts=BY_TOTAL),),
         f"{SOURCE}, equation (5) with sensitivities",
         unit="mm",
         on=ANY_TOLERANCES,
@@ -254,7 +255,7 @@ QUANTITIES = (
         (*SUMMANDS, TOTAL, SHARE, THERMAL_SCATTER),
         SOLVED,
         (
-            Form("solved for the total", SOLVED, ("difference_of_squares",)),
+            Form("solved for the total", SOLVED, ("difference_of_squares",), charts=BY_REST),
             Form("difference of squares", SOLVED, key="direct"),
         ),
         f"{SOURCE}, equation (6) made homogeneous, Table 1 for the share",

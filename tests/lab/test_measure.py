@@ -34,6 +34,7 @@ from mechproof.measured import (
     write_record,
 )
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
+from mechproof.roundoff.certificate import tell_bound
 
 
 @pytest.fixture(scope="module")
@@ -288,7 +289,7 @@ def test_the_page_in_the_repository_is_of_the_records() -> None:
     # What is proved stands there with what was measured, and nothing else does.
     claims = [claim for record in records for claim in list_claims(record)]
     proved = page.split("## What is proved")[1].split("\n## ")[0]
-    assert all(f"|{claim.proved:g}|{claim.found:g}|" in proved for claim in claims)
+    assert all(f"|{tell_bound(claim)}|{claim.found:g}|" in proved for claim in claims)
     assert proved.count("\n|") == len(claims) + 2
     assert "## What is proved" not in "\n".join(list_lines(records, lambda record: ()))
     # A page to be read: some 25 lines for each quantity, and one for each claim.

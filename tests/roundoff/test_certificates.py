@@ -22,6 +22,7 @@ from mechproof.roundoff.certificate import (
     is_shown,
     list_digests,
     read_cuts,
+    tell_bound,
     tell_place,
     tell_proofs,
     write_cuts,
@@ -304,7 +305,7 @@ def test_what_a_bound_rests_on_is_told_with_it(system: str) -> None:
     for claim in known.claims:
         text = told[claim.quantity, claim.form]
         assert f", as long as {NORMAL}: at most" in text
-        assert f"at most {claim.proved:g} eps" in text
+        assert f"at most {tell_bound(claim)} eps" in text
         assert all(assumption in text for assumption in claim.assumptions)
 
 

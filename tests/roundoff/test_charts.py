@@ -124,6 +124,11 @@ PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
         )
         for reach in ("1/2", "1/4")
     },
+    "n <= 2**20": lambda at: True,
+    "n <= 2**20 and thermal_share*thermal_scatter <= (1 - 2**-20)*total_scatter": lambda at: (
+        at["thermal_share"] * at["thermal_scatter"]
+        <= (1 - Fraction(1, 2**20)) * at["total_scatter"]
+    ),
     "error - offset <= 15/16*(rho + H)": lambda at: (
         at["error"] - at["offset"] <= Fraction(15, 16) * (at["rho"] + at["H"])
     ),
@@ -283,7 +288,10 @@ PLACED = sorted(
 def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
     """Wherever a stage is taken and its text holds some chart has the arguments, and only there."""
     subject = next(s for s in subjects().values() if (s.kernel.name, s.form.name) == (name, form))
-    points = draw_arguments(subject.exact.inputs, np.random.default_rng(17))
+    rng = np.random.default_rng(17)
+    points = draw_arguments(subject.exact.inputs, rng)
+    if subject.total:
+        points = {**subject.total.draw(points, rng)}
     if "dh" in points:
         points["dh"] = points["dh"] * points["m"] * 3 / 16
     if "z" in points:
@@ -294,7 +302,7 @@ def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
         tell_x(at)
         is_meant.append(not subject.where or any(PLACES[text](at) for text in subject.where))
     with np.errstate(invalid="ignore"):
-        held = subject.inside.holds(points, IN_DOUBLES)
+        held = subject.inside.holds(subject.complete(points, IN_DOUBLES), IN_DOUBLES)
     is_taken = is_meant & np.broadcast_to(subject.holds(points), len(held))
     assert np.sum(is_taken) > 200
     # At the very edges a coordinate may be rounded beyond its range.

@@ -8,7 +8,7 @@ from importlib.resources import files
 
 from mechproof.lab.chart_points import write_eps
 from mechproof.measured import KERNELS, Record
-from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_place
+from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_bound, tell_place
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.premises import NORMAL
@@ -48,13 +48,13 @@ def find_searched(record: Record) -> Mapping[str, float]:
 
 def tell_proved(record: Record) -> Mapping[str, str]:
     """Tell the largest bound of all forms of a way, and the worst error that was found, in eps."""
-    bounds: dict[str, list[float]] = {}
-    for claim in list_claims(record):
-        bounds.setdefault(find_way(record, claim), []).append(claim.proved)
+    highest: dict[str, RoundingClaim] = {}
+    for claim in sorted(list_claims(record), key=lambda claim: claim.proved):
+        highest[find_way(record, claim)] = claim
     searched = find_searched(record)
     return {
-        way: f"{write_eps(searched[way])} by search, proved {AT_MOST} {max(proved):g}"
-        for way, proved in bounds.items()
+        way: f"{write_eps(searched[way])} by search, proved {AT_MOST} {tell_bound(claim)}"
+        for way, claim in highest.items()
     }
 
 

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from mechproof.lab.certificate_claims import find_way, list_claims
 from mechproof.measured import COPY, MEASURED, MeasuredWay, Record, Searched, SetErrors, Timing
-from mechproof.roundoff.certificate import RoundingClaim
+from mechproof.roundoff.certificate import RoundingClaim, tell_bound
 
 PAGE = "TABLES.md"
 WAY_HEAD = (
@@ -120,8 +120,7 @@ def _describe_claim(record: Record, claim: RoundingClaim, shared: Sequence[str])
         claim.form,
         claim.way.removesuffix("'s functions"),
         f"nothing shown: open at {claim.open}" if claim.open else where,
-        # In full: a bound that is rounded down is none.
-        f"{claim.proved:g}",
+        tell_bound(claim),
         f"{claim.found:g}",
         _number(record.worst_of(find_way(record, claim))),
         "; ".join(text for text in claim.assumptions if text not in shared),

@@ -7,7 +7,7 @@ most the norm of that matrix.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,7 +18,6 @@ from mechproof.arithmetic.intervals import EPS, UNIT, Ends
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
-from mechproof.roundoff.running import Values
 from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
 # So near does the power method come to the norm; any vector gives a bound.
@@ -71,7 +70,7 @@ class AffineMap:
         norm = bound_norm(cells)
         return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
 
-    def compute_scale(self, size: Any, given: Values, arithmetic: Arithmetic) -> Any:
+    def compute_scale(self, size: Any, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
         """Return D*|p| + |v|."""
         point, shift = (
             measure_norm([given[n] for n in names], arithmetic)

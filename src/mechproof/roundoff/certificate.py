@@ -26,6 +26,7 @@ from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import ChartRegion, list_regions
+from mechproof.roundoff.term_sums import SEARCHED
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
@@ -42,9 +43,10 @@ SEED = 1
 class RoundingClaim:
     """A bound of the error of a stage in eps of its scale, and the worst error found.
 
-    `where` says for which arguments, all if it is empty, `program` is the hash of steps and
-    coordinates, `boxes` how many show the bound, `cuts` which these are, `open` what is not shown;
-    `at` has the arguments as hexadecimal texts.
+    `where` says for which arguments, all if it is empty, `each` what each term of a set after the
+    first adds to the bound, `program` is the hash of steps and coordinates, `boxes` how many show
+    it, `cuts` which these are, `open` what is not shown; `at` has the arguments as hexadecimal
+    texts.
     """
 
     quantity: str
@@ -52,6 +54,7 @@ class RoundingClaim:
     way: str
     where: tuple[str, ...]
     proved: float
+    each: float
     found: float
     at: Mapping[str, str]
     boxes: int
@@ -140,7 +143,13 @@ def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
     rests = [text for text in claim.assumptions if text not in told]
     by = claim.way if claim.way == COMPILED else f"with {claim.way}"
     given = f" with {' and '.join(rests)}" if rests else f" {by}"
-    return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
+    size = f" where n = {SEARCHED}" if claim.each else ""
+    return f"at most {tell_bound(claim)} eps{given}, found {claim.found:g}{size}"
+
+
+def tell_bound(claim: RoundingClaim) -> str:
+    """Write a bound in full, in eps: one that is rounded down is none."""
+    return f"{claim.proved:g}" + (f" + {claim.each:g}*(n - 1)" if claim.each else "")
 
 
 def _list_all(paper: Paper) -> Iterator[ComputedStage]:
@@ -162,11 +171,11 @@ def holds(
 
     What is shown of the same steps, computed in another way, is not shown again.
     """
-    told = claim.program, claim.assumptions, claim.where
-    if told != (subject.digest, subject.assumptions, subject.where):
+    told = claim.program, claim.assumptions, claim.where, claim.each
+    if told != (subject.digest, subject.assumptions, subject.where, subject.each):
         return False
-    off = _measure_again(subject, claim)
-    if not (0 <= off.eps <= claim.proved and 0 <= claim.found <= claim.proved):
+    off, most = _measure_again(subject, claim), claim.proved + subject.more
+    if not (0 <= off.eps <= most and 0 <= claim.found <= most):
         return False
     # Functions of NumPy differ between hosts, plain arithmetic does not.
     if subject.assumptions == (NORMAL,) and claim.found != _round_down(off.eps):
@@ -258,20 +267,23 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     off by more than is proved: then the proof is wrong.
     """
     before = [_measure_again(subject, known)] if known else []
-    proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
+    least = max((found.eps for found in before), default=0.0) - subject.more
+    proved = _lower_bound(subject, max(least, 0.0))
     covers = cover_all(subject, proved, _limit(subject))
     if not _tell_open(covers):
         proved = min(proved, _round_up(max(cover.worst[0][0] for _, cover in covers)))
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
-    if worst.eps > proved:
+    if worst.eps > proved + subject.more:
         at = {name: value.hex() for name, value in worst.at.items()}
         raise ArithmeticError(
-            f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, where at most {proved} are proved"
+            f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, where at most "
+            f"{proved + subject.more} are proved"
         )
     return RoundingClaim(
         *_key(subject),
         where=subject.where,
         proved=proved,
+        each=subject.each,
         found=_round_down(worst.eps),
         at={name: float(value).hex() for name, value in worst.at.items()},
         boxes=_count(covers),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, partial
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -19,8 +19,9 @@ from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel, input_names
-from mechproof.programs.operations import SYMBOLIC, Arithmetic
+from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import CONSTANTS, Program
+from mechproof.programs.scalar import put_off_divisions
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
@@ -28,25 +29,25 @@ from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
+from mechproof.roundoff.coordinate_sums import add_up
 from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.homogeneity import find_scaled
-from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS
+from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS, TERMS
 from mechproof.roundoff.regions import ChartRegion, express
-from mechproof.roundoff.running import IN_DOUBLES, Values, run
+from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import (
     CHOICE,
     CONSTANT,
-    EXACT,
     StraightLineProgram,
     flatten_stage,
     keep_needed,
 )
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
+from mechproof.roundoff.term_sums import SEARCHED, TermSum, take_sum
 from mechproof.roundoff.written_scales import WrittenScale, write_scale
 
-POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 # Compiled kernels have their own, of which nothing is proved.
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
@@ -61,7 +62,8 @@ class ComputedStage:
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
     error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
     calls of elementary functions. Of a `map` of points the norm of the error counts, and the scale
-    is that of the matrix. `sums` are kept for each chart.
+    is that of the matrix. Of a set that is added up the kernel is that of its `total`. `sums` are
+    kept for each chart.
     """
 
     kernel: Kernel
@@ -73,6 +75,7 @@ class ComputedStage:
     scale: WrittenScale | None
     computed: StraightLineProgram | None = None
     map: AffineMap | None = None
+    total: TermSum | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(
         default_factory=dict, init=False, compare=False
     )
@@ -80,7 +83,7 @@ class ComputedStage:
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps, of the coordinates and of the scale."""
-        parts = (*self._bounded, *self._programs)
+        parts = (*self._bounded, *self._programs, *((self.total,) if self.total else ()))
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
@@ -111,7 +114,8 @@ class ComputedStage:
         """List what the bound rests on."""
         kinds = {step.kind for step in self.straight.steps if not step.proved}
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
-        return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
+        sums = SUMS if self.map else TERMS if self.total else ""
+        return (*functions, *((sums,) if sums and not self.computed else ()), NORMAL)
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
@@ -119,7 +123,24 @@ class ComputedStage:
         return _list_branches(self.straight)
 
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
-        """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
+        """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded.
+
+        Of a set that is added up, that of one term.
+        """
+        found = self._bound_branches(region, boxes)
+        return self.total.widen(found) if self.total else found
+
+    @property
+    def each(self) -> float:
+        """Return what each term of a set after the first adds to the bound, in eps."""
+        return self.total.each if self.total else 0.0
+
+    @property
+    def more(self) -> float:
+        """Return what all terms of a set after the first add where the worst is looked for."""
+        return self.each * (SEARCHED - 1)
+
+    def _bound_branches(self, region: ChartRegion, boxes: Boxes) -> Array:
         if len(self.branches) == 1:
             return bound_in_groups(partial(self._bound, self.branches[0], region), boxes)
         highest = np.zeros(len(boxes))
@@ -133,6 +154,9 @@ class ComputedStage:
         self, branch: Branch, region: ChartRegion, part: Boxes, forced: tuple[int, ...]
     ) -> Array:
         evaluation, bar = self.evaluate(branch, region, part, forced)
+        if self.total and not bar.holds_value:
+            # What each term adds is a share of the value.
+            return np.full(len(part), np.inf)
         if self.map:
             return np.broadcast_to(self.map.bound(evaluation, bar), len(part))
         highest = np.zeros(len(part))
@@ -191,11 +215,18 @@ class ComputedStage:
 
     def compute(self, points: Mapping[str, Any]) -> Array:
         """Return the outputs in doubles, as they are computed."""
+        given = self.total.put_rounded(points) if self.total else points
         if self.computed:
-            return np.array(run(self.computed, points, COMPILED))
-        return np.array(run(self.straight, points, IN_DOUBLES))
+            return np.array(run(self.computed, given, COMPILED))
+        return np.array(run(self.straight, given, IN_DOUBLES))
 
-    def weigh(self, found: Sequence[Any], given: Values, arithmetic: Arithmetic) -> list[Any]:
+    def complete(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Mapping[str, Any]:
+        """Return the values of arguments and of what is added up of them."""
+        return self.total.put_exact(given, arithmetic) if self.total else given
+
+    def weigh(
+        self, found: Sequence[Any], given: Mapping[str, Any], arithmetic: Arithmetic
+    ) -> list[Any]:
         """Return the errors of the outputs in eps of the scale, of a map that of their norm."""
         exact = run(self.exact, given, arithmetic)
         apart = [
@@ -217,40 +248,19 @@ class ComputedStage:
     def holds(self, points: Mapping[str, Any]) -> Any:
         """Say where the stage is taken."""
         programs = [p for p in (self.kernel.code.inside, self.stage.when) if p]
-        inside = [run(p, {**NUMBERS, **points}, IN_DOUBLES)[0] for p in programs]
+        given = {**NUMBERS, **self.complete(points, IN_DOUBLES)}
+        asking = self.total.asking if self.total else IN_DOUBLES
+        inside = [run(p, given, asking)[0] for p in programs]
         return np.logical_and.reduce(inside) if inside else True
-
-
-def add_up(
-    straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
-) -> Mapping[str, sp.Expr]:
-    """Return the sums of arguments and numbers, written in coordinates.
-
-    What cancels there, 1 - e for e = 1 - d, does so before balls are put in.
-    """
-    values = {names[symbol]: value for symbol, value in chart.arguments.items()}
-    sums: dict[str, sp.Expr] = {}
-    for step in straight.steps:
-        given = [values.get(o) if isinstance(o, str) else sp.Rational(o) for o in step.operands]
-        if step.kind in POLYNOMIAL and all(value is not None for value in given):
-            value = _factor(SYMBOLIC[step.kind](*given))
-            if step.kind in ("add", "subtract"):
-                sums[step.result] = value
-            if step.ulps == EXACT:
-                values[step.result] = value
-    return sums
-
-
-@cache
-def _factor(value: sp.Expr) -> sp.Expr:
-    """Factor a sum; the ways of computing a form have the same ones."""
-    return sp.factor(value)
 
 
 def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
     """List the stages of a kernel that have charts, in every way of computing them."""
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
+            continue
+        if kernel.code.indexed:
+            yield from _list_totals(kernel, paper)
             continue
         scale = write_scale(kernel.quantity, form, stage, paper)
         straight = find_compensated(flatten_stage(stage, IN_NUMPY))
@@ -263,6 +273,26 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
         yield ComputedStage(kernel, form, stage, WAY, whole, exact, scale, map=affine)
         if kernel.is_shipped:
             yield _compile(kernel, form, stage, exact, scale)
+
+
+def _list_totals(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
+    """List the ways of computing what is made of the sum over a set."""
+    ways = [(WAY, kernel, IN_NUMPY)]
+    if kernel.is_shipped:
+        ways.append((COMPILED_WAY, put_off_divisions(kernel), list_expansions()))
+    for way, own, expansions in ways:
+        is_compiled = way == COMPILED_WAY
+        total, reduced, known = take_sum(own, expansions, keeps_rests=is_compiled)
+        (form,), (stage,) = reduced.forms, reduced.code.stages
+        straight = flatten_stage(stage, known)
+        if is_compiled:
+            _check_functions(straight)
+        exact = _list_branches(straight)[0].straight
+        scale = write_scale(reduced.quantity, form, stage, paper)
+        computed = flatten_stage(stage, {}) if is_compiled else None
+        yield ComputedStage(
+            reduced, form, stage, way, straight, exact, scale, computed, total=total
+        )
 
 
 def _compile(

@@ -30,3 +30,5 @@ FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
 NORMAL = "no result overflows or falls below the normal range"
 # Of maps of points: no more than so many roundings are met by a product.
 SUMS = "np.matmul by products and their sums in any order"
+# Of sums over sets.
+TERMS = "np.sum by additions in any order"

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import partial, reduce
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -18,11 +17,12 @@ from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
-from mechproof.programs.term_loops import ADDED, TermLoop, fold_sums
+from mechproof.programs.term_loops import ADDED, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
 from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run
 from mechproof.roundoff.steps import CONSTANT, flatten_stage
+from mechproof.roundoff.term_sums import run_loop
 
 FORMAT = np.float32
 SMALLEST = np.finfo(FORMAT).smallest_normal
@@ -114,7 +114,9 @@ class Singles:
         return np.stack([np.broadcast_to(v, count) for v in found], -1), lost
 
     def _add_loops(self, arithmetic: Arithmetic) -> Arithmetic:
-        return arithmetic.but(**{r.name: partial(_run_loop, r, arithmetic) for r in self._loops})
+        return arithmetic.but(
+            **{r.name: partial(run_loop, r, arithmetic, IN_SINGLES[ADDED]) for r in self._loops}
+        )
 
     def _name_values(self, arguments: Points, kind: type[Any]) -> Values:
         """Give every component its values; the elements of what is summed lie before the points."""
@@ -141,20 +143,3 @@ def _hold(mark: Callable[[Any], Any], operands: Iterable[Any]) -> Any:
     """Say where a mark is true of all operands."""
     marks = (np.asarray(mark(operand), bool) for operand in operands)
     return reduce(lambda one, other: one & other, marks, np.asarray(True))
-
-
-def _run_loop(loop: TermLoop, arithmetic: Arithmetic, *arrays: Any) -> Any:
-    """Return the sum over the terms, or whether all are true, as the printed loop does."""
-    known = dict(zip(loop.parameters, arrays, strict=True))
-    terms, zero = len(known[loop.arrays[0]]), arithmetic.number(0)
-    high, low, holds = zero, zero, True
-    for indices in product(range(terms), repeat=loop.axes):
-        elements = (known[name][tuple(indices[i] for i in at)] for name, at in loop.elements)
-        (term,) = run(loop.term, dict(zip(loop.term.inputs, elements, strict=True)), arithmetic)
-        if loop.kind == "every":
-            holds = holds & term
-            continue
-        total = arithmetic.add(high, term)
-        low = low + IN_SINGLES[ADDED](high, term, total)
-        high = total
-    return np.where(np.isfinite(low), high + low, high) if loop.kind == "sum" else holds

@@ -22,7 +22,7 @@ from mechproof.roundoff.climb import Points as Columns, Schedule, climb_and_judg
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.regions import ChartRegion
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES
 
 Points = Mapping[str, Array]
 BITS = 200
@@ -73,7 +73,7 @@ def _climb(
 def judge(subject: ComputedStage, points: Points) -> Array:
     """Measure where the bound is for certain; -1 elsewhere."""
     with working_precision(BITS):
-        held = [subject.inside.holds(given, IN_BALLS) for given in _list_balls(points)]
+        held = [subject.inside.holds(given, IN_BALLS) for given in _list_balls(subject, points)]
     return np.where(held, measure(subject, points), -1.0)
 
 
@@ -82,23 +82,25 @@ def measure(subject: ComputedStage, points: Points) -> Array:
     outputs, held = _compute(subject, points)
     errors = np.full(len(held), -1.0)
     with working_precision(BITS):
-        for i, given in enumerate(_list_balls(points)):
+        for i, given in enumerate(_list_balls(subject, points)):
             if held[i]:
                 errors[i] = _find_largest(subject.weigh(outputs[:, i].tolist(), given, IN_BALLS))
     return errors
 
 
-def _list_balls(points: Points) -> Iterator[Values]:
+def _list_balls(subject: ComputedStage, points: Points) -> Iterator[Mapping[str, Any]]:
     for values in zip(*points.values(), strict=True):
-        yield dict(zip(points, (arb(float(value)) for value in values), strict=True))
+        balls = (arb(float(value)) for value in values)
+        yield subject.complete(dict(zip(points, balls, strict=True)), IN_BALLS)
 
 
 def estimate(subject: ComputedStage, points: Points) -> Array:
     """Judge in long doubles, nearly; in doubles where the bound is."""
     outputs, held = _compute(subject, points)
-    given = {name: FORMAT(column) for name, column in points.items()}
+    extended = {name: FORMAT(column) for name, column in points.items()}
     with np.errstate(all="ignore"):
-        held &= subject.inside.holds(points, IN_DOUBLES)
+        given = subject.complete(extended, IN_EXTENDED)
+        held &= subject.inside.holds(subject.complete(points, IN_DOUBLES), IN_DOUBLES)
         errors = _find_largest(subject.weigh([*outputs], given, IN_EXTENDED))
     return np.where(held, errors, -1.0)
 
@@ -130,11 +132,12 @@ def draw(
     compute = sp.lambdify(list(coordinates), expressions, "numpy")
     with np.errstate(all="ignore"):
         values = compute(*coordinates.values())
-    return {
+    points = {
         names[symbol]: np.rint(drawn) if symbol.is_integer else drawn
         for symbol, value in zip(region.chart.arguments, values, strict=True)
         for drawn in [np.broadcast_to(value, count).astype(float)]
     }
+    return subject.total.draw(points, rng) if subject.total else points
 
 
 def _draw_side(side: tuple[float, float], count: int, rng: np.random.Generator) -> Array:
