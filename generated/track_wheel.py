@@ -51,10 +51,10 @@ What errors are relative to:
     value = sqrt(Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*
         sensitivities[i]*sensitivities[j]*tolerances[i]*tolerances[j]))/total_scatter
 
-    the value times the condition of its denominator (error_sum_thermal) = total_scatter*
-        sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*tolerances[i]**2))/
-        ((total_scatter - thermal_scatter*thermal_share)*sqrt(total_scatter**2 -
-        thermal_scatter**2*thermal_share**2))
+    the value times the condition of its denominator (error_sum_thermal) = value +
+        thermal_scatter*thermal_share*value/(total_scatter - thermal_scatter*thermal_share)
+    value = sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*tolerances[i]**2))/
+        sqrt(total_scatter**2 - thermal_scatter**2*thermal_share**2)
 
     the tilt and what eps*(error - offset) makes of it (tilt_of_planar_error) = (error -
         offset)/sqrt(H**2 + 2*rho*(error - offset) - (error - offset)**2) + 2*atan2(error -
@@ -880,6 +880,10 @@ def error_sum(
     = 0) and (1e-50 <= |sensitivities[i]| <= 1e50 or sensitivities[i] = 0) and 1e-50 <=
     scatters[i] <= 1e50.
 
+    Proved, where n <= 2**20, as long as no result overflows or falls below the normal range: at
+    most 2.26 + 0.25*(n - 1) eps with np.sum by additions in any order, found 3.11 where n = 5;
+    at most 2.51 eps compiled, found 2.38.
+
     Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities.
 
     """
@@ -965,6 +969,11 @@ def error_sum_thermal(
     Accuracy, tested: 9 eps of the value times the condition of its denominator, where (1e-50 <=
     tolerances[i] <= 1e50 or tolerances[i] = 0) and (1e-50 <= |sensitivities[i]| <= 1e50 or
     sensitivities[i] = 0) and 1e-50 <= scatters[i] <= 1e50.
+
+    Proved, where n <= 2**20 and thermal_share*thermal_scatter <= (1 - 2**-20)*total_scatter, as
+    long as no result overflows or falls below the normal range: at most 3.53 + 0.25*(n - 1) eps
+    with np.sum by additions in any order, found 3.97 where n = 5; at most 3.78 eps compiled,
+    found 3.24.
 
     Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share.
 
