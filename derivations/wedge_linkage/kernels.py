@@ -194,5 +194,6 @@ QUANTITIES = (
         chain.SENSITIVITIES,
         sp.ImmutableDenseMatrix([chain.SENSITIVITY_FORMS[size] for size in chain.SIZES]),
         unit="mm per mm or mm per rad",
+        covering=charts.VELOCITY,
     ),
 )

@@ -39,6 +39,7 @@ SYSTEMS = {
         *("constant_chord", "chord_height", "height_change", "thickness_change"),
         *("thickness_change_linear", "thickness_error"),
     ),
+    "wedge_linkage": ("sensitivities",),
 }
 NAMES = [f"{system}.{name}" for system, names in SYSTEMS.items() for name in names]
 
