@@ -108,6 +108,19 @@ def test_what_stands_before_an_arrow_is_a_condition(latex: str, verdict: str) ->
     assert judge(latex).verdict == verdict
 
 
+EQUIVALENT = [
+    (r"x>1\iff x-1>0", ["PROVED", "PROVED"]),
+    (r"x>1\iff x>0", ["PROVED", "REFUTED"]),
+    (r"p=2q\Leftrightarrow q=\frac p2", ["PROVED", "PROVED"]),
+    (r"p=2q\Longleftrightarrow q=2p", ["REFUTED", "REFUTED"]),
+]
+
+
+@pytest.mark.parametrize(("latex", "verdicts"), EQUIVALENT)
+def test_a_double_arrow_is_judged_both_ways(latex: str, verdicts: list[str]) -> None:
+    assert [one.verdict for one in judge_pasted(Pasted(latex)).judgements] == verdicts
+
+
 OTHERS = [
     (r"\mathrm{i}^2=-1", "imaginary unit"),
     (r"{\rm j}^2=-1", "imaginary unit"),

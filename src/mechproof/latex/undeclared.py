@@ -14,6 +14,7 @@ from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, 
 from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
 from mechproof.latex.printed_functions import AMBIGUOUS
 from mechproof.latex.printed_relations import RELATIONS
+from mechproof.latex.several_equations import EQUIVALENCES
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
 from mechproof.record.unit_notation import is_unit
@@ -43,8 +44,11 @@ _UNREAD = {
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
     **dict.fromkeys(RELATIONS, "Enter the chain as a whole, with what stands before this sign."),
     **dict.fromkeys(
-        (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
+        (r"\Rightarrow", r"\implies"),
         r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+    ),
+    **dict.fromkeys(
+        EQUIVALENCES, r"Print one equation at a time, or \Rightarrow before one that follows."
     ),
     r"\mid": r"Print | or \left| for an absolute value.",
     **dict.fromkeys(VECTORS, "Vectors need their components: check these."),

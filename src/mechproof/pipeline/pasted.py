@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -13,7 +12,7 @@ from sympy.core.relational import Relational
 from mechproof.arguments.scalars import check_text, check_texts
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
-from mechproof.latex.tokens import list_signs, tokenize
+from mechproof.latex.tokens import list_signs
 from mechproof.latex.tree import Integration, Letter, walk
 from mechproof.latex.values import list_reached, settle_all
 from mechproof.nomenclature.said_relations import narrow
@@ -26,12 +25,17 @@ from mechproof.pipeline.pasted_letters import (
     describe,
     read_letters,
 )
+from mechproof.pipeline.pasted_statements import (
+    part_equivalence,
+    take_condition,
+    take_sets,
+    unwrap,
+)
 from mechproof.pipeline.remainders import give_limits, take_remainder
 from mechproof.pipeline.special_letters import (
     find_unknown,
     leave_out_integers,
     take_said,
-    take_set,
 )
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero, is_shown
@@ -53,12 +57,6 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError, run_tasks
 
 NUMBER = "equation"
-_WRAPPERS = (
-    *(("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)")),
-    *((rf"\begin{{{x}}}", rf"\end{{{x}}}") for x in ("equation", "equation*", "displaymath")),
-)
-_IMPLIES = (r"\Rightarrow", r"\implies", r"\Longrightarrow")
-_LABEL = re.compile(r"\\(?:tag\*?|label)\{[^{}]*\}|\\n(?:onumber|otag)")
 
 
 class PastedError(ValueError):
@@ -129,6 +127,10 @@ def judge_pasted(pasted: Pasted) -> Checked:
     Bold letters are vectors; where that cannot be read, capitals are matrices, and letters before
     brackets functions of which nothing is known.
     """
+    if directions := part_equivalence(pasted):
+        one, other = map(judge_pasted, directions)
+        alike = {x: kind for x, kind in one.taken.items() if other.taken.get(x) == kind}
+        return Checked((*one.judgements, *other.judgements), alike)
     values, called = take_said(pasted.values)
     latex, *where = map(leave_out_integers, (pasted.latex, *pasted.where))
     pasted = replace(pasted, latex=latex, where=(*where,), values=values, called=called)
@@ -145,7 +147,7 @@ def judge_pasted(pasted: Pasted) -> Checked:
 
 
 def _judge(pasted: Pasted) -> Checked:
-    pasted = _take_sets(_take_condition(replace(pasted, latex=_unwrap(pasted.latex))))
+    pasted = take_sets(take_condition(replace(pasted, latex=unwrap(pasted.latex))))
     whole = pasted.latex
     latex, remainder = take_remainder(whole)
     pasted = replace(pasted, latex=latex)
@@ -235,34 +237,12 @@ def _round_given(row: Row, letters: Letters) -> Row:
     return row
 
 
-def _take_condition(pasted: Pasted) -> Pasted:
-    r"""Take what stands before the one arrow of an implication as where its conclusion is meant."""
-    arrows = [token for token in tokenize(pasted.latex) if token.text in _IMPLIES]
-    if len(arrows) != 1:
-        return pasted
-    (arrow,) = arrows
-    condition, conclusion = pasted.latex[: arrow.start], pasted.latex[arrow.end :]
-    return replace(pasted, latex=conclusion, where=(*pasted.where, condition.strip()))
-
-
-def _take_sets(pasted: Pasted) -> Pasted:
-    r"""Let letters count that are said to, n\in\mathbb{N}; all letters are real numbers anyway."""
-    taken = [take_set(text) for text in (pasted.latex, *pasted.where)]
-    members = [(letter, kind) for _, letters, kind in taken for letter in letters]
-    counts = [letter for letter, kind in members if kind.startswith("N")]
-    zeros = [rf"{letter}\ge0" for letter, kind in members if kind == "N_0"]
-    where = [text for text, _, kind in taken[1:] if text or not kind]
-    natural = tuple(dict.fromkeys((*pasted.natural, *counts)))
-    latex = taken[0][0] or pasted.latex
-    return replace(pasted, latex=latex, where=(*where, *zeros), natural=natural)
-
-
 def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:
     """Return what is pasted, of an equation the right side, and the sets of its letters.
 
     `ValueError` (also `ReadingError`) for what cannot be read, and for relations between letters.
     """
-    pasted = replace(pasted, latex=_unwrap(pasted.latex))
+    pasted = replace(pasted, latex=unwrap(pasted.latex))
     letters = read_letters(pasted)
     variables, where = narrow(letters.variables, [*letters.relations, *letters.needed])
     if where:
@@ -276,16 +256,6 @@ def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]
     for _ in given:
         expression = expression.subs(given)
     return expression, {v.symbol: v.within for v in variables if v.given is None}
-
-
-def _unwrap(latex: str) -> str:
-    """Return an equation without what stands around it in a paper."""
-    text = _LABEL.sub("", latex).strip()
-    for opening, closing in _WRAPPERS:
-        if len(text) > len(opening) + len(closing) and text.startswith(opening):
-            text = text.removeprefix(opening).removesuffix(closing).strip()
-    kept = text.rstrip(".,;").rstrip()
-    return f"{kept}." if kept.endswith(r"\right") else kept
 
 
 def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
