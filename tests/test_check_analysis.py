@@ -97,6 +97,19 @@ PAIRS = [
         r"\lfloor2x\rfloor+\lfloor-2x\rfloor=-1",
         (r"x\notin\mathbb{Z}",),
     ),
+    # Remainders of whole numbers, and of angles.
+    (r"7\bmod3=1", r"(-7)\bmod3=1", ()),
+    (r"7\equiv1\ (\text{mod }3)", r"7\equiv2\ (\mathrm{mod}\ 3)", ()),
+    (r"a\equiv a+n\bmod n", r"a\equiv a+1\bmod n", ()),
+    (r"z_1^2\equiv z_1\pmod 2", r"z_1^2\equiv z_1\pmod 3", ()),
+    (r"(a+b)^3\equiv a^3+b^3\pmod 6", r"(a+b)^3\equiv a^3+b^3\pmod 4", ()),
+    (r"\varphi-\pi\equiv\varphi+\pi\pmod{2\pi}", r"\varphi-\pi\equiv\varphi\pmod{2\pi}", ()),
+    # A second sum over the same index is a factor.
+    (
+        r"\sum_{k=1}^nk\cdot\sum_{k=1}^nk=\sum_{k=1}^nk^3",
+        r"\sum_{k=1}^nk\sum_{k=1}^nk=\sum_{k=1}^nk^2",
+        (),
+    ),
     (r"\tbinom{n}{2}=\frac{n(n-1)}2", r"\tbinom{n}{2}=\frac{n(n+1)}2", ()),
     (r"(n+2)!=(n+2)(n+1)n!", r"(n+2)!=(n+2)n!", ()),
     ("5!=120", "5!=24", ()),

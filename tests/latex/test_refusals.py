@@ -93,6 +93,11 @@ REFUSED = [
     (r"2cosx", "cosx", "in italics", r"\cos"),
     (r"\sum_{i=1}^2\sum_{i=1}^2 i", r"i=1}^2 i", "of a sum around", "another letter"),
     ("1" * 301, "1", "300 digits", ""),
+    (r"\sum_{i=1}^2i\sum_{i=1}^ii", "i=1}^ii", "of a sum around", "another letter"),
+    (r"x+a\bmod2", r"x+a", "of its last term", r"(a+b)\bmod n"),
+    (r"x\bmod2+a", r"x\bmod2", "of its last term", r"(a+b)\bmod n"),
+    (r"x=2a\iff a=\frac x2", r"\iff", "has no meaning", r"\Rightarrow"),
+    ("x=(4)", "(4)", "the equation that has it", "without brackets"),
     (r"\log^2x", r"\log", "not the same everywhere", "functions"),
     # Minus one in every spelling.
     *(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex import letters
+from mechproof.latex.latex_signs import DOTS, find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tree import (
@@ -88,9 +89,27 @@ def read_repeated(parser: Parser) -> Node:
         raise parser.refuse(f"a {name} without upper limit", rf"Print \{name}_{{k=1}}^n.")
     high = parser.read_script("^")
     parser.bound.append(index.text)
+    parser.sums.append((f"{name} {index.text}", parser.depth))
     term = parser.read_product()
+    parser.sums.pop()
     parser.bound.pop()
     return Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
+
+
+def is_sum_beside(parser: Parser) -> bool:
+    r"""Return whether a second sum over the index of the one being read multiplies it.
+
+    As a factor of the term it would say the same, \sum_{k=1}^nk\cdot\sum_{k=1}^nk, where k is none
+    of its limits.
+    """
+    place = parser.place + (parser.text in DOTS)
+    texts = [token.text for token in parser.tokens[place:]]
+    index = "".join(texts[3:4])
+    if texts[:3] != [r"\sum", "_", "{"] or parser.sums[-1:] != [(f"sum {index}", parser.depth)]:
+        return False
+    low = 3 + texts[3:].index("}")
+    high = texts[low + 2 : low + 2 + find_close(texts[low + 2 :])]
+    return index not in (*texts[4:low], *high)
 
 
 def _name_whole(parser: Parser, name: str) -> str:

@@ -6,7 +6,7 @@ what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }
 
 from __future__ import annotations
 
-from mechproof.latex import groups, side_conditions
+from mechproof.latex import groups, modulo, side_conditions
 from mechproof.latex.latex_signs import NARROW, WIDE
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.parser import Parser
@@ -19,7 +19,7 @@ from mechproof.latex.printed_relations import (
 )
 from mechproof.latex.several_equations import Line
 from mechproof.latex.side_conditions import ChainPart
-from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Product
+from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Number, Product
 from mechproof.latex.words import AND, ELSE, IF
 
 _LEFT_OVER = {
@@ -146,6 +146,8 @@ def _read_chain(parser: Parser) -> Chain:
     while parser.text in RELATIONS:
         relations.append(parser.take().text)
         members.append(parser.read_sum())
+        _refuse_number_of_equation(parser, members[-1])
+    members = modulo.read_congruence(parser, members, relations)
     condition = None
     if parser.text in IF and not _skip_membership(parser):
         value = members.pop()
@@ -158,6 +160,16 @@ def _read_chain(parser: Parser) -> Chain:
     if parser.text == r"\in" and not relations and condition is None:
         return place_between(members[0], *read_interval(parser))
     return Chain(tuple(members), tuple(relations), condition, start=start, end=parser.end)
+
+
+def _refuse_number_of_equation(parser: Parser, member: Node) -> None:
+    r"""Refuse \theta_2=(4), which nobody prints for the number."""
+    if isinstance(member, Bracket) and isinstance(member.inside, Number):
+        raise parser.refuse(
+            f"({member.inside.text}): the number, or the equation that has it?",
+            "Print the number without brackets, or leave that of an equation to the text.",
+            member.start,
+        )
 
 
 def _read_cases(parser: Parser, value: Node) -> Cases:

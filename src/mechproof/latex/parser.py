@@ -19,6 +19,7 @@ from mechproof.latex import (
     dotted,
     extrema,
     letters,
+    modulo,
     places,
     printed_derivatives,
     several_equations,
@@ -103,6 +104,7 @@ class Parser:
         double = {r"\pm": first, r"\mp": -first} if first else {}
         self.signs = {"+": 1, "-": -1, **double}
         self.bound: list[str] = []
+        self.sums: list[tuple[str, int]] = []
         self.integrals: list[calculus.OpenIntegral] = []
         self.brackets: tuple[Bracket, ...] = ()
         self._refuse_alike()
@@ -206,14 +208,14 @@ class Parser:
 
     def read_sum(self) -> Node:
         """Read terms with their signs."""
-        start = self.start
+        start, before = self.start, self.peek(-1) if self.place else ""
         terms = [self.read_term()]
         while self.text in self.signs:
             if dotted.is_dotted_sum(self):
                 terms = [(1, dotted.read_dotted_sum(self, terms, start))]
             else:
                 terms.append(self.read_term())
-        return self.add_up(terms, start)
+        return modulo.read_remainder(self, self.add_up(terms, start), before)
 
     def add_up(self, terms: Sequence[tuple[int, Node]], start: int) -> Node:
         """Return the sum of terms with their signs, one alone as it is."""
@@ -268,7 +270,8 @@ class Parser:
             return self.norms > 0
         is_word = self.text.startswith((r"\text", r"\end")) and not is_unit(self)
         ends = self.text in ENDING or self.text in self.signs
-        return is_word or ends or calculus.is_over(self) or side_conditions.is_bracketed(self)
+        ends = ends or calculus.is_over(self) or calculus.is_sum_beside(self)
+        return is_word or ends or side_conditions.is_bracketed(self) or modulo.is_next(self)
 
     def _divide(self, factors: list[Node], signs: list[str], start: int) -> Node:
         slash = self.take("/")

@@ -20,7 +20,7 @@ from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
-_ARGUMENTS = {r"\frac": 2, r"\binom": 2, r"\sqrt": 1}
+_ARGUMENTS = {r"\frac": 2, r"\binom": 2, **dict.fromkeys((r"\sqrt", r"\pmod", r"\pod"), 1)}
 # What an upright word is not read as: `\mathrm{int}` rounds, and no fraction stands in an index.
 _COMMANDS = (*_ARGUMENTS, r"\int", r"\sum", r"\prod")
 # What belongs to a letter before its power; nobody raises to a sign of multiplication.

@@ -1,4 +1,4 @@
-r"""Letters that count, by where they stand: n!, \sum_{k=1}^n, 1+\dots+n, \frac{d^n}{dx^n}."""
+r"""Letters that count, as in n!, \sum_{k=1}^n, 1+\dots+n, \frac{d^n}{dx^n}, a\bmod n."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import accumulate, takewhile
 
+from mechproof.latex import modulo
 from mechproof.latex.latex_signs import find_close
+from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tokens import list_signs
 
 # The letters of last terms, behind dots.
@@ -49,6 +51,8 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
                 found |= dict.fromkeys(_letters_of_last(texts[place + 1 :]))
             if texts[place : place + 4] == ["{", "d", "^", "{"]:
                 found |= dict.fromkeys(_letters_of_order(texts[place + 4 :]))
+            if text in modulo.SIGNS:
+                found |= dict.fromkeys(_letters_of_congruence(texts))
             if text == r"\binom":
                 found |= dict.fromkeys(_letters_of_binomial(texts[place + 1 :]))
     return tuple(found)
@@ -101,6 +105,17 @@ def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
 def _letters_of_order(texts: list[str]) -> Iterator[str]:
     """Yield the letters of the order of a derivative, if that is a plain sum."""
     yield from _letters_of_factorial(["(", *takewhile(lambda sign: sign != "}", texts), ")"])
+
+
+def _letters_of_congruence(texts: list[str]) -> Iterator[str]:
+    """Yield all letters of a print with remainders, unless they are those of turns."""
+    if r"\pi" in texts:
+        return
+    for place, text in enumerate(texts):
+        if begins_letter(text) and text not in modulo.SIGNS and "_" not in texts[place - 2 : place]:
+            behind = texts[place + 1 :]
+            index = behind[: behind.index("}") + 1] if behind[:1] == ["_"] else []
+            yield "".join((text, *index))
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:

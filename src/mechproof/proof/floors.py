@@ -1,13 +1,15 @@
-"""Rung: floors of one number, which go on alike after a period, step by step; and what they leave.
+"""Rung: floors which go on alike after a period, step by step; and what they leave.
 
 A sum of multiples of floors of q*x + r, q and r rational, is constant between the places where one
 of these is whole, and repeats itself if the multiples of q add up to nothing (Graham, Knuth,
-Patashnik, Concrete Mathematics, 1994, chapter 3).
+Patashnik, Concrete Mathematics, 1994, chapter 3). Of a polynomial of whole numbers over m a floor
+leaves what only their remainders by m tell.
 """
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Iterable
+from itertools import pairwise, product
 
 import sympy as sp
 
@@ -24,32 +26,63 @@ def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | Non
     # Most statements have none, and to expand some takes seconds.
     if not difference.has(sp.floor):
         return None
-    difference = sp.expand(difference)
+    difference = sp.expand(sp.expand(difference).replace(sp.floor, _take_whole_out))
+    if difference == 0:
+        return RUNG
     floors = sorted(difference.atoms(sp.floor), key=sp.default_sort_key)
-    letters = difference.free_symbols
-    if not floors or len(letters) != 1:
-        return None
-    (x,) = letters
-    slopes = {one: sp.diff(one.args[0], x) for one in floors}
+    letters = sorted(difference.free_symbols, key=str)
     counts = {one: sp.Dummy() for one in floors}
     named = difference.xreplace(counts)
     weights = {one: sp.diff(named, count) for one, count in counts.items()}
+    if not (floors and letters and all(weight.is_Rational for weight in weights.values())):
+        return None
+    if all(letter.is_integer for letter in letters):
+        return RUNG if _is_zero_by_remainders(difference, floors, letters) else None
+    if len(letters) > 1:
+        return None
+    (x,) = letters
+    slopes = {one: sp.diff(one.args[0], x) for one in floors}
     own = sp.diff(named, x)
-    numbers = [own, *slopes.values(), *weights.values(), *(f.args[0].subs(x, 0) for f in floors)]
+    numbers = [own, *slopes.values(), *(f.args[0].subs(x, 0) for f in floors)]
     if not all(number.is_Rational for number in numbers):
         return None
     period = sp.ilcm(1, *(slope.q for slope in slopes.values()))
     drift = own + sum(weights[one] * slopes[one] for one in floors)
     steps = period + sum(abs(slope) * period for slope in slopes.values())
-    if drift != 0 or steps > _MOST_STEPS or (own != 0 and not x.is_integer):
+    if drift != 0 or steps > _MOST_STEPS or own != 0:
         return None
     places = sorted({place for one in floors for place in _list_steps(one.args[0], x, period)})
     # Between the steps it is one number, wherever that is looked at.
     between = [(one + other) / 2 for one, other in pairwise(places)]
     left_out = _list_left_out(x, period, domain)
     met = [place for place in places if all(one.subs(x, place) != 0 for one in left_out)]
-    tried = range(period) if x.is_integer else [*met, *between]
-    return RUNG if all(difference.subs(x, place) == 0 for place in tried) else None
+    return RUNG if all(difference.subs(x, place) == 0 for place in [*met, *between]) else None
+
+
+def _take_whole_out(argument: sp.Expr) -> sp.Expr:
+    """Return a floor with a number from 0 to below 1 as the only one in its argument."""
+    argument = sp.expand(argument)
+    number, _ = argument.as_coeff_Add()
+    whole = sp.floor(number) if number.is_Rational else sp.S.Zero
+    return sp.floor(argument - whole) + whole
+
+
+def _is_zero_by_remainders(
+    difference: sp.Expr, floors: Iterable[sp.Expr], letters: list[sp.Symbol]
+) -> bool:
+    """Tell whether a sum of multiples of floors is zero for all whole numbers."""
+    arguments = {one: one.args[0] for one in floors}
+    if not all(argument.is_polynomial(*letters) for argument in arguments.values()):
+        return False
+    polynomials = [sp.Poly(argument, *letters) for argument in arguments.values()]
+    left = sp.expand(difference.xreplace(arguments))
+    if not (left.is_Rational and all(p.domain in (sp.ZZ, sp.QQ) for p in polynomials)):
+        return False
+    period = sp.ilcm(1, *(number.q for p in polynomials for number in p.coeffs()))
+    if period ** len(letters) > _MOST_STEPS:
+        return False
+    tried = product(range(period), repeat=len(letters))
+    return all(difference.subs(dict(zip(letters, one, strict=True))) == 0 for one in tried)
 
 
 def _list_left_out(x: sp.Symbol, period: int, domain: Domain) -> list[sp.Expr]:
