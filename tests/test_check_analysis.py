@@ -85,6 +85,8 @@ PAIRS = [
     ),
     (r"\max(ka,kb)=k\max(a,b)", r"\max(ka,kb)=k\min(a,b)", ("k>0",)),
     (r"\max(ka,kb)=k\min(a,b)", r"\max(ka,kb)=k\max(a,b)", ("k<0",)),
+    (r"\max(ka,kb)=k\max(a,b)", r"\max(ka,kb)=|k|\min(a,b)", (r"k\ge0",)),
+    (r"\min(ka,kb)=k\max(a,b)", r"\min(ka,kb)=k\min(a,b)", (r"k\le0",)),
     (r"\ln\sqrt{xy}=\frac12\ln|x|+\frac12\ln|y|", r"\ln\sqrt{xy}=\ln|x|+\ln|y|", ("xy>0",)),
     (r"\sum_{k=m}^{m+n}k=\frac{(n+1)(2m+n)}2", r"\sum_{k=m}^{m+n}k=\frac{n(2m+n)}2", ()),
     (

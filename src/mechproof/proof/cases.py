@@ -126,13 +126,15 @@ def _begin_at_zero(side: sp.Expr) -> sp.Expr:
     return side.replace(lambda node: isinstance(node, sp.Sum | sp.Product), move)
 
 
-def decide_from_zero_base(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sides equal where a letter in the base of a power is zero, and elsewhere.
+def decide_from_zero_end(sides: Sides, domain: Domain, prove: Prove) -> str | None:
+    """Prove sides equal where a letter is zero, an end of its range, and elsewhere.
 
-    Zero is an end of the range of the letter; None where no such letter is met.
+    It is in the base of a power, or a factor of the largest of numbers; None without such a letter.
     """
     bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.free_symbols}
+    compared = {x for side in sides for one in side.atoms(sp.Max, sp.Min) for x in one.args}
     free = {symbol for base in bases for symbol in base.free_symbols}
+    free |= {factor for one in compared if one.is_Mul for factor in one.args if factor.is_Symbol}
     tied = {symbol for relation in domain.where for symbol in relation.free_symbols}
     ended = [s for s in free - tied if 0 in list_closed_ends(domain.set_of(s))]
     if not ended:

@@ -18,7 +18,7 @@ from mechproof.proof.cases import (
     decide_by_values,
     decide_from_last,
     decide_from_zero,
-    decide_from_zero_base,
+    decide_from_zero_end,
     list_poles,
     write_pieces,
 )
@@ -118,7 +118,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     found = found or decide_by_parts(*sides, domain, prove_equal)
     found = found or decide_by_steps(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
-    found = found or decide_from_zero_base(sides, domain, prove_equal)
+    found = found or decide_from_zero_end(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)
     found = found or next(filter(None, (rung(*sides, domain) for rung in _LAST)), None)
     return found or _prove_by_squares(sides, domain)
