@@ -42,6 +42,9 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     # Two changes contradict the other; without a constraint nothing is known.
     ((QUADRATIC,), r"x=\frac{b\pm\sqrt{b^2+4ac}}{2a}", "not judged"),
     ((), r"x=a\pm\sqrt b", "DEFINITION"),
+    # In a range it gives the letter no value.
+    ((), r"q=\arccos(a\pm b)\qquad0\le q\le\pi", "not read"),
+    ((), r"q=\arccos(a\pm b)\qquad0\le x\le1", "not read"),
     # Two letters that are the roots.
     ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{2a}", "PROVED"),
     ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{a}", "REFUTED"),

@@ -64,6 +64,9 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
     if sign.role not in _SOLVED or any(step.role is not Role.STEP for step in steps):
         return []
     if sign.role is Role.DEFINITION:
+        if sign.letter not in own.values:
+            # What is said of a range alone gives the letter no value.
+            return []
         sign = replace(sign, sides=(sign.letter, own.values[sign.letter]))
     sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
     is_one_sided = [side.has(SIGN) for side in sides] == [False, True]
