@@ -212,6 +212,7 @@ ADVICE = {
     r"\dot x=2r": "If it is a derivative, say what x depends on: x(t) : its meaning. Otherwise: ",
     r"\ddot x_1=2r": "If it is a derivative, say what x_1 depends on: x_1(t) : its meaning. ",
     "x=2r'": "If it is a derivative, say what r depends on: r(…) : its meaning. Otherwise: ",
+    r"\frac{dx}{dr}=2r": "If x depends on r, say so in the block of letters: x(r) : its meaning. ",
     # These depend on another letter, or are no letters.
     r"\dot u=2r": r"Declare it in the block of letters: \dot u : its meaning",
     r"\dot w=2r": r"Declare it in the block of letters: \dot w : its meaning",

@@ -155,7 +155,7 @@ def test_a_symbol_of_which_nothing_is_known_is_an_error_of_the_module() -> None:
             expand(latex)
     with pytest.raises(ValueError, match="nothing is known of K"):
         expand("K=1", residual=x)
-    with pytest.raises(ValueError, match="do not fit together"):
+    with pytest.raises(ValueError, match="do not fit together here; K is a 2x2 matrix"):
         expand("K+x=1")
 
 

@@ -10,7 +10,16 @@ import sympy as sp
 from mechproof.latex.letters_that_move import list_beside, refuse_unknown
 from mechproof.latex.piecewise_values import has_value
 from mechproof.latex.products import is_matrix
-from mechproof.latex.tree import Approach, At, Derivation, Integration, Letter, Node, Repeated
+from mechproof.latex.tree import (
+    Approach,
+    At,
+    Derivation,
+    Integration,
+    Letter,
+    Node,
+    Repeated,
+    walk,
+)
 from mechproof.latex.values import (
     OF_SIGNS,
     UNSMOOTH,
@@ -132,12 +141,10 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
     is_unknown &= not (node.is_partial and _moves_by_rates(meaning, value, variable))
     if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
-        latex = meaning.source.latex[node.start : node.end]
-        beside = "Print the derivatives of what depends on it: u' beside u."
         raise meaning.source.refuse(
             node.of.start,
             f"{variable} does not stand in what is differentiated: does it depend on it?",
-            beside if latex.endswith("'") else meaning.remedies.name.format(latex),
+            _advise_dependence(meaning, node),
         )
     if any(depends_on & part.free_symbols for part in value.atoms(*UNSMOOTH)):
         raise meaning.source.refuse(
@@ -148,6 +155,16 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     if isinstance(needed, sp.MatrixBase):
         return needed.applyfunc(lambda x: _give_rate(meaning, node, x, variable, depends_on))
     return _give_rate(meaning, node, needed, variable, depends_on)
+
+
+def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
+    """Return how to say that what is differentiated depends on the letter by which it is."""
+    latex = meaning.source.latex[node.start : node.end]
+    if latex.endswith("'"):
+        return "Print the derivatives of what depends on it: u' beside u."
+    letters = [part.text for part in walk(node.of) if isinstance(part, Letter)]
+    says = meaning.remedies.depends.format(letters[-1], node.by.text)
+    return f"{'' if node.is_partial else f'{says} '}{meaning.remedies.name.format(latex)}"
 
 
 def _differentiate_along(

@@ -39,6 +39,7 @@ class Remedies:
     membership: str
     rate: str
     sign: str
+    depends: str
 
 
 MODULE = Remedies(
@@ -54,6 +55,7 @@ MODULE = Remedies(
     membership=r"Print an interval as a relation, 0<x<1; declare the set of a letter as `within`.",
     rate="If it is a derivative of {0}, declare that in Notation(moving=…). Otherwise:",
     sign=", or declare a letter that is 1 or -1, Notation(branch=…)",
+    depends="If {0} depends on {1}, declare that in Notation(moving=…). Otherwise:",
 )
 
 

@@ -119,11 +119,11 @@ class Meaning:
         except ReadingError:
             raise
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
-            told = str(error) if isinstance(error, MeaningError) else _UNFIT
+            told = str(error) if isinstance(error, MeaningError) else self._tell_unfit(node)
             raise self.source.refuse(node.start, told) from error
         # SymPy would work such a power out, for some matrices with those parameters only.
         if self._raised > raised and not isinstance(node, tree.Power | tree.Bracket):
-            raise self.source.refuse(node.start, _UNFIT)
+            raise self.source.refuse(node.start, self._tell_unfit(node))
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
@@ -132,6 +132,14 @@ class Meaning:
         if is_scalar:
             self._met |= dict.fromkeys(list_partial(found))
         return found
+
+    def _tell_unfit(self, node: tree.Node) -> str:
+        """Say that parts do not fit together, and which letters among them are matrices."""
+        letters = [part for part in tree.walk(node) if isinstance(part, tree.Letter)]
+        values = {one.text: self.values.get(one.symbol, one.symbol) for one in letters}
+        shapes = {text: value.shape for text, value in values.items() if is_matrix(value)}
+        told = (f"{text} is a {rows}x{columns} matrix" for text, (rows, columns) in shapes.items())
+        return "; ".join((_UNFIT, *told))
 
     def _find(self, node: tree.Node) -> Any:
         """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
@@ -201,11 +209,11 @@ class Meaning:
             return shown.dot(shown)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             if (power := raise_matrix(base, exponent)) is None:
-                raise self.source.refuse(node.start, _UNFIT)
+                raise self.source.refuse(node.start, self._tell_unfit(node))
             self._raised += 1
             return power
         if is_power(base):
-            raise self.source.refuse(node.start, _UNFIT)
+            raise self.source.refuse(node.start, self._tell_unfit(node))
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
             self._divide_by(base.det(method="berkowitz"))
             return invert(base)

@@ -32,6 +32,8 @@ REMEDIES = Remedies(
     "an interval is printed as a relation, 0<x<1.",
     rate="If it is a derivative, say what {0} depends on: {0}({1}) : its meaning. Otherwise:",
     sign=r", or declare a letter that is 1 or -1 in the block of letters, branch \sigma=\pm1",
+    depends="If {0} depends on {1}, say so in the block of letters: {0}({1}) : its meaning. "
+    "Otherwise:",
 )
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
 _INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")

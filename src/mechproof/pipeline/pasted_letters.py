@@ -75,6 +75,7 @@ COMMAND = Remedies(
     "from 1. Letters are real anyway.",
     rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
     sign="",
+    depends="If {0} depends on {1}, say its value, --let '{0}=…'. Otherwise:",
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}", "j")
