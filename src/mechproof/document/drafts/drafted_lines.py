@@ -61,7 +61,7 @@ def write_letter(
         yield f"# {_ASKED[first]}:"
     if found:
         yield f"# line {found.line} says:"
-    running = f"({entry.running})" if entry.running else ""
+    running = f"({entry.running})" if entry.running and not size else ""
     others = "".join(f" | {other}" for other in alike)
     shape = f" {size[0]}x{size[1]}" if size else ""
     unit = f" [{found.unit}]" if found and found.unit else ""
