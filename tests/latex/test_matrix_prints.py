@@ -11,6 +11,7 @@ import pytest
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
+from mechproof.latex.values import differentiate
 from mechproof.record import Notation, Variable
 
 x, y, s = sp.symbols("x y s", real=True)
@@ -171,3 +172,9 @@ def test_a_function_may_be_declared_as_it_is_printed() -> None:
     assert reader.collect(r"\cos z_1(y+1)") == ["z_{1}"]
     with pytest.raises(ReadingError, match="a bracket after"):
         reader.collect(r"\sin z_1(y+1)")
+
+
+def test_a_matrix_is_differentiated_beside_letters_that_move_and_are_not_in_it() -> None:
+    moving = {y: (x, (s,))}
+    assert differentiate(sp.ImmutableMatrix([x]), x, moving) == sp.ImmutableMatrix([1])
+    assert differentiate(sp.ImmutableMatrix([x * y]), x, moving) == sp.ImmutableMatrix([y + x * s])

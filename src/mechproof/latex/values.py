@@ -93,7 +93,8 @@ def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
     met = value.free_symbols
     for steps, speed in list_steps(by, moving):
         for one, derivative in pairwise(steps):
-            total += value.diff(one) * derivative * speed if one in met else 0
+            if one in met:
+                total += value.diff(one) * derivative * speed
         if steps[-1] in met:
             raise ValueError(f"no symbol is declared for the derivative of {steps[-1]} by {by}")
     # SymPy writes x^(a - 1) as x^a/x, which has no value at zero for any a.
