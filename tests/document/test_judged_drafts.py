@@ -113,10 +113,19 @@ $$Z=Q(\mu)Q(\nu)=\begin{pmatrix}\cos(\mu+\nu)&\sin(\mu+\nu)\\-\sin(\mu+\nu)&\cos
 $$|D|=\left|\begin{array}{cc}h&k\\l&m\end{array}\right|=hm-kl$$
 """
 
+CALLED = r"""
+$$Q=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}$$
+$$Q(\psi)=Q$$
+$$Q(\psi)Q(\psi)=Q(2\psi)$$
+$$Q^{-1}(\psi)=Q^T(\psi)=Q(-\psi)=\begin{pmatrix}\cos\psi&-\sin\psi\\\sin\psi&\cos\psi\end{pmatrix}$$
+"""
+
 
 @pytest.mark.parametrize(
     ("text", "outcomes"),
     [
+        (CALLED, {"DEFINITION", "PROVED"}),
+        (CALLED.replace(r"=Q(-\psi)", r"=Q(\psi)"), {"DEFINITION", "PROVED", "REFUTED"}),
         (TURNED, {"DEFINITION", "PROVED"}),
         (TURNED.replace(r"&\sin(\mu+", r"&\cos(\mu+"), {"DEFINITION", "PROVED", "REFUTED"}),
         (TURNED.replace("hm-kl", "hm+kl"), {"DEFINITION", "PROVED", "REFUTED"}),

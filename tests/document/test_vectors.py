@@ -26,6 +26,7 @@ ARM = (
     r"\mathbf p=(x,y)",
     r"\mathbf q=(u,v)",
 )
+TURN = r"\begin{pmatrix}\cos\theta&-\sin\theta\\\sin\theta&\cos\theta\end{pmatrix}"
 JACOBIAN = r"\frac{\partial\mathbf p}{\partial\mathbf q}"
 CASES = {
     "derivatives of a vector by another, in either layout": (
@@ -59,6 +60,23 @@ CASES = {
             r"w=\begin{Bmatrix}u&u>0\\-u&u\le0\end{Bmatrix}",
         ],
         ["DEFINITION", "PROVED", "not judged", "DEFINITION"],
+    ),
+    "a bracket behind a matrix may be its argument": (
+        [
+            rf"R={TURN}",
+            rf"R(\theta)={TURN}",
+            rf"R^T(\theta)={TURN}",
+            "R(0)=R",
+            r"R(1-\cos\theta)=R-\cos\theta R",
+            r"\mathbf q=(x,y)",
+            r"R(\mathbf q+\mathbf q)=2R\mathbf q",
+            r"R(\mathbf q-\mathbf q)=2R\mathbf q",
+            r"R(\mathbf q)=R",
+        ],
+        [
+            *("DEFINITION", "not read", "not read", "not read", "PROVED", "DEFINITION"),
+            *("PROVED", "REFUTED", "not read"),
+        ],
     ),
     "a rate has the size of its vector": (
         [

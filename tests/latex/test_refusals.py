@@ -96,6 +96,7 @@ REFUSED = [
     (r"\sum_{i=1}^2i\sum_{i=1}^ii", "i=1}^ii", "of a sum around", "another letter"),
     (r"x+a\bmod2", r"x+a", "of its last term", r"(a+b)\bmod n"),
     (r"x\bmod2+a", r"x\bmod2", "of its last term", r"(a+b)\bmod n"),
+    (r"\frac{dy}{dx}(a)", "(a)", "a factor, or the place", r"\right|_{x=x_0}"),
     (r"x=2a\iff a=\frac x2", r"\iff", "has no meaning", r"\Rightarrow"),
     ("x=(4)", "(4)", "the equation that has it", "without brackets"),
     (r"\log^2x", r"\log", "not the same everywhere", "functions"),

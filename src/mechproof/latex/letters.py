@@ -16,7 +16,20 @@ from mechproof.latex.name_table import Match
 from mechproof.latex.numerals import read_number
 from mechproof.latex.printed_functions import CONSTANTS
 from mechproof.latex.summands import TIME, is_no_argument
-from mechproof.latex.tree import Add, Bracket, Constant, Letter, Node, Power, walk
+from mechproof.latex.tree import (
+    Add,
+    Bracket,
+    Constant,
+    Derivation,
+    Entries,
+    Letter,
+    Node,
+    Number,
+    Power,
+    Transposed,
+    shows_matrix,
+    walk,
+)
 from mechproof.latex.words import ITALICS
 from mechproof.record import NUMBER
 
@@ -33,15 +46,19 @@ _SCRIPT_TYPES = (r"\mathcal", r"\mathscr", r"\mathfrak")
 def check_bracket_after(parser: Parser, left: Node) -> None:
     """Refuse a round bracket after a letter, unless the letter is declared to be a factor."""
     letter = left.base if isinstance(left, Power) else left
+    letter = letter.of if isinstance(letter, Transposed) else letter
+    if isinstance(letter, Derivation) and parser.text == "(":
+        _refuse_place(parser)
     if not isinstance(letter, Letter) or letter.text in parser.bound:
         return
     # Script letters are operators as often: \mathcal L\{f\}.
     brackets = ("(", "[") if letter.text.startswith(_SCRIPT_TYPES) else ("(",)
     if parser.text not in brackets:
         return
-    if isinstance(letter.symbol, sp.MatrixSymbol) or letter.text in parser.factors:
-        return
     place = parser.place
+    is_matrix = isinstance(letter.symbol, sp.MatrixSymbol)
+    if letter.text in parser.factors or (is_matrix and not _may_be_called(parser)):
+        return
     if place not in parser.multiplied:
         # Of brackets in brackets each would be read twice for the one around it.
         parser.multiplied[place] = _multiplies(parser, letter)
@@ -53,20 +70,23 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
         )
 
 
+def _refuse_place(parser: Parser) -> None:
+    r"""Refuse \frac{dx}{dt}(t_0), which may be a value at a place, or a product."""
+    bracket, _ = _look_at_bracket(parser)
+    if isinstance(bracket, Bracket) and isinstance(bracket.inside, Letter | Number):
+        raise parser.refuse(
+            "a bracket after a derivative: a factor, or the place where its value is meant?",
+            r"Print \left.…\right|_{x=x_0} for the place, \cdot before a factor.",
+        )
+
+
 def _multiplies(parser: Parser, letter: Letter) -> bool:
     r"""Return whether a bracket multiplies a letter: s(s-a), r(1-\cos\varphi), k(a+b).
 
     It has the letter as a number, or units tell: the letter depends on nothing but time, and the
     bracket is a sum that is no argument.
     """
-    place, count = parser.place, len(parser.collected)
-    try:
-        bracket: Node | None = parser.read_atom()
-    except ReadingError:
-        bracket = None
-    finally:
-        parser.place = place
-        del parser.collected[count:]
+    bracket, _ = _look_at_bracket(parser)
     inside = bracket.inside if isinstance(bracket, Bracket) else None
     if inside and any(isinstance(x, Letter) and x.text == letter.text for x in walk(inside)):
         return True
@@ -77,6 +97,44 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
     # What cannot be read is refused where it stands.
     return bracket is None or is_sum
+
+
+def skip_argument(parser: Parser, raised: Node) -> None:
+    r"""Go on behind what a declared name has in its bracket: R^T(\theta) is R(\theta)^T.
+
+    f^{-1}(x) may be an inverse function.
+    """
+    base = raised.of if isinstance(raised, Transposed) else getattr(raised, "base", None)
+    exponent = getattr(raised, "exponent", None)
+    if not isinstance(base, Letter) or not (shows_matrix(base) or isinstance(exponent, Number)):
+        return
+    for signs in parser.names.list_arguments(base.symbol):
+        if tuple(token.text for token in parser.rest[: len(signs)]) == signs:
+            parser.place += len(signs)
+            return
+
+
+def _may_be_called(parser: Parser) -> bool:
+    r"""Return whether a bracket behind a matrix may be an argument: R(2\theta), not A(x+y)."""
+    bracket, behind = _look_at_bracket(parser)
+    if not isinstance(bracket, Bracket):
+        # A column is printed as (x,y)^T.
+        return isinstance(bracket, Entries) and behind != "^"
+    inside = bracket.inside
+    is_product = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=False)
+    return isinstance(inside, Letter) or not (is_product or any(map(shows_matrix, walk(inside))))
+
+
+def _look_at_bracket(parser: Parser) -> tuple[Node | None, str]:
+    """Return the bracket that stands here and the sign behind it, nothing if it is not read."""
+    place, count = parser.place, len(parser.collected)
+    try:
+        return parser.read_atom(), parser.text
+    except ReadingError:
+        return None, ""
+    finally:
+        parser.place = place
+        del parser.collected[count:]
 
 
 def read_letter(parser: Parser, match: Match | None) -> Node:
@@ -161,7 +219,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
     if other and not is_rate and not is_factor:
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",
-            parser.remedies.name.format(f"{latex}(…)"),
+            parser.remedies.bracket.format(latex),
         )
     return letter
 

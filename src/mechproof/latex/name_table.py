@@ -67,9 +67,13 @@ class Names:
 
     def find_argument(self, symbol: sp.Basic) -> Name | None:
         r"""Return the letter of which a symbol is declared as a function: \theta of R(\theta)."""
-        named = (n.signs for names in self._by_first.values() for n in names if n.symbol == symbol)
-        inside = (s[s.index("(") + 1 : -1] for s in named if "(" in s and s[-1] == ")")
+        inside = (signs[1:-1] for signs in self.list_arguments(symbol))
         return next(filter(None, (self.find(*signs) for signs in inside if signs)), None)
+
+    def list_arguments(self, symbol: sp.Basic) -> list[tuple[str, ...]]:
+        r"""List the brackets with which a symbol is declared: (\theta) of R(\theta)."""
+        named = (n.signs for names in self._by_first.values() for n in names if n.symbol == symbol)
+        return [s[s.index("(") :] for s in named if "(" in s and s[-1] == ")"]
 
     def longer(self, name: Name, sign: str) -> Name | None:
         """Return a name that goes on with a sign where this one ends."""

@@ -326,10 +326,10 @@ class Parser:
         return atoms.read_atom(self)
 
     def _raise(self, base: Node, start: int) -> Node:
-        special = atoms.read_special_power(self, base, start)
-        if special:
-            return special
-        return Power(base, self.read_script("^"), start=start, end=self.end)
+        raised = atoms.read_special_power(self, base, start)
+        raised = raised or Power(base, self.read_script("^"), start=start, end=self.end)
+        letters.skip_argument(self, raised)
+        return raised
 
     def read_script(self, mark: str) -> Node:
         """Read the expression in a script."""

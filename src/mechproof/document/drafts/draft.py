@@ -84,6 +84,8 @@ def draft_block(source: Source) -> str:
     _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
+    # A matrix is multiplied by any bracket that is no argument.
+    factors = [x for x in collected.factors if name_symbol(x) not in shapes]
     lines = [
         *_write_letters(entries, shapes, said),
         *write_families(collected.families, said),
@@ -96,7 +98,7 @@ def draft_block(source: Source) -> str:
         *find_extremes(source, running),
         *ask_extremes(displays, running),
         *ask_zeros(displays),
-        *write_factors(collected.factors, entries),
+        *write_factors(factors, entries),
         *((f"imaginary {unit}",) if unit else ()),
         *(f"function {name} is {meant}" for name, meant in collected.functions.items()),
     ]

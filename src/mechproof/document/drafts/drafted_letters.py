@@ -106,12 +106,13 @@ def list_entries(
 def _find_functions(
     letters: Sequence[str], shapes: Mapping[str, tuple[int, int]], prints: Sequence[str]
 ) -> dict[str, str]:
-    """Return the matrices that are never printed without arguments, and their first print."""
+    """Return the matrices with arguments, and their first print; without any they have one size."""
     found: dict[str, str] = {}
     for letter in letters:
         stem = strip_arguments(letter)
         alone = re.compile(rf"{re.escape(stem)}(?![\w{{]|\s*(?:\\left\s*)?\()")
-        if stem != letter and name_symbol(letter) in shapes and not any(map(alone.search, prints)):
+        size, plain = (shapes.get(name_symbol(one)) for one in (letter, stem))
+        if stem != letter and size and (size == plain or not any(map(alone.search, prints))):
             found.setdefault(name_symbol(stem), letter)
     return found
 
