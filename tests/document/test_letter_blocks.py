@@ -198,6 +198,7 @@ FAULTS = {
     "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
     "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",
     "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, no condition: say constraint \(…\)",
+    r"let x=\begin{pmatrix}r\\r\end{pmatrix}": "it is a matrix, so declare its size: x 2x1",
     "where x=y": "x=y is a value, no condition: say let x=y",
 }
 

@@ -111,6 +111,12 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
         if own and _is_value(part.chain, own, *statements):
             statements[-1] = _narrow(statements[-1], [part.chain])
         elif part.said or _narrows(parser, statements, conditions, part.chain):
+            if not part.chain.relations:
+                raise parser.refuse(
+                    "a gap before what is no relation: a factor, or a second print?",
+                    r"Print \cdot before a factor, a comma between prints.",
+                    part.chain.start,
+                )
             conditions.append(part.chain)
         elif conditions or (own and not part.chain.condition):
             raise parser.refuse(
