@@ -74,6 +74,11 @@ MATRICES = [
     (r"\vec{u}\times[A]w", E["u"].cross(E["A"] * E["w"])),
     (r"[(x, y, s)]_{\times}", sp.Matrix([[0, -s, y], [s, 0, -x], [-y, x, 0]])),
     (r"\mathbf B^{-1}\;[A]v", E["B"].inv("ADJ") * E["A"] * E["v"]),
+    # Wide gaps part the entries of a row, and none of a sum or what stands beside it.
+    (r"[x\cos y\quad -y\qquad0]", sp.Matrix([[x * sp.cos(y), -y, 0]])),
+    (r"\left[x\quad y\right]^T", sp.Matrix([x, y])),
+    (r"[A][x\quad y\quad s]^T", E["A"] * sp.Matrix([x, y, s])),
+    (r"2[x\quad +\quad y]\quad[A]", 2 * (x + y) * E["A"]),
     (r"[A](v\times w)", E["A"] * E["v"].cross(E["w"])),
     (r"(1, 0, 0)\times(0, 1, 0)", sp.Matrix([[0, 0, 1]])),
     (r"(1,0,0)\times(0,1,0)", sp.Matrix([[0, 0, 1]])),

@@ -97,6 +97,8 @@ REFUSED = [
     (r"x+a\bmod2", r"x+a", "of its last term", r"(a+b)\bmod n"),
     (r"x\bmod2+a", r"x\bmod2", "of its last term", r"(a+b)\bmod n"),
     (r"\frac{dy}{dx}(a)", "(a)", "a factor, or the place", r"\right|_{x=x_0}"),
+    (r"[x\ a]", r"\ a]", "entries of a row, or factors", "commas"),
+    (r"x=a\quad y", "y", "a gap before what is no relation", "comma"),
     (r"x=2a\iff a=\frac x2", r"\iff", "has no meaning", r"\Rightarrow"),
     ("x=(4)", "(4)", "the equation that has it", "without brackets"),
     (r"\log^2x", r"\log", "not the same everywhere", "functions"),

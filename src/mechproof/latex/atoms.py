@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.latex import calculus, environments, letters, places, printed_derivatives
 from mechproof.latex.characters import is_digit
-from mechproof.latex.latex_signs import DOTS
+from mechproof.latex.latex_signs import DOTS, NARROW
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.measures import read_measure, read_unit
 from mechproof.latex.name_table import find_brace
@@ -150,6 +150,11 @@ def read_list(parser: Parser) -> list[Node]:
     parts = [parser.read_sum()]
     while parser.skip(","):
         parts.append(parser.read_sum())
+    if parser.text == NARROW:
+        raise parser.refuse(
+            "a blank in square brackets: between entries of a row, or factors?",
+            r"Print commas between entries, \cdot between factors.",
+        )
     return parts
 
 

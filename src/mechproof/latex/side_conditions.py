@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from mechproof.latex.latex_signs import CLOSING, DOTS, GAPS, OPENING, WIDE, Token, measure_depths
+from mechproof.latex.parted_rows import part_rows
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import join
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
@@ -29,13 +30,19 @@ _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&"
 
 
 def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
-    """Return signs without the gaps that are mere blanks: those before no condition."""
+    """Return signs without the gaps that are mere blanks: those before no condition.
+
+    Nor are those that may part the entries of a row.
+    """
+    tokens, unclear = part_rows(tokens)
     texts = [token.text for token in tokens]
     depths = list(measure_depths(texts))
     return tuple(
         token
         for place, token in enumerate(tokens)
-        if token.text not in GAPS or (depths[place] == 0 and _may_part(texts, depths, place))
+        if token.text not in GAPS
+        or place in unclear
+        or (depths[place] == 0 and _may_part(texts, depths, place))
     )
 
 
