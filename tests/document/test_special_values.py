@@ -52,6 +52,11 @@ CASES = {
     r"h'(0)=0": ["PROVED"],
     r"h'(0)=2a": ["REFUTED"],
     r"k=h(0)=a+b": ["DEFINITION", "PROVED"],
+    r"h(\psi=0)=a+b,\ h'(\psi=0)=0": ["PROVED", "PROVED"],
+    r"h(\psi=\pi)=a+b": ["REFUTED"],
+    # Behind a gap it is a condition, of another letter no place.
+    r"h=b-a\quad(\psi=\pi)": ["PROVED"],
+    r"h(c=0)=a\cos\psi+b": ["not read"],
     # A place that is counted from any.
     r"z(t+\frac{2\pi}\nu)=z(t)": ["PROVED"],
     r"z(t+\frac\pi\nu)=-z(t)": ["PROVED"],

@@ -30,6 +30,7 @@ READ = [
     ("∫_0^1 x\\,dx", sp.Rational(1, 2)),
     ("45°", sp.pi / 4),
     ("x\u00a0y\u2009x", x**2 * y),
+    ("x\u200cy+\u200dx", x * y + x),
     ("∣x∣", sp.Abs(x)),
     ("⌊x+1⌋", sp.floor(x) + 1),
     ("2⌈x/3⌉", 2 * sp.ceiling(x / 3)),

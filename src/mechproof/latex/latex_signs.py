@@ -19,6 +19,8 @@ _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
     *(r"\Bigg", r"\mathstrut", r"\it", r"\hline"),
+    # Joiners of letters, which show nothing.
+    *"\u200c\u200d",
 )
 # Blanks that part as often as they do nothing.
 WIDE, NARROW = r"\quad", "\\ "

@@ -136,7 +136,7 @@ def _read_values(parser: Parser, term: Node) -> Node:
 def is_value(parser: Parser, letter: Letter) -> bool:
     r"""Return whether an argument stands behind a letter that depends on another one.
 
-    It is a number, x(0), another letter, s(\beta), or a number times or by that, s(2\beta),
+    It is a number, x(0), x(t=0), another letter, s(\beta), or a number times or by that, s(2\beta),
     s(\frac{\beta}{2}), or beside x(t) a sum with t, x(t+T). Another sum may be a factor.
     """
     running = _find_running(parser, letter)
@@ -144,7 +144,7 @@ def is_value(parser: Parser, letter: Letter) -> bool:
         return False
     if letter.symbol in parser.notation.called or _is_letter_inside(parser, letter):
         return True
-    if _is_shifted(parser, letter, running):
+    if _is_shifted(parser, letter, running) or _find_sign(parser, letter, running):
         return True
     texts = [token.text for token in parser.rest[1:]]
     inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
@@ -160,6 +160,15 @@ def _is_shifted(parser: Parser, letter: Letter, running: Letter) -> bool:
         ["(", running.text, sign] for sign in "+-"
     )
     return is_first and f"{letter.text}({running.text})" in printed
+
+
+def _find_sign(parser: Parser, letter: Letter, running: Letter) -> int:
+    """Return the place of the sign in x(t=0), where no gap makes it a condition; else nothing."""
+    between = parser.source.latex[letter.end : parser.start].strip()
+    match = parser.names.match(parser.tokens, parser.place + 1)
+    if between or match is None or match.name.symbol != running.symbol:
+        return 0
+    return match.end if parser.peek(match.end - parser.place) == "=" else 0
 
 
 def _is_letter_inside(parser: Parser, letter: Letter) -> bool:
@@ -189,11 +198,17 @@ def _find_running(parser: Parser, letter: Letter) -> Letter | None:
     return None
 
 
+def _read_point(parser: Parser, sign: int) -> Node:
+    parser.place = sign + 1 if sign else parser.place
+    return parser.read_sum()
+
+
 def read_value(parser: Parser, letter: Letter) -> Node:
     """Read x(0), the value of a letter that depends on another one."""
-    point = parser.read_inside("(", parser.read_sum, ")")
     running = _find_running(parser, letter)
     assert running is not None
+    sign = _find_sign(parser, letter, running)
+    point = parser.read_inside("(", lambda: _read_point(parser, sign), ")")
     is_own = isinstance(point, Letter) and point.symbol == running.symbol
     if is_own and letter.symbol not in parser.notation.called:
         return letter
