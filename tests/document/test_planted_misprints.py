@@ -527,3 +527,25 @@ def test_no_change_is_offered_that_makes_nothing_of_both_sides() -> None:
     turn = r"\varphi=\int_{-\pi/2}^{\pi/2}\frac{M\cos\theta}{Ebt^2}\,d\theta"
     equations = (turn, r"\frac{6K\varphi}{bt^2}=3E\varphi")
     assert judge_rows(f"{block}%% end\n", *equations)[-1].outcome == "DEFINITION"
+
+
+PENDULUM = r"""%% mechproof
+%% x(t) : position
+%% \theta(t) : angle
+%% m ; M ; l : sizes {m>0, M>0, l>0}
+%% g ; F : others
+%% factor m
+%% end
+$$(M+m)\ddot x+ml\ddot\theta\cos\theta-ml\dot\theta^2\sin\theta=F$$
+$$ml\ddot x\cos\theta+ml^2\ddot\theta-mgl\sin\theta=0$$
+$$\ddot x\cos\theta+l\ddot\theta-g\sin\theta=0$$
+The final equation is $$\ddot x\cos\theta+l\ddot\theta=g\sin\theta$$
+For small angles $$\ddot x+l\ddot\theta=g\theta$$
+"""
+
+
+@pytest.mark.parametrize("change", [("", ""), (r"+l\ddot\theta=g\s", r"-l\ddot\theta=g\s")])
+def test_no_print_is_accused_that_would_become_a_later_one(change: tuple[str, str]) -> None:
+    outcomes = [row.outcome for row in check("paper.tex", PENDULUM.replace(*change)).rows]
+    expected = ["DEFINITION", "DEFINITION", "PROVED", "REFUTED" if any(change) else "PROVED"]
+    assert outcomes[:4] == expected

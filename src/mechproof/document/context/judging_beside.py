@@ -109,6 +109,23 @@ def _is_multiple(rest: sp.Expr, residual: sp.Expr | None) -> bool:
     return bool(sp.cancel(rest / residual).is_number)
 
 
+def _becomes_one(found: Misprint, later: Sequence[Task], domain: Domain) -> bool:
+    """Return whether a mended print is one that stands later, times powers of its letters.
+
+    Which of the two is wrong is open then.
+    """
+    one, other = map(domain.resolve, found.change.sides)
+    rest = one - other
+    residuals = (task.residual for task in later)
+    ratios = [sp.cancel(rest / x) for x in residuals if x not in (None, 0)]
+    ratios = [ratio for ratio in ratios if ratio.free_symbols <= rest.free_symbols]
+    powers = ([f.as_base_exp() for f in sp.Mul.make_args(ratio)] for ratio in ratios)
+    return any(
+        all(base.is_number or (base.is_Symbol and exp.is_number) for base, exp in factors)
+        for factors in powers
+    )
+
+
 def _find_misprint(
     tasks: Sequence[Task], number: int, others: Sequence[int], *, may_repeat: bool
 ) -> tuple[Task, Misprint, str] | None:
@@ -133,6 +150,9 @@ def _find_misprint(
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
             found = find_misprint(entry, given, domain, printed, repeated, state=state)
+            later = [] if is_same else [tasks[m] for m in others if m > number]
+            if found and _becomes_one(found, later, domain):
+                continue
             if found and not holds_at_rest(state(entry.sides), given, domain, second):
                 met = dict.fromkeys((task.sign.first, *(one.row.number for one in beside)))
                 names = ", ".join(name for name in met if name not in ("", task.row.number))
