@@ -150,8 +150,8 @@ def _find_misprint(
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
             found = find_misprint(entry, given, domain, printed, repeated, state=state)
-            later = [] if is_same else [tasks[m] for m in others if m > number]
-            if found and _becomes_one(found, later, domain):
+            later = [tasks[m] for m in others if m > number and not tasks[m].is_case]
+            if found and not is_same and _becomes_one(found, later, domain):
                 continue
             if found and not holds_at_rest(state(entry.sides), given, domain, second):
                 met = dict.fromkeys((task.sign.first, *(one.row.number for one in beside)))
