@@ -22,11 +22,10 @@ LONGEST = (
     *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
-# Of a slow test with as many cases always the same one in so many is run with what is not slow, and
-# one in fewer with what is slow; the rest is thorough. Where what takes long is done for all cases
-# `together`, all of them stay slow.
-SHOWN = 12
-SLOW = 8
+# Of a slow test with `MANY` cases always the same one in `SHOWN` is run with what is not slow, and
+# one in `SLOW` of the others with what is slow; the rest is thorough. Where what takes long is done
+# for all cases `together`, all of them stay slow.
+MANY, SHOWN, SLOW = 6, 12, 8
 
 # What a derivation is made of.
 DERIVED = (".py", ".tex", ".json")
@@ -92,7 +91,7 @@ def _part_cases(items: list[pytest.Item]) -> None:
         elif mark and not mark.kwargs.get("together"):
             slow.setdefault(item.nodeid.split("[")[0], []).append(item)
     for cases in slow.values():
-        if len(cases) < SHOWN:
+        if len(cases) < MANY:
             continue
         shown = _take_share(cases, SHOWN)
         kept = _take_share([item for item in cases if item not in shown], SLOW)

@@ -11,8 +11,9 @@ from __future__ import annotations
 import pickle
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, Future
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from itertools import islice
+from multiprocessing.reduction import ForkingPickler
 from threading import Lock
 from typing import Any, NamedTuple, TypeVar
 
@@ -99,6 +100,10 @@ def _submit(
     executor: Executor, function: Callable[[Task], Result], tasks: list[Task]
 ) -> Future[list[Result] | _Failure]:
     try:
+        if isinstance(executor, ProcessPoolExecutor):
+            # Told before others wait: a pool of Python 3.11.2 whose last tasks are cancelled may
+            # never end.
+            ForkingPickler.dumps((function, tasks))
         return executor.submit(_run, function, tasks, np.geterr())
     except Exception as error:
         raise _explain(error) from error
