@@ -22,9 +22,9 @@ LONGEST = (
     *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
-# Of a slow test with `MANY` cases always the same one in `SHOWN` is run with what is not slow, and
-# one in `SLOW` of the others with what is slow; the rest is thorough. Where what takes long is done
-# for all cases `together`, all of them stay slow.
+# Of a slow test with `MANY` cases always the same one in `SHOWN`, if there are as many, is run with
+# what is not slow, and one in `SLOW` of the others with what is slow; the rest is thorough. Where
+# what takes long is done for all cases `together`, all of them stay slow.
 MANY, SHOWN, SLOW = 6, 12, 8
 
 # What a derivation is made of.
@@ -93,7 +93,7 @@ def _part_cases(items: list[pytest.Item]) -> None:
     for cases in slow.values():
         if len(cases) < MANY:
             continue
-        shown = _take_share(cases, SHOWN)
+        shown = _take_share(cases, SHOWN) if len(cases) >= SHOWN else []
         kept = _take_share([item for item in cases if item not in shown], SLOW)
         for item in cases:
             if item not in kept:
