@@ -298,7 +298,6 @@ OPEN = [
     (r"\sum_{k=1}^\infty\frac1k=\sum_{k=1}^\infty\frac1{k+1}-1", ()),
     (r"\sum_{k=1}^\infty\frac1k-\sum_{k=1}^\infty\frac1k=0", ()),
     (r"\frac1{\sum_{k=1}^\infty\frac1k}=0", ()),
-    # SymPy would integrate numerically to order the terms of the reason.
 ]
 
 

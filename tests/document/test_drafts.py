@@ -211,13 +211,13 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             [],
         ),
         (r"$b_{c,q}$ is the pitch. $$y=b_{c,q}+q$$", ["b_{c,q} : pitch", "q :"], []),
-        # A bracket is one of components beside a vector, whatever it is elsewhere.
         # A rate in words makes no matrix one of t, which has a line of its own.
         (
             r"$$q=\begin{bmatrix}x\\y\end{bmatrix}$$ With $\dot q=Aq+v$, $\dot x=Ax+w$, we have",
             ["q 2x1 :", "x(t) :"],
             ["q(t) 2x1 :"],
         ),
+        # A bracket is one of components beside a vector, whatever it is elsewhere.
         (r"$$[T]=[R,d+t]$$ $$\mathbf{u}=(b,c)$$", [r"\mathbf{u} 2x1 :"], ["T 2x1 :"]),
         (r"$b$ is defined as follows. $$b=c$$", ["b :"], []),
         (r"Here $b$ is constant. $$y=bc$$", ["b :"], []),
