@@ -343,6 +343,7 @@ def test_a_sum_in_a_logarithm_is_no_product(latex: str, where: tuple[str, ...]) 
     assert judge(latex, where) is Verdict.REFUTED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("latex", "where"),
     [

@@ -72,6 +72,7 @@ def test_the_sources_have_all_that_is_installed(tree: Path) -> None:
     assert {"setup.py", "pyproject.toml", *list_installed(tree).values()} <= names
 
 
+@pytest.mark.slow
 def test_an_editable_install_finds_the_three_folders(tree: Path) -> None:
     (wheel,) = (tree / "built" / "editable").iterdir()
     with ZipFile(wheel) as found:

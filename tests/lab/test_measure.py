@@ -137,6 +137,7 @@ def test_a_broken_record_is_named(tmp_path: Path) -> None:
     assert "gear.angle.json: missing in a Record: bound, cell_errors" in done.output
 
 
+@pytest.mark.slow
 def test_jumps_are_drawn_of_what_jumps() -> None:
     (still,) = find_subjects(("track_wheel.rotation",))
     assert draw_jumps(still) is None

@@ -60,6 +60,7 @@ def test_waves_are_joined_without_a_change() -> None:
     np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_step_twice_is_one_more_rounding() -> None:
     """Of every bounded stage of the linkage: a result rounded once more has a larger bound."""
     for subject in (s for s in subjects().values() if s.kernel.name == "lever_angle"):

@@ -161,6 +161,7 @@ def test_a_bound_lowered_by_a_tenth_is_refused(name: str) -> None:
     assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
 
 
+@pytest.mark.slow
 def test_a_claim_about_other_steps_or_functions_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
