@@ -49,6 +49,9 @@ ROWS = [
     (r"\lim_{x\to0}\frac{1-\cos ax}{x^2}=\frac{a^2}2", (), PROVED),
     (r"\lim_{x\to0}\frac{\sin ax}x=\sin a", (), REFUTED),
     (r"\lim_{x\to\infty}\sin ax=0", (), UNDECIDED),
+    # A letter and one that is integrated over, too, if the differential stands before them.
+    (r"\int_0^\infty\frac{dx}{1+\sinh^2ax}=\frac1a", ("a=|b|+1",), PROVED),
+    (r"\int_0^1\frac{dx}{\cosh^2ax}=\frac1{\cosh^2a}", (), REFUTED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=2x", (), PROVED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=x", (), REFUTED),
     ("y'=2x", ("y=x^2",), PROVED),

@@ -23,6 +23,30 @@ PAIRS = [
         ("a>0", "b>0"),
     ),
     (
+        r"\int_0^\infty t^2e^{-st}\cos\omega t\,dt=%s",
+        r"\frac{2s(s^2-3\omega^2)}{(s^2+\omega^2)^3}",
+        r"\frac{2s(s^2-2\omega^2)}{(s^2+\omega^2)^3}",
+        ("s>0",),
+    ),
+    (
+        r"\int_0^\infty e^{-st}\sinh(at)\,dt=%s",
+        r"\frac a{s^2-a^2}",
+        r"\frac s{s^2-a^2}",
+        ("s>|a|",),
+    ),
+    (
+        r"\int_0^\infty\frac{dx}{\cosh ax}=%s",
+        r"\frac\pi{2a}",
+        r"\frac\pi a",
+        ("a>0",),
+    ),
+    (
+        r"\int_0^{\pi/2}\cos^{2n+1}x\,dx=%s",
+        r"\frac{4^nn!^2}{(2n+1)!}",
+        r"\frac{4^nn!^2}{(2n)!}",
+        (r"n\in\mathbb N",),
+    ),
+    (
         r"\int_0^\infty\frac{\cos ax}{b^2+x^2}\,dx=%s",
         r"\frac\pi{2b}e^{-ab}",
         r"\frac\pi2e^{-ab}",

@@ -261,7 +261,10 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
         return False
     has_angle = any(letter in known and known[letter].is_angle for letter in letters)
     is_near = not (has_angle or _is_behind_space(parser))
-    return is_near and ("d", texts[0]) in pairwise(texts[1:])
+    # Of a fraction the numerator has been read, with the differential that stands in it.
+    read = parser.integrals[-1].differential
+    is_over = isinstance(read, Letter) and read.text == texts[0]
+    return is_near and (is_over or ("d", texts[0]) in pairwise(texts[1:]))
 
 
 def _is_matrix_next(parser: Parser) -> bool:

@@ -18,6 +18,7 @@ from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
+from mechproof.proof.exponential_antiderivatives import propose_by_exponentials, write_by_power
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
@@ -117,7 +118,9 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
     # These first: at some fractions SymPy tries its rules for long.
     at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
-    for propose in (*at_first, _propose_by_rules, *by_others, _propose_in_parallel):
+    by_exponentials = (propose_by_exponentials, _propose_by_power)
+    ways = (*at_first, *by_exponentials, _propose_by_rules, *by_others, _propose_in_parallel)
+    for propose in ways:
         yield from _list_proposed(propose, integrand, variable)
 
 
@@ -263,6 +266,14 @@ def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[s
         yield sp.Poly(whole, variable).integrate().as_expr() + part + found
 
 
+def _propose_by_power(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
+    """Integrate what is rational in an exponential as a fraction of that."""
+    if (written := write_by_power(integrand, variable, _TANGENT)) is not None:
+        rational, exponential = written
+        for found in _propose_by_fractions(rational, _TANGENT):
+            yield found.subs(_TANGENT, exponential)
+
+
 def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate by what the integrand is made of, put up with unknown factors (Bronstein 2005).
 
@@ -296,8 +307,10 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
 
 
 def _is_tried(power: sp.Pow) -> bool:
-    """Tell whether an exponent is a number, and a whole one of a function."""
-    return bool(power.exp.is_integer or (power.exp.is_number and not power.base.has(sp.Function)))
+    """Tell whether an exponent is a number or said to be whole; of functions, a whole number."""
+    if power.base.has(sp.Function):
+        return bool(power.exp.is_Integer)
+    return bool(power.exp.is_integer or power.exp.is_number)
 
 
 def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
