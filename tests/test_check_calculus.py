@@ -155,6 +155,8 @@ PAIRS = [
     # Limits of sequences, by their quotients, and of what is like its argument.
     (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
     (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
+    (r"\lim_{n\to\infty}\frac{(n+1)!}{n\cdot n!}=%s", ("1", "0"), ()),
+    (r"\lim_{n\to\infty}\frac{n!-1}{n!}=%s", ("1", "0"), ()),
     (r"\lim_{n\to\infty}nq^n=%s", ("0", "q"), ("|q|<1", r"n\in\mathbb N")),
     (r"\lim_{n\to\infty}\frac{(-1)^n}n=%s", ("0", "1"), (r"n\in\mathbb N",)),
     (r"\lim_{n\to\infty}\left(1+\frac xn\right)^n=%s", ("e^x", "e^{2x}"), ()),

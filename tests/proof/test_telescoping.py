@@ -104,6 +104,26 @@ TABLES = {
             r"\sum_{k=0}^\infty(-1)^k=\frac12",
             "-1<x, x<1",
         ),
+        (
+            r"\sum_{k=1}^\infty\frac k{(k+1)!}=1",
+            r"\sum_{k=1}^\infty\frac{k-2}{(k+1)!}=1",
+            "",
+        ),
+        (
+            r"\sum_{k=0}^\infty\arctan\frac1{k^2+k+1}=\frac\pi2",
+            r"\sum_{k=0}^\infty\arctan\frac1{k^2+k+1}=\pi",
+            "",
+        ),
+        (
+            r"\sum_{k=1}^\infty\arctan\frac2{k^2}=\frac{3\pi}4",
+            r"\sum_{k=1}^\infty\arctan\frac2{k^2}=-\frac\pi4",
+            "",
+        ),
+        (
+            r"\sum_{k=2}^\infty\ln\left(1-\frac1{k^2}\right)=-\ln2",
+            r"\sum_{k=2}^\infty\ln\left(1-\frac1{k^2}\right)=\ln2",
+            "",
+        ),
     ),
     known_series.RUNG: (
         (

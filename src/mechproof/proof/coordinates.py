@@ -76,10 +76,10 @@ def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinat
         coordinates.replacement[symbol] = low + (high - low) * v / (1 + v)
 
 
-def name_exponentials(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Let each exponential of a real number be a positive number."""
-    nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
-    named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.args[0].is_real}
+def name_positive(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
+    """Let each exponential of a real number, and factorial of a count, be a positive number."""
+    nodes = sorted(expression.atoms(sp.exp, sp.factorial), key=sp.default_sort_key)
+    named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.is_positive}
     coordinates.positive |= set(named.values())
     return expression.subs(named)
 

@@ -7,7 +7,7 @@ whose terms have values and are in the end no less than those of c/k or c/(k*ln 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -69,10 +69,36 @@ def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
         return term.subs(k, first) / (1 - ratio) if is_positive(1 - ratio**2, domain) else None
     if not is_nonzero_below(term, {k: first + _ABOVE}, domain):
         return None
-    partial = gosper_sum(term, (k, first, _N))
-    if partial is None or not decide_by_induction(sp.Sum(term, (k, first, _N)), partial, domain):
-        return None
-    return _find_limit(partial, domain)
+    partial_sum = sp.Sum(term, (k, first, _N))
+    for value in _propose(partial_sum, domain):
+        if decide_by_induction(partial_sum, value, domain):
+            return _find_limit(value, domain)
+    return None
+
+
+def _propose(total: sp.Sum, domain: Domain) -> Iterator[sp.Expr]:
+    """Propose a partial sum: by Gosper's algorithm, as logarithm of a product, as arctangents."""
+    term, (k, first, last) = total.function, total.limits[0]
+    if (found := gosper_sum(term, (k, first, last))) is not None:
+        yield found
+    if isinstance(term, sp.log):
+        yield sp.log(sum_up(sp.Product(term.args[0], (k, first, last)), last, domain))
+    if isinstance(term, sp.atan):
+        yield from _propose_arctangents(total)
+
+
+def _propose_arctangents(total: sp.Sum) -> Iterator[sp.Expr]:
+    """Propose a sum of atan(c/(k**2 + b*k + d)), the change of atan(s/c*(k + (b - s)/2)) by s."""
+    (k, first, last), *_ = total.limits
+    above, below = (sp.Poly(part, k) for part in sp.fraction(sp.together(total.function.args[0])))
+    if above.degree() != 0 or below.degree() != 2:
+        return
+    square, middle, _ = below.all_coeffs()
+    for step in (1, 2):
+        slope, shift = step * square / above.LC(), (middle / square - step) / 2
+        places = [[slope * (end + n + shift) for n in range(step)] for end in (first, last + 1)]
+        begin, end = (sp.Add(*map(sp.atan, arguments)) for arguments in places)
+        yield end - begin
 
 
 def _find_infinity(

@@ -9,14 +9,22 @@ alone, and the sign of each exponent and coefficient is proved on the domain, or
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache, reduce
 
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.orders import Order, join_logarithms, rewrite_sum, write_inverses
+from mechproof.proof.orders import (
+    ENDS,
+    LIKE_ARGUMENT,
+    LIKE_ONE,
+    Order,
+    join_logarithms,
+    rewrite_sum,
+    write_inverses,
+)
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial
 from mechproof.statement_domains.domain import Domain
@@ -25,30 +33,10 @@ _Y = sp.Dummy("y", positive=True)
 # Work limits: parts of parts, and how many of them it costs to write a sum anew.
 _DEEPEST = 15
 _REWRITTEN = 3
-_HALF_PI = sp.pi / 2
-# The limits at minus and plus infinity of functions that are continuous everywhere.
-_ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
-    sp.atan: (-_HALF_PI, _HALF_PI),
-    sp.exp: (sp.S.Zero, sp.oo),
-    sp.tanh: (-sp.S.One, sp.S.One),
-    sp.erf: (-sp.S.One, sp.S.One),
-    sp.Si: (-_HALF_PI, _HALF_PI),
-    sp.asinh: (-sp.oo, sp.oo),
-    sp.sinh: (-sp.oo, sp.oo),
-    sp.cosh: (sp.oo, sp.oo),
-    sp.Abs: (sp.oo, sp.oo),
-}
 _UNREAD = (sp.nan, sp.zoo, sp.Piecewise, sp.Integral, sp.Sum, sp.Product, sp.Limit)
-_CONTINUOUS = (*_ENDS, sp.sin, sp.cos, sp.asin, sp.acos)
+_CONTINUOUS = (*ENDS, sp.sin, sp.cos, sp.asin, sp.acos)
 _BOUNDED = (sp.sin, sp.cos, sp.atan, sp.tanh, sp.asin, sp.acos, sp.erf, sp.Si)
-# What they are off one by is like this where their argument is small.
-_LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
-    sp.exp: lambda u: u,
-    sp.cosh: lambda u: u**2 / 2,
-    sp.cos: lambda u: -(u**2) / 2,
-}
-# Those that are like their argument where it is small.
-_LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
+_FACTORIALS = (sp.factorial, sp.gamma)
 
 
 def find_limit(
@@ -59,7 +47,10 @@ def find_limit(
     if written.has(*_UNREAD):
         return None
     seen = write_inverses(written, lambda node: _find(node, domain, _DEEPEST))
-    return _find(seen, domain, _DEEPEST)
+    found = _find(seen, domain, _DEEPEST)
+    if found is None and seen.has(*_FACTORIALS):
+        return _find(sp.combsimp(seen), domain, _DEEPEST)
+    return found
 
 
 def is_defined_near(
@@ -111,7 +102,7 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
         if inner is None:
             return None
         if inner.is_infinite:
-            ends = _ENDS.get(type(node))
+            ends = ENDS.get(type(node))
             return ends[inner == sp.oo] if ends else None
         return node.func(inner)
     if isinstance(node, sp.sign):
@@ -119,10 +110,15 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
         return None if way is None else sp.Integer(way)
     if isinstance(node, sp.log):
         return _find_logarithm(node.args[0], domain, depth - 1)
+    if isinstance(node, _FACTORIALS):
+        return sp.oo if _find(node.args[0], domain, depth - 1) == sp.oo else None
     if isinstance(node, sp.Pow) and node.exp.has(_Y):
         return _find(sp.exp(node.exp * sp.log(node.base)), domain, depth - 1)
     order = _find_order(node, domain, depth - 1)
     settled = None if order is None else _settle(order, domain)
+    if settled is None and isinstance(node, sp.Pow) and node.exp.is_negative:
+        base = _find(node.base, domain, depth - 1)
+        return sp.S.Zero if base is not None and base.is_infinite else None
     if settled is not None or not isinstance(node, sp.Mul):
         return settled
     limit = _find_product(node, domain, depth - 1)
@@ -172,7 +168,7 @@ def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
         small = sp.cancel(factor.args[0] - 1)
     elif isinstance(factor, sp.Add):
         return _write_difference(factor, domain, depth)
-    elif isinstance(factor, _LIKE_ARGUMENT):
+    elif isinstance(factor, LIKE_ARGUMENT):
         (small,) = factor.args
     else:
         return factor
@@ -183,10 +179,10 @@ def _write_difference(sum_: sp.Add, domain: Domain, depth: int) -> sp.Expr:
     """Write a multiple of e^u - 1 or 1 - cos u as what it is like where u goes to 0."""
     number, terms = sum_.as_coeff_add()
     scale, function = terms[0].as_coeff_Mul()
-    if len(terms) > 1 or scale != -number or type(function) not in _LIKE_ONE:
+    if len(terms) > 1 or scale != -number or type(function) not in LIKE_ONE:
         return sum_
     (u,) = function.args
-    like = scale * _LIKE_ONE[type(function)](u)
+    like = scale * LIKE_ONE[type(function)](u)
     return like if _find(u, domain, depth) == 0 else sum_
 
 
@@ -262,7 +258,7 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> Order | None:
     limit = _find(node, domain, depth - 1) if not isinstance(node, sp.Pow) else None
     if limit is not None and not limit.is_infinite and _direction(limit, domain):
         return _constant(limit)
-    if isinstance(node, _LIKE_ARGUMENT) and _find(node.args[0], domain, depth - 1) == 0:
+    if isinstance(node, LIKE_ARGUMENT) and _find(node.args[0], domain, depth - 1) == 0:
         return _find_order(node.args[0], domain, depth - 1)
     # Bounded, but like no number: of its sign nothing is said.
     return _constant(None) if isinstance(node, _BOUNDED) else None

@@ -7,6 +7,19 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+_HALF_PI = sp.pi / 2
+# The limits at minus and plus infinity of functions that are continuous everywhere.
+ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
+    sp.atan: (-_HALF_PI, _HALF_PI),
+    sp.exp: (sp.S.Zero, sp.oo),
+    sp.tanh: (-sp.S.One, sp.S.One),
+    sp.erf: (-sp.S.One, sp.S.One),
+    sp.Si: (-_HALF_PI, _HALF_PI),
+    sp.asinh: (-sp.oo, sp.oo),
+    sp.sinh: (-sp.oo, sp.oo),
+    sp.cosh: (sp.oo, sp.oo),
+    sp.Abs: (sp.oo, sp.oo),
+}
 # What shows how inverse functions behave where their argument comes to the number beside them.
 _SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
     (sp.atan, sp.oo): lambda u: sp.pi / 2 - sp.atan(1 / u),
@@ -19,6 +32,14 @@ _SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
     (sp.asin, sp.S.One): lambda u: sp.pi / 2 - 2 * sp.asin(sp.sqrt((1 - u) / 2)),
     (sp.asin, -sp.S.One): lambda u: 2 * sp.asin(sp.sqrt((1 + u) / 2)) - sp.pi / 2,
 }
+# What they are off one by is like this where their argument is small.
+LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
+    sp.exp: lambda u: u,
+    sp.cosh: lambda u: u**2 / 2,
+    sp.cos: lambda u: -(u**2) / 2,
+}
+# Those that are like their argument where it is small.
+LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from mechproof.proof.coordinates import (
     free_tangents,
     list_angles,
     name_absolute_values,
-    name_exponentials,
+    name_positive,
     replace_by_half_line,
     write_by_cosines,
     write_by_half_angles,
@@ -232,7 +232,7 @@ def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Bas
 
 def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     coordinates = _change_coordinates(expression, domain)
-    expression = name_exponentials(expression, coordinates)
+    expression = name_positive(expression, coordinates)
     changed = free_tangents(expression)
     # Gaps are chained, as in R3 < R2 < R1: what is put in may hold letters that are replaced.
     for _ in range(3):
