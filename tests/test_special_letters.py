@@ -17,6 +17,11 @@ ROWS = [
     (r"\int_0^1e^x\,dx=e-1", (), (), PROVED),
     (r"\frac d{dx}e^{-x^2}=-2xe^{-x^2}", (), (), PROVED),
     (r"\ln e^x=x", (), (), PROVED),
+    # Euler's number stands beside powers and factorials that run, where nothing else is free.
+    (r"\lim_{n\to\infty}\left(1+\frac1n\right)^n=e", (), (), PROVED),
+    (r"\lim_{x\to0}(\cos x)^{1/x^2}=e^{-1/2}", (), (), PROVED),
+    (r"\lim_{x\to0}(1+2x)^{1/x}=e", (), (), REFUTED),
+    (r"\sum_{k=0}^\infty\frac{(-1)^k}{k!}=\frac1e", (), (), PROVED),
     # So in a value.
     (r"\ddot x=x", ("x=e^{-t}",), (), PROVED),
     (r"\ddot x=-x", ("x=e^{-t}",), (), REFUTED),
@@ -96,7 +101,8 @@ def test_what_an_e_is_taken_for_is_told() -> None:
 # An e may be Euler's number: where it lies between letters, or stands alone on a side.
 OPEN = [
     (r"\ln x>1", (), ("x>e",)),
-    (r"\lim_{x\to0}(1+2x)^{1/x}=e", (), ()),
+    (r"e=\lim_{x\to0}\frac{\sin x}x", (), ()),
+    (r"\sum_{k=1}^n2^k=e", (), ()),
     (r"\lim_{x\to0}(1+2x)^{1/x}=e", ("e",), ()),
     (r"e=\frac{\sqrt{a^2-b^2}}a", ("e",), ()),
 ]

@@ -49,6 +49,8 @@ _ENDS = (",", ";", r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad")
 _NEAR = 60
 # What a letter comes to a number in.
 _APPROACHED = re.compile(r"\\lim_\{\s*([A-Za-z])\s*\\(?:to|rightarrow)(?![A-Za-z])")
+# What it, a sum or a product runs over.
+_RUNS = re.compile(r"\\(?:lim|sum|prod)_\{\s*([A-Za-z])(?![A-Za-z])")
 # An eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 
@@ -67,11 +69,24 @@ def find_running(prints: Sequence[str]) -> set[str]:
 
 
 def means_euler(prints: Sequence[str]) -> bool:
-    """Tell whether an e is raised to letters, or under a logarithm, and none an eccentricity."""
+    """Tell whether an e is raised to letters, or under a logarithm, and none an eccentricity.
+
+    So it is, too, where nothing else is free and what runs stands in an exponent or a factorial.
+    """
     if any(map(_ECCENTRIC.search, prints)):
         return False
     split = map(list_signs, prints)
-    return any(x == "e" and _list_letters(texts, n) for texts in split for n, x in enumerate(texts))
+    is_raised = any(x == "e" and _list_letters(t, n) for t in split for n, x in enumerate(t))
+    return is_raised or any(map(_is_of_numbers, prints))
+
+
+def _is_of_numbers(latex: str) -> bool:
+    """Tell whether e is the one letter that is free beside a power of what runs, or a factorial."""
+    running, texts = {*_RUNS.findall(latex)}, list_signs(latex)
+    letters = {text for text in texts if begins_letter(text)}
+    powers = (_list_letters(["e", *texts[n:]], 0) for n, text in enumerate(texts) if text == "^")
+    grows = "!" in texts or any(running & {*power} for power in powers)
+    return bool(running) and letters - running == {"e"} and grows
 
 
 def _list_letters(texts: Sequence[str], place: int) -> list[str]:
