@@ -105,6 +105,7 @@ PAIRS = [
     (r"a\equiv a+n\bmod n", r"a\equiv a+1\bmod n", ()),
     (r"z_1^2\equiv z_1\pmod 2", r"z_1^2\equiv z_1\pmod 3", ()),
     (r"(a+b)^3\equiv a^3+b^3\pmod 6", r"(a+b)^3\equiv a^3+b^3\pmod 4", ()),
+    (r"n^3-n\equiv0\pmod6", r"n^3-n\equiv0\pmod9", (r"n\in\mathbb N",)),
     (r"\varphi-\pi\equiv\varphi+\pi\pmod{2\pi}", r"\varphi-\pi\equiv\varphi\pmod{2\pi}", ()),
     # A second sum over the same index is a factor.
     (

@@ -106,7 +106,9 @@ def _find_infinity(
 ) -> sp.Expr | None:
     """Return plus or minus infinity, by which a harmonic series or a slower one is exceeded."""
     from_first = domain.with_set(_ABOVE, sp.S.Naturals0)
-    if not has_values(term.subs(k, first + _ABOVE), from_first):
+    running = term.subs(k, first + _ABOVE)
+    counts = [factorial.args[0] for factorial in running.atoms(sp.factorial)]
+    if not (has_values(running, from_first) and all(count.is_nonnegative for count in counts)):
         return None
     for size in (k, k * sp.log(k)):
         limit = find_limit(term * size, k, sp.oo, -1, domain)

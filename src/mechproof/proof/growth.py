@@ -16,10 +16,9 @@ from functools import lru_cache, reduce
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.asymptotic_forms import LIKE_ARGUMENT, write_like
 from mechproof.proof.orders import (
     ENDS,
-    LIKE_ARGUMENT,
-    LIKE_ONE,
     Order,
     join_logarithms,
     rewrite_sum,
@@ -46,6 +45,7 @@ def find_limit(
     written = _write_far_out(expression, x, point, side)
     if written.has(*_UNREAD):
         return None
+    written = _write_directions(written, domain)
     seen = write_inverses(written, lambda node: _find(node, domain, _DEEPEST))
     found = _find(seen, domain, _DEEPEST)
     if found is None and seen.has(*_FACTORIALS):
@@ -68,6 +68,16 @@ def is_defined_near(
 
 def _write_far_out(expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int) -> sp.Expr:
     return expression.subs(x, sp.sign(point) * _Y if point.is_infinite else point + side / _Y)
+
+
+def _write_directions(expression: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write signs and absolute values of what has a sign in the end by that: roots are powers."""
+    nodes = (node for node in expression.atoms(sp.sign, sp.Abs) if node.has(_Y))
+    ways = {node: _find_direction_far_out(node.args[0], domain) for node in nodes}
+    known = {node: sp.Integer(way) for node, way in ways.items() if way is not None}
+    return expression.xreplace(
+        {n: way if isinstance(n, sp.sign) else way * n.args[0] for n, way in known.items()}
+    )
 
 
 def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
@@ -105,9 +115,6 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
             ends = ENDS.get(type(node))
             return ends[inner == sp.oo] if ends else None
         return node.func(inner)
-    if isinstance(node, sp.sign):
-        way = _find_direction_far_out(node.args[0], domain)
-        return None if way is None else sp.Integer(way)
     if isinstance(node, sp.log):
         return _find_logarithm(node.args[0], domain, depth - 1)
     if isinstance(node, _FACTORIALS):
@@ -154,36 +161,12 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
 
 def _find_like(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
     """Return the limit of a product whose factors are written as what they are like."""
-    like = sp.Mul(*(_write_like(factor, domain, depth) for factor in sp.Mul.make_args(node)))
+    factors = sp.Mul.make_args(node)
+    like = sp.Mul(*(write_like(f, _Y, lambda u: _find(u, domain, depth), domain) for f in factors))
     lost = {*list_divisors(node)} - {*list_divisors(like)}
     if like == node or not all(is_nonzero(x, domain) for x in lost if not x.has(_Y)):
         return None
     return _find(like, domain, depth)
-
-
-def _write_like(factor: sp.Expr, domain: Domain, depth: int) -> sp.Expr:
-    """Write a factor that is u times what goes to one as u: ln(1 + u), sin u where u goes to 0."""
-    factor = (join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
-    if isinstance(factor, sp.log):
-        small = sp.cancel(factor.args[0] - 1)
-    elif isinstance(factor, sp.Add):
-        return _write_difference(factor, domain, depth)
-    elif isinstance(factor, LIKE_ARGUMENT):
-        (small,) = factor.args
-    else:
-        return factor
-    return small if _find(small, domain, depth) == 0 else factor
-
-
-def _write_difference(sum_: sp.Add, domain: Domain, depth: int) -> sp.Expr:
-    """Write a multiple of e^u - 1 or 1 - cos u as what it is like where u goes to 0."""
-    number, terms = sum_.as_coeff_add()
-    scale, function = terms[0].as_coeff_Mul()
-    if len(terms) > 1 or scale != -number or type(function) not in LIKE_ONE:
-        return sum_
-    (u,) = function.args
-    like = scale * LIKE_ONE[type(function)](u)
-    return like if _find(u, domain, depth) == 0 else sum_
 
 
 def _settle(order: Order, domain: Domain) -> sp.Expr | None:

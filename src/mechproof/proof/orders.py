@@ -32,14 +32,6 @@ _SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
     (sp.asin, sp.S.One): lambda u: sp.pi / 2 - 2 * sp.asin(sp.sqrt((1 - u) / 2)),
     (sp.asin, -sp.S.One): lambda u: 2 * sp.asin(sp.sqrt((1 + u) / 2)) - sp.pi / 2,
 }
-# What they are off one by is like this where their argument is small.
-LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
-    sp.exp: lambda u: u,
-    sp.cosh: lambda u: u**2 / 2,
-    sp.cos: lambda u: -(u**2) / 2,
-}
-# Those that are like their argument where it is small.
-LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
 
 
 @dataclass(frozen=True)
@@ -71,6 +63,7 @@ def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
         join_logarithms,
         lambda node: sp.collect(sp.expand(node), y),
         _multiply_by_conjugate,
+        lambda node: _divide_by_power(node, y),
         sp.together,
         sp.expand,
     )
@@ -95,6 +88,19 @@ def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
         return None
     one, other = node.args
     return sp.expand(one**2 - other**2) / (one - other)
+
+
+def _divide_by_power(node: sp.Add, y: sp.Symbol) -> sp.Expr | None:
+    """Write the root of a sum, and c*y**p beside it, as y**p times what comes to numbers."""
+    if len(node.args) != 2:
+        return None
+    other, root = sorted(node.args, key=lambda term: term.has(sp.Add))
+    scale, power = root.as_coeff_Mul()
+    number, exponent = other.as_coeff_exponent(y)
+    if not isinstance(power, sp.Pow) or not isinstance(power.base, sp.Add) or number.has(y):
+        return None
+    inner = sp.expand(power.base / y ** (exponent / power.exp))
+    return y**exponent * (scale * inner**power.exp + number)
 
 
 def write_inverses(node: sp.Expr, find: Callable[[sp.Expr], sp.Expr | None]) -> sp.Expr:

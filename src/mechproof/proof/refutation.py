@@ -48,6 +48,7 @@ _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
 _LONGEST_RELATION = 120
 # They are written out for each number.
 _COUNTED = (sp.Sum, sp.Product, NthDerivative)
+_STEPS = (sp.floor, sp.ceiling, sp.Mod)
 # Balls wider than this say nothing of how close two sides are.
 _NARROW = arb(2) ** -32
 
@@ -247,16 +248,21 @@ def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.B
 
 
 def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
-    """Put what no ball holds exactly, and counts, so that sums are written out."""
+    """Put what no ball holds exactly, and counts, so that sums are written out.
+
+    Beside floors all is put: of a sixth, which is no ball, a multiple may be a whole number.
+    """
     if isinstance(expression, Relational | BooleanFunction):
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_sums = has_parts(expression, *_COUNTED)
+    has_sums, has_steps = has_parts(expression, *_COUNTED), has_parts(expression, *_STEPS)
     exact = {
         s: v
         for s, v in point.items()
-        if not v.is_Rational or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+        if not v.is_Rational
+        or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+        or has_steps
     }
     # SymPy would multiply imaginary roots to a real number; over the reals there is no value.
     if exact and _leaves_the_reals(expression, point):
