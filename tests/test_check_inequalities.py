@@ -54,6 +54,10 @@ PROVED = [
     (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx>1", ()),
     (r"\int_0^1\frac{dx}{\sqrt x}\le2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<2", ()),
+    # By the values of integrals with letters.
+    (r"\int_0^x\sin t\,dt\ge0", ()),
+    (r"\int_0^\infty e^{-ax}\,dx\ge1", ("0<a<1",)),
+    (r"\int_0^ax\,dx\le a^2", ()),
 ]
 NOT_PROVED = [
     # Others are said not to be equal, or that is not enough.
@@ -98,6 +102,10 @@ NOT_PROVED = [
     (r"\int_0^1\frac{dx}{\sqrt x}<2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<\frac{164}{100}", ()),
     (r"\int_0^1\frac{dx}x<2", ()),
+    (r"\int_0^x\sin t\,dt>0", ()),
+    (r"\int_0^\infty e^{-ax}\,dx\ge1", ("a>0",)),
+    # Integrands that have no integral.
+    (r"\int_0^1\frac ax\,dx\ge0", ("a>0",)),
 ]
 
 

@@ -10,6 +10,7 @@ from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_
 from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles, find_sign_there
 from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SIGNS, SQUARES
+from mechproof.proof.integrand_signs import RUNG as INTEGRANDS
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
@@ -26,6 +27,17 @@ TABLES = {
         (r"\arcsin x\le\frac\pi2", r"\arcsin x<\frac\pi2", r"-1\le x\le1"),
         (r"\sin x+\sin2x\ge0", r"\sin x+\sin2x>0", r"0\le x\le\frac\pi2"),
         (r"\frac{\sin x}{1+\cos x}\le1", r"\frac{\sin x}{1+\cos x}<1", r"0\le x\le\frac\pi2"),
+    ),
+    INTEGRANDS: (
+        (r"\int_0^1x^n\,dx\le1", r"\int_0^1x^n\,dx\le\frac13", r"n\in\mathbb N"),
+        (r"|\int_0^x\sin t^2\,dt|\le x", r"|\int_0^x\sin t^2\,dt|\le\frac x2", r"x\ge0"),
+        (r"\int_0^x\mathrm e^{t^2}\,dt\ge x", r"\int_0^x\mathrm e^{t^2}\,dt>x", r"x\ge0"),
+        (r"\int_a^b\frac{dx}{1+x^2}\le b-a", r"\int_a^b\frac{dx}{1+x^2}\ge b-a", "b>a"),
+        (
+            r"\int_0^{2\pi}\sqrt{1-k^2\sin^2t}\,dt\le2\pi",
+            r"\int_0^{2\pi}\sqrt{1-k^2\sin^2t}\,dt<2\pi",
+            r"0\le k\le1",
+        ),
     ),
     ORDERS: (
         (

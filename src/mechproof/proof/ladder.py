@@ -16,7 +16,13 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.proof import bisection, bounds_near_zero, inductive_inequalities, newton
+from mechproof.proof import (
+    bisection,
+    bounds_near_zero,
+    inductive_inequalities,
+    integrand_signs,
+    newton,
+)
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.bounds_near_zero import holds_near_zero
 from mechproof.proof.cases import decide_by_pieces, write_pieces
@@ -28,6 +34,8 @@ from mechproof.proof.exact_values import decide_exact, decide_number, resolve_si
 from mechproof.proof.floors import leave_fractions
 from mechproof.proof.inductive_inequalities import holds_by_steps
 from mechproof.proof.inequalities import show_sign
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, put_values
+from mechproof.proof.integrand_signs import holds_by_integrand
 from mechproof.proof.reasons import (
     count_parts,
     explain_relation,
@@ -50,6 +58,7 @@ from mechproof.record import (
     Holds,
     NotCheckable,
     PrintedNumber,
+    Slack,
     Statement,
     Unwritten,
 )
@@ -134,6 +143,10 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"
         return Answer(Verdict.PROVED, rung, f"true {where}")
+    settled = [put_values(side, domain) for side in relation.args]
+    if settled != [*relation.args]:
+        answer = _decide_relation(Holds(relation.func(*settled, evaluate=False)), domain)
+        return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")
     reason = f"{explain_relation(relation, domain)}; no violation at any point tried"
     return Answer(Verdict.UNDECIDED, "enclosure", reason)
 
@@ -253,9 +266,17 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return SIGN
     if slack is None:
         return None
+    if has_parts(slack.value, sp.Integral) and holds_by_integrand(slack, domain, _is_shown):
+        return integrand_signs.RUNG
     if holds_by_steps(slack, domain, show_sign):
         return inductive_inequalities.RUNG
     return _hold_by_cases(relation, domain) or show_sign(slack, domain)
+
+
+def _is_shown(slack: Slack, domain: Domain) -> bool:
+    """Tell whether a number is proved to be positive, or not negative, by any rung."""
+    relation = (sp.Gt if slack.strict else sp.Ge)(slack.value, 0, evaluate=False)
+    return prove_relation(relation, domain) is not None
 
 
 def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:

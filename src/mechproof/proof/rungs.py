@@ -32,6 +32,8 @@ RUNGS = {
     "or multiplies both by the same",
     "sign in positive coordinates": "an inequality whose sign is read from the coefficients after "
     "a change to coordinates that are positive exactly on the domain",
+    "sign of the integrand": "an inequality of integrals over one interval, by the sign of what is "
+    "integrated between its ends",
     "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
     "parts, and by its derivatives at an end where it becomes an equality",
     "Taylor series with its remainder in balls": "what is small near 0 is bounded by its series: "
