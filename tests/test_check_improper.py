@@ -148,6 +148,31 @@ PAIRS = [
     (r"\lim_{n\to\infty}\sum_{k=1}^n\left(2+\frac1{2^k}\right)=%s", r"\infty", "2", ()),
     (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+ak}=%s", r"\frac{\ln(1+a)}a", r"\ln(1+a)", ("a>0",)),
+    # Series of powers and waves, within the circle.
+    (
+        r"1+2\sum_{k=1}^\infty r^k\cos k\theta=%s",
+        r"\frac{1-r^2}{1-2r\cos\theta+r^2}",
+        r"\frac{1+r^2}{1-2r\cos\theta+r^2}",
+        ("|r|<1",),
+    ),
+    (
+        r"\sum_{k=0}^\infty r^k\sin k\theta=%s",
+        r"\frac{r\sin\theta}{1-2r\cos\theta+r^2}",
+        r"\frac{\sin\theta}{1-2r\cos\theta+r^2}",
+        ("|r|<1",),
+    ),
+    (
+        r"\sum_{k=1}^\infty\frac{r^k}k\cos k\theta=%s",
+        r"-\frac12\ln(1-2r\cos\theta+r^2)",
+        r"-\ln(1-2r\cos\theta+r^2)",
+        ("|r|<1",),
+    ),
+    (
+        r"\sum_{k=1}^\infty\frac{r^k}k\sin k\theta=%s",
+        r"\arctan\frac{r\sin\theta}{1-r\cos\theta}",
+        r"\arctan\frac{r\sin\theta}{1+r\cos\theta}",
+        ("|r|<1",),
+    ),
     # Fourier series within a period.
     (r"\sum_{n=1}^\infty\frac{\sin nx}n=%s", r"\frac{\pi-x}2", r"\frac{\pi+x}2", (r"0<x<2\pi",)),
     (r"\sum_{n=1}^\infty\frac{\cos nx}n=-\ln(%s)", r"2\sin\frac x2", r"\sin x", (r"0<x<\pi",)),
@@ -295,6 +320,7 @@ OPEN = [
     (r"\int2x\operatorname{sgn}(x^2-1)dx=x^2\operatorname{sgn}(x^2-1)+C", ()),
     (r"\int\operatorname{sgn}x\,dx=|x|+\operatorname{sgn}x+C", ()),
     (r"\int|\cos x|dx=\sin x\operatorname{sgn}(\cos x)+C", ()),
+    (r"\sum_{k=0}^\infty r^k\cos k\theta=\frac{1-r\cos\theta}{1-2r\cos\theta+r^2}", ()),
     # Fourier series beyond the period, or at its ends; others that are like them.
     (r"\sum_{n=1}^\infty\frac{\sin nx}n=\frac{\pi-x}2", ()),
     (r"\sum_{n=1}^\infty\frac{\sin nx}n=\frac{\pi-x}2", (r"0\le x<2\pi",)),
