@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.letters_that_move import list_beside, refuse_unknown
 from mechproof.latex.piecewise_values import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import (
@@ -25,8 +24,10 @@ from mechproof.latex.values import (
     UNSMOOTH,
     depends,
     differentiate,
+    list_beside,
     list_steps,
     make_running,
+    refuse_unknown,
     settle,
     settle_all,
     split_tangents,

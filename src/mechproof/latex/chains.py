@@ -2,11 +2,15 @@ r"""A whole print -> its chains of members and relation signs, with cases and co
 
 A comma parts one chain from the next: `x=…,\ y=…`; an inequality behind it is a condition, as is
 what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }` joins relations.
+Braces print nothing: what they enclose has to be one thing in what is read, too.
 """
 
 from __future__ import annotations
 
-from mechproof.latex import groups, modulo, side_conditions
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from mechproof.latex import modulo, side_conditions
 from mechproof.latex.latex_signs import NARROW, WIDE
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.parser import Parser
@@ -19,8 +23,11 @@ from mechproof.latex.printed_relations import (
 )
 from mechproof.latex.several_equations import Line
 from mechproof.latex.side_conditions import ChainPart
-from mechproof.latex.tree import Bracket, Cases, Chain, Letter, Node, Number, Product
+from mechproof.latex.tree import Add, Bracket, Cases, Chain, Letter, Node, Number, Product, walk
 from mechproof.latex.words import AND, ELSE, IF
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
 
 _LEFT_OVER = {
     "(": r"Print the number of an equation by \tag{…}.",
@@ -64,7 +71,7 @@ def _read_line(parser: Parser) -> tuple[Chain, ...]:
         elif not (parser.text in (WIDE, *IF, r"\forall") or side_conditions.is_bracketed(parser)):
             raise _refuse_rest(parser)
         parts += _read_parts(parser)
-    groups.refuse_cut(parser, [part.chain for part in parts])
+    _refuse_cut(parser, [part.chain for part in parts])
     return side_conditions.fold(parser, parts)
 
 
@@ -188,3 +195,29 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
             break
         pieces.append((other, read_condition(parser)))
     return Cases(tuple(pieces), start=value.start, end=parser.end)
+
+
+def _refuse_cut(parser: Parser, nodes: Sequence[Node]) -> None:
+    r"""Refuse {a+b}^2, 2{x+1}, a-{b+c} and the like: what is printed says something else."""
+    found = [node for node in walk(tuple(nodes)) if node.start < node.end]
+    for group in parser.groups:
+        if any(_cuts(node, *group) for node in found):
+            raise parser.refuse(
+                "braces print nothing, but what stands in these is read as parts of other things",
+                r"Print \left( and \right) around what belongs together, or leave the braces out.",
+                group[0],
+            )
+
+
+def _cuts(node: Node, start: int, end: int) -> bool:
+    """Return whether a node takes a part of a group in, or a sign before it counts for a part."""
+    if node.start < start < node.end < end or start < node.start < end < node.end:
+        return True
+    if not isinstance(node, Add):
+        return False
+    inside = [(sign, t) for sign, t in node.terms if start <= t.start and t.end <= end]
+    if not inside:
+        return False
+    (sign, first), is_sign_inside = inside[0], inside[0][1].start > start
+    is_behind = first is not node.terms[0][1]
+    return (is_sign_inside and is_behind) or (len(inside) > 1 and sign < 0 and not is_sign_inside)

@@ -32,8 +32,9 @@ from mechproof.latex.matrix_meaning import (
     give_product,
     give_table,
     give_transposed,
+    is_power,
+    raise_matrix,
 )
-from mechproof.latex.matrix_powers import is_power, raise_matrix
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all

@@ -31,9 +31,9 @@ from mechproof.latex.latex_signs import CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.measures import is_unit
 from mechproof.latex.name_table import Names, to_signs
 from mechproof.latex.numerals import is_number_fraction, may_follow
+from mechproof.latex.printed_derivatives import fold_slashed
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
-from mechproof.latex.slashed import fold_slashed
 from mechproof.latex.tokens import read_signs
 from mechproof.latex.tree import (
     Add,

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
-from mechproof.latex.matrix_powers import is_power, says_from_one_on, state_power
+from mechproof.latex.matrix_meaning import is_power, says_from_one_on, state_power
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.measures import find_factor
 from mechproof.latex.products import is_matrix

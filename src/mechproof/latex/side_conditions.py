@@ -1,6 +1,7 @@
 r"""Where a statement is meant: `\text{ for }x>0`, `,\ x>0`, `\quad x>0`, `(x>0)`, `\forall x>0`.
 
-A gap between two factors may part a statement from its condition; elsewhere it is a blank.
+A gap between two factors may part a statement from its condition, and in square brackets the
+entries of a row: [x\quad y] is (x,y). Elsewhere it is a blank.
 """
 
 from __future__ import annotations
@@ -10,10 +11,19 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from mechproof.latex.latex_signs import CLOSING, DOTS, GAPS, OPENING, WIDE, Token, measure_depths
-from mechproof.latex.parted_rows import part_rows
+from mechproof.latex.latex_signs import (
+    CLOSING,
+    DOTS,
+    GAPS,
+    NARROW,
+    OPENING,
+    WIDE,
+    Token,
+    find_close,
+    measure_depths,
+)
 from mechproof.latex.printed_functions import FUNCTIONS
-from mechproof.latex.printed_relations import join
+from mechproof.latex.printed_relations import RELATIONS, join
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
 from mechproof.latex.words import AND, IF
 
@@ -21,9 +31,13 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _INEQUALITIES = ("<", ">", r"\le", r"\ge", r"\ne")
-_RELATING = (*_INEQUALITIES, "=", r"\approx", r"\equiv", r"\in")
+_RELATING = (*RELATIONS, r"\in")
 _UP, _DOWN = ("<", r"\le"), (">", r"\ge")
 _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
+
+# What is no list of entries.
+_OTHERS = (*_RELATING, ",", ";", ":", "&", r"\\")
+_JOINING = ("+", "-", "/", r"\pm", r"\mp", *DOTS)
 
 
 # Gaps -------------------------------------------------------------------------------------------
@@ -34,7 +48,7 @@ def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
 
     Nor are those that may part the entries of a row.
     """
-    tokens, unclear = part_rows(tokens)
+    tokens, unclear = _part_rows(tokens)
     texts = [token.text for token in tokens]
     depths = list(measure_depths(texts))
     return tuple(
@@ -82,6 +96,38 @@ def _is_inequality_ahead(texts: Sequence[str]) -> bool:
         return False
     commas = [-1, *(n for n, text in enumerate(texts[:first]) if text == ","), first]
     return len(commas) == 2 or all(b - a == 2 for a, b in pairwise(commas))
+
+
+def _part_rows(tokens: Sequence[Token]) -> tuple[list[Token], set[int]]:
+    """Return signs with commas for wide gaps between entries, and which narrow ones may be some.
+
+    Those stand between what nothing else joins.
+    """
+    texts = [token.text for token in tokens]
+    parted, unclear = list(tokens), set[int]()
+    for start in (n for n, text in enumerate(texts) if text == "["):
+        inside = texts[start : start + find_close(texts[start:])]
+        own = [start + n for n, depth in enumerate(measure_depths(inside)) if depth == 1]
+        signs = {texts[n] for n in own}
+        if signs & {*_OTHERS} or any(text.startswith(r"\text") for text in signs):
+            continue
+        gaps = [n for n in own if texts[n] in (WIDE, NARROW) and _stands_between(texts, n)]
+        wide = [n for n in gaps if texts[n] == WIDE]
+        for place in wide:
+            parted[place] = replace(tokens[place], text=",")
+        if not wide and not signs & {*_JOINING}:
+            unclear |= {*gaps}
+    return parted, unclear
+
+
+def _stands_between(texts: Sequence[str], place: int) -> bool:
+    """Return whether a gap stands between two entries, of which the second may have a sign."""
+    before = next(text for text in texts[place::-1] if text not in GAPS)
+    after = [text for text in texts[place + 1 :] if text not in GAPS][:1]
+    is_sign = texts[place + 1 : place + 2] == ["-"] and texts[place + 2] not in GAPS
+    begins = is_sign or (after[0] not in (*_JOINING, *CLOSING) if after else False)
+    is_first = texts[place - 1] not in GAPS
+    return is_first and begins and before not in (*_JOINING, *OPENING)
 
 
 # Conditions -------------------------------------------------------------------------------------
