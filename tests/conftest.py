@@ -174,5 +174,5 @@ def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge equations and papers in this process: to start another takes longer than most."""
     from command import answer_here
 
-    for module in ("pipeline.pasted", "document.judged_tasks"):
+    for module in ("pipeline.pasted", "document.judging_workers"):
         monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

@@ -11,7 +11,7 @@ from small_papers import judge_parts, judge_rows
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
 from mechproof.document.context.judging_beside import judge_beside
-from mechproof.document.judged_tasks import Judging
+from mechproof.document.judging_workers import Judging
 from mechproof.tools.processes import WorkerError
 
 pytestmark = pytest.mark.usefixtures("judged_here")

@@ -17,8 +17,12 @@ from mechproof.document.context.constrained_rows import (
     solve_constraints,
     support_steps,
 )
-from mechproof.document.context.doubted_definitions import doubt_by_examples, doubt_by_letters
-from mechproof.document.context.doubted_matrices import doubt_by_matrices, doubt_by_rounded
+from mechproof.document.context.doubted_letters import (
+    doubt_by_examples,
+    doubt_by_letters,
+    doubt_by_matrices,
+    doubt_by_rounded,
+)
 from mechproof.document.context.doubts import (
     doubt_by_decimals,
     doubt_by_factors,
@@ -31,19 +35,20 @@ from mechproof.document.context.doubts import (
     find_other_solutions,
 )
 from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
-from mechproof.document.context.rates_beside import compare_rates
 from mechproof.document.context.restated_prints import (
+    compare_rates,
     compare_restated,
     doubt_by_restated,
     tell_unlike,
 )
 from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
 from mechproof.document.context.values_at_places import compare_at_places
-from mechproof.document.judged_tasks import Changes, Judging
 from mechproof.document.judging_workers import (
     COMPARED,
     LIMIT,
     UNLIKE,
+    Changes,
+    Judging,
     Key,
     judge_members,
     judge_row,

@@ -1,24 +1,29 @@
-"""What worker processes are asked for: the judgement of a row of a paper that they have read."""
+"""The rows of a paper while they are judged, and what worker processes are asked of them.
+
+A process judges a row of a paper that it has read.
+"""
 
 from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import sympy as sp
 
+from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.constraints.consequences import GIVEN
 from mechproof.document.constraints.following import judge_following
 from mechproof.document.constraints.solutions import are_exchanged, judge_angles, judge_signs
-from mechproof.document.constraints.unsaid_relations import find_relations
-from mechproof.document.never_true import WITH_DEFINITIONS, tell_never_true
-from mechproof.document.numbers.rounded_factors import judge_factor
+from mechproof.document.numbers.conversions import judge_factor
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.slips import find_slip
 from mechproof.document.source_rows import Document
 from mechproof.document.tasks import Role, Task
+from mechproof.document.where_true import WITH_DEFINITIONS, find_relations, tell_never_true
+from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import AGREE, BOUND_AGREE
@@ -26,6 +31,7 @@ from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equality, Holds, PrintedNumber, RecordError
 from mechproof.sources.paper_files import read_source
 from mechproof.statement_domains.domain import Domain
+from mechproof.tools.processes import run_tasks
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -46,6 +52,8 @@ Elsewhere = frozenset[tuple[str, int]]
 # way through a pipe.
 Key = tuple[str, str | None, Elsewhere]
 opened: dict[Key, list[Task]] = {}
+# Rows that have become others, by their numbers.
+Changes = Iterator[tuple[int, CheckedRow]]
 
 
 def name_equation(number: str) -> str:
@@ -238,3 +246,30 @@ def judge_members(
     if unlike and isinstance(own, Judgement) and own.rung == GIVEN:
         return replace(own, reason=f"it differs from {unlike[0].sign.first}{UNLIKE}")
     return own
+
+
+@dataclass(frozen=True)
+class Judging:
+    """The tasks of a paper, what has become of each so far, and the time that one may take."""
+
+    key: Key
+    tasks: list[Task]
+    rows: dict[int, CheckedRow]
+    symbols: Symbols
+    limit: float
+
+    def ask(
+        self, judge: Callable[..., Any], asked: Sequence[tuple[Any, ...]]
+    ) -> Iterator[tuple[tuple[Any, ...], Any]]:
+        """Yield what is asked with each answer, a `WorkerError` for none, as they come.
+
+        `judge` is a function of a module: it gets all tasks, and what is asked.
+        """
+        calls = [(self.key, judge, one) for one in asked]
+        for place, answer in run_tasks(_answer, calls, limit=self.limit):
+            yield asked[place], answer
+
+
+def _answer(call: tuple[Key, Callable[..., Any], tuple[Any, ...]]) -> Any:
+    key, judge, asked = call
+    return judge(open_tasks(key), *asked)

@@ -10,8 +10,7 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from mechproof.document.known import Known
-from mechproof.document.later_matrices import define_now
+from mechproof.document.known import Known, define_now
 from mechproof.document.printed_laws import read_piece
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex.measures import find_number

@@ -1,16 +1,16 @@
-"""What a block says of single equations, and units that say nothing of any letter."""
+"""What is told or refused of an equation: its units, its characters, what a block says of it."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.tasks import EQUAL
-from mechproof.latex.characters import write_plain
+from mechproof.latex.characters import find_disguised, find_replaced, name_character, write_plain
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.latex.tree import (
@@ -30,6 +30,7 @@ from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.said import Said
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.sources.displays import Printed
+from mechproof.sources.located_text import Files, Place
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -39,6 +40,9 @@ _CONSTANT = re.compile(
 )
 # What a number behind it is no size of.
 _NO_SIZE = (Approach, Derivation, Extremum, Table)
+_Find = Callable[[str], Mapping[str, str]]
+# Words within a display.
+_WORDS = re.compile(r"\\(?:text[a-z]*|mbox|intertext|mathrm|operatorname\*?)\s*\{[^{}]*\}")
 
 
 def refuse_units(read: Print) -> None:
@@ -123,3 +127,27 @@ def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> b
     if any(name_symbol(name) in name_symbol(text) for name, text in texts):
         return False
     return sum(known.met[step] for step in steps) == 1
+
+
+def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
+    """Yield the place of the first character of each kind, and what is said of all of them."""
+    if met := _find(find_replaced, displays, files):
+        shown = ", ".join(f"{x} (U+{ord(x):04X}) as {sign}" for x, (_, sign) in met.items())
+        yield _find_first(met), f"read as other signs: {shown}"
+    if met := _find(find_disguised, displays, files):
+        shown = ", ".join(f"{name_character(x)} like {sign}" for x, (_, sign) in met.items())
+        yield _find_first(met), f"letters that look like others: {shown}"
+
+
+def _find(find: _Find, displays: Sequence[Printed], files: Files) -> dict[str, tuple[Place, str]]:
+    met: dict[str, tuple[Place, str]] = {}
+    for printed in displays:
+        latex = _WORDS.sub(lambda words: " " * len(words[0]), printed.latex.string)
+        for sign, other in find(latex).items():
+            met.setdefault(sign, (printed.locate(files, latex.index(sign)), other))
+    return met
+
+
+def _find_first(met: Mapping[str, tuple[Place, str]]) -> Place:
+    place, _ = next(iter(met.values()))
+    return place

@@ -14,8 +14,7 @@ import sympy as sp
 from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
 from mechproof.document.double_signs import find_double_signs, find_following
 from mechproof.document.example_values import collect_values, lend_values
-from mechproof.document.known import CHAIN_RULE, Known
-from mechproof.document.later_matrices import Later, define_later, find_later
+from mechproof.document.known import CHAIN_RULE, Known, Later, define_later, find_later
 from mechproof.document.mentions import (
     is_listed,
     look_up,
@@ -24,6 +23,7 @@ from mechproof.document.mentions import (
     refuse_units,
     refuse_unknown,
     says_constant,
+    tell_characters,
 )
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
 from mechproof.document.numbers.letter_sizes import collect_sizes
@@ -32,19 +32,16 @@ from mechproof.document.numbers.size_tables import SizeTables, find_head_units
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_laws import LawPiece
 from mechproof.document.printed_signs import find_roles, give_values
-from mechproof.document.seams import make_seams
+from mechproof.document.special_cases import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
-from mechproof.document.told_characters import tell_characters
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
-from mechproof.nomenclature.chained_rates import add_chained_rates, give_chained_rates
 from mechproof.nomenclature.declarations import add_phases, declare
 from mechproof.nomenclature.pairs import DOUBLE, add_pairs, leave_pairs
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
-from mechproof.nomenclature.scopes import add_scopes
 from mechproof.nomenclature.shapes import find_sizes
 from mechproof.nomenclature.shown_letters import (
     collect_letters,
@@ -54,6 +51,7 @@ from mechproof.nomenclature.shown_letters import (
     is_vector,
     name_symbol,
 )
+from mechproof.nomenclature.symbols import add_chained_rates, add_scopes, give_chained_rates
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper
 from mechproof.record.estimates import without_estimates

@@ -14,9 +14,8 @@ from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numbers.letter_sizes import list_zeros
-from mechproof.document.numbers.numerical_values import turn_units
+from mechproof.document.numbers.numerical_values import state_limit, turn_units
 from mechproof.document.numbers.stated_numbers import StatedNumbers
-from mechproof.document.numbers.units_in_inequalities import state_limit
 from mechproof.document.row_sides import (
     gives_entries,
     has_letters,

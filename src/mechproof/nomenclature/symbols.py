@@ -1,8 +1,12 @@
-"""The symbols of a paper's letters: what is said of each, and the reader of prints in them."""
+r"""The symbols of a paper: letters, what is said of each, and the reader of prints in them.
+
+Rates in time of what depends on a letter that moves are known: \dot s of s(\theta) beside
+\theta(t). In some equations a print may mean another letter than elsewhere.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
@@ -10,11 +14,18 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex import Reader
-from mechproof.latex.values import Moving
+from mechproof.latex.values import Moving, differentiate
+from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.shown_letters import REMEDIES, name_symbol
-from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
+from mechproof.nomenclature.symbol_names import ORDERS, TIME, print_rate
+from mechproof.record import NUMBER, Dimension, Notation, Paper, Scope, Variable
 from mechproof.record.unit_notation import UNITS
+from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Place
+
+# The letter and the order of a rate, by its name.
+Chained = Mapping[str, tuple[str, int]]
+_TO = "-"
 
 
 @dataclass(frozen=True)
@@ -125,3 +136,70 @@ class Symbols:
             unit = v.dimension if with_units else NUMBER
             variables.append(replace(v, given=value, within=within, dimension=unit))
         return Paper(system, "", tuple(variables), (), tuple(where), usual=self.usual)
+
+
+def add_chained_rates(block: Block) -> Chained:
+    """Declare the rates in time of letters that depend on one that does; return what they are."""
+    step = next((x.unit for x in block.letters if TIME in x.names), "s")
+    moving = {name_symbol(x.names[0]) for x in block.letters if x.running == TIME}
+    found: dict[str, tuple[str, int]] = {}
+    declared = {name_symbol(name) for x in block.letters for name in x.names}
+    chained = [x for x in block.letters if name_symbol(x.running) in moving and not x.shape]
+    for letter, order in product(chained, ORDERS):
+        names = tuple(print_rate(letter.names[0], TIME, order))
+        said = (name for name in map(name_symbol, names) if name in declared)
+        rate = next(said, name_symbol(names[0]))
+        found[rate] = name_symbol(letter.names[0]), order
+        if rate not in declared:
+            is_bare = letter.unit is None or step is None
+            unit = None if is_bare else f"{letter.unit} {step}^-{order}".strip()
+            block.letters.append(Declared(names, f"{letter.meaning}, rate in time", unit))
+    return found
+
+
+def give_chained_rates(chained: Chained, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    """Yield the rates in time with their values by the chain rule."""
+    names = symbols.names
+    for name, (letter, order) in chained.items():
+        value, time = names[letter], names[TIME]
+        for _ in range(order):
+            value = differentiate(value, time, symbols.moving)
+        yield names[name], value
+
+
+def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Symbols:
+    """Return the symbols with what the block says of equations and of ranges of them.
+
+    Raises `ValueError` for equations and letters that are not there.
+    """
+    declared = {name: v.symbol for v in symbols.variables for name in v.latex}
+    scopes = []
+    for equations, means in block.scopes:
+        for latex, name in means.items():
+            with block.blame(f"{latex} is {name}"):
+                if name not in declared:
+                    raise ValueError(f"in: {name} is not declared")
+        names = {latex: declared[name] for latex, name in means.items() if name in declared}
+        with block.blame(equations[0]):
+            scopes.append(Scope(tuple(_list_names(equations, printed)), names))
+    return replace(symbols, notation=replace(symbols.notation, scopes=tuple(scopes)))
+
+
+def _list_names(equations: Sequence[str], printed: Sequence[Printed]) -> Iterator[str]:
+    """Yield the names of equations that are named, and of those between two of them."""
+    first = 0
+    for place, equation in enumerate(equations):
+        if equation == _TO:
+            continue
+        number = _find(equation, printed)
+        is_range = place > 1 and equations[place - 1] == _TO
+        for one in printed[first if is_range else number : number + 1]:
+            yield one.name
+        first = number
+
+
+def _find(equation: str, printed: Sequence[Printed]) -> int:
+    found = (n for n, one in enumerate(printed) if equation in (one.name, *one.labels))
+    if (number := next(found, None)) is None:
+        raise ValueError(f"in: {equation}: no equation has that name or label")
+    return number

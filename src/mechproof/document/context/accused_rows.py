@@ -23,10 +23,10 @@ from mechproof.document.context.constrained_rows import (
     is_proof,
     list_following,
 )
-from mechproof.document.context.doubted_definitions import leaves_free
+from mechproof.document.context.doubted_letters import leaves_free
 from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
 from mechproof.document.context.judging_beside import judge_beside, judge_misprint, tell_misprint
-from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict

@@ -17,7 +17,7 @@ from mechproof.document.context.judging_beside import (
     judge_half,
     judge_roots,
 )
-from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality

@@ -10,9 +10,9 @@ import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.applicable_constraints import is_left, is_turned
-from mechproof.document.judged_tasks import Changes, Judging
-from mechproof.document.never_true import WITH_DEFINITIONS, holds_alone
+from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.tasks import CONSTRAINING, Role, Task
+from mechproof.document.where_true import WITH_DEFINITIONS, holds_alone
 from mechproof.latex.characters import write_plain
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.proof.verdict import Left, State, Verdict

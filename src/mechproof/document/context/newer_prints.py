@@ -25,8 +25,7 @@ from mechproof.document.context.doubts import (
     list_printed,
     list_used,
 )
-from mechproof.document.judged_tasks import Changes, Judging
-from mechproof.document.judging_workers import COMPARED
+from mechproof.document.judging_workers import COMPARED, Changes, Judging
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
 from mechproof.proof.judge import judge

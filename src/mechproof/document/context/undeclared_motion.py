@@ -16,7 +16,7 @@ from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, list_letters
 from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.context.doubts import list_compared, list_printed, reach
-from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.tasks import Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict

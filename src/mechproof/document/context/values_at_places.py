@@ -1,8 +1,13 @@
-r"""Values at a place, `x|_{\varphi=0}`, beside constraints that tie letters to what is put in."""
+r"""Values at a place, `x|_{\varphi=0}`, beside constraints that tie letters to what is put in.
+
+With $l\sin\beta=r\sin\varphi$ and $-\pi/2<\beta<\pi/2$ there is one angle $\beta$ where
+$\varphi=0$. A letter that may have another value there, as in another position in which a loop is
+put together, is not solved for.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
 import sympy as sp
@@ -10,16 +15,17 @@ import sympy as sp
 from mechproof.document.checked_rows import make_row
 from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
 from mechproof.document.constraints.consequences import list_letters
-from mechproof.document.constraints.solved_places import solve_at_place
 from mechproof.document.context.constrained_rows import connect, is_constraint
 from mechproof.document.context.undeclared_motion import find_ties
-from mechproof.document.judged_tasks import Changes, Judging
+from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
+from mechproof.proof.ladder import decide
+from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve
@@ -28,6 +34,14 @@ from mechproof.statement_domains.domain import Domain
 # What may be said of one place by a condition behind it.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
 _BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
+# Functions that have each value once in a range, and what gives the angle there.
+_INVERSES = (
+    (sp.sin, sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
+    (sp.cos, sp.acos, sp.Interval(0, sp.pi)),
+    (sp.tan, sp.atan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
+)
+
+Values = dict[sp.Basic, sp.Expr]
 
 
 def compare_at_places(at: Judging) -> Changes:
@@ -118,7 +132,7 @@ def judge_at_place(
     says = task.row.says
     try:
         domain = Domain.of(task.paper, task.row.on)
-        values = solve_at_place(residuals, tied, domain)
+        values = _solve_at_place(residuals, tied, domain)
         if not (values and isinstance(says, Equality)):
             return None
         printed = [domain.resolve(side) for side in (says.printed, says.rebuilt)]
@@ -151,3 +165,63 @@ def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
 
 def _write(values: Mapping[sp.Basic, sp.Expr]) -> str:
     return ", ".join(f"{s} = {value}" for s, value in values.items())
+
+
+def _solve_at_place(
+    residuals: Sequence[sp.Expr], tied: Collection[sp.Basic], domain: Domain
+) -> Values | None:
+    """Return the only values of tied letters at which residuals are zero, as far as they have one.
+
+    None if with these a residual is not shown to be zero that has no other tied letter.
+    """
+    values: Values = {}
+    while found := next(_solve_any(residuals, values, tied, domain), None):
+        values = {s: v.xreplace(found) for s, v in values.items()} | found
+    rests = (rest.xreplace(values) for rest in residuals)
+    settled = (Equality(rest, sp.S.Zero) for rest in rests if not rest.free_symbols & {*tied})
+    is_met = all(decide(one, domain).verdict is Verdict.PROVED for one in settled)
+    return values if is_met else None
+
+
+def _solve_any(
+    residuals: Sequence[sp.Expr], values: Values, tied: Collection[sp.Basic], domain: Domain
+) -> Iterator[Values]:
+    """Yield a letter with its value, where a residual has one tied letter left."""
+    for residual in residuals:
+        rest = sp.expand(residual.xreplace(values))
+        letter, *others = sorted(rest.free_symbols & {*tied}, key=str) or [None]
+        if letter is None or others:
+            continue
+        if (value := _solve(rest, letter, domain)) is not None:
+            yield {letter: value}
+
+
+def _solve(residual: sp.Expr, letter: sp.Basic, domain: Domain) -> sp.Expr | None:
+    """Return the only value of a letter at which a residual is zero, None if there may be more.
+
+    It lies in the set of the letter wherever it has a value.
+    """
+    name, within = sp.Dummy(), domain.set_of(letter)
+    if any(letter in relation.free_symbols for relation in domain.where):
+        return None
+    if within == sp.S.Reals:
+        return _solve_linear(residual.xreplace({letter: name}), name, letter, domain)
+    for function, inverse, values in _INVERSES:
+        shown = residual.xreplace({function(letter): name})
+        sine = _solve_linear(shown, name, letter, domain) if within.is_subset(values) else None
+        if sine is None:
+            continue
+        value = inverse(sine)
+        is_whole = values.interior.is_subset(within)
+        is_within = within.contains(value) == sp.true if value.is_number else is_whole
+        return value if is_within else None
+    return None
+
+
+def _solve_linear(
+    residual: sp.Expr, name: sp.Dummy, letter: sp.Basic, domain: Domain
+) -> sp.Expr | None:
+    slope = sp.diff(residual, name)
+    if slope == 0 or slope.has(name) or residual.has(letter) or not is_nonzero(slope, domain):
+        return None
+    return sp.cancel(-residual.xreplace({name: sp.S.Zero}) / slope)

@@ -31,9 +31,10 @@ from mechproof.document.drafts.drafted_lines import (
     write_families,
     write_letter,
 )
-from mechproof.document.drafts.extreme_sentences import ask_extremes, find_extremes
 from mechproof.document.drafts.said_values import (
+    ask_extremes,
     ask_what_follows,
+    find_extremes,
     propose_relations,
     propose_values,
 )

@@ -1,7 +1,11 @@
-"""What a number says that is printed beside a formula, or of a letter that has one."""
+"""What a number says that is printed beside a formula, or of a letter that has one.
+
+A size that is printed again and differs may be another case, or a misprint.
+"""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -9,18 +13,26 @@ import sympy as sp
 
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
-from mechproof.document.numbers.conversions import DEGREES, NEAR, counts_in_degrees, tell_misfit
-from mechproof.document.numbers.letter_sizes import LetterSizes
+from mechproof.document.numbers.conversions import (
+    DEGREES,
+    NEAR,
+    counts_in_degrees,
+    is_far,
+    tell_misfit,
+)
+from mechproof.document.numbers.letter_sizes import LetterSizes, PrintedSize, read_size
 from mechproof.document.numbers.numbers_at_sizes import OTHERS, state_number
 from mechproof.document.numbers.put_in_sizes import may_be_rounded, state_put_in, state_result
-from mechproof.document.numbers.repeated_sizes import doubt_size
-from mechproof.document.numbers.rounded_factors import is_far
 from mechproof.document.numbers.scales import agrees, is_near
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex.values import settle_all
 from mechproof.nomenclature.cells import Numeral
 from mechproof.record import Equality, PrintedNumber, Row
 from mechproof.sources.displays import Printed
+
+_DIFFERS = "{} is printed in {}: another case, or a misprint?"
+# What may say for which case a number is.
+_CASE = re.compile(r"\\(?:text|mbox|q?quad)|[(\[|]|(?<![\\{])[,;](?!\s*\Z)|\\\\")
 
 
 @dataclass(frozen=True)
@@ -61,7 +73,7 @@ class StatedNumbers:
             if misfit := tell_misfit(sign, self.known.symbols):
                 return misfit
             sign, stated = self._compare_size(printed, sign, own)
-            stated = stated or doubt_size(sign, printed, self.sizes) or None
+            stated = stated or _doubt_size(sign, printed, self.sizes) or None
         claim = row.says if stated is None else stated
         if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
             return NEAR
@@ -111,3 +123,52 @@ def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
         is_factor = not sign.number and not is_far(claim.printed, claim.value)
         return is_factor or is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
     return sign.formula is None and may_be_rounded(claim, sign)
+
+
+def _doubt_size(sign: Sign, printed: Printed, sizes: LetterSizes) -> str:
+    """Say that a letter has another size before, if nothing tells that it may go on to others."""
+    letter, moving = sign.letter, sizes.known.symbols.moving
+    if letter is None or not sign.number:
+        return ""
+    if letter in moving or letter in {by for by, _ in moving.values()}:
+        return ""
+    if _is_case(printed) or letter in sizes.restated.list_before(printed):
+        return ""
+    own = read_size(sign, printed, sizes.known)
+    for before, other, one in sizes.every.get(letter, ()):
+        if before.name == printed.name:
+            return ""
+        is_apart = _is_case(before) or _may_be_other(before, printed)
+        if not (is_apart or _agree((other, one), (sign, own))):
+            return _DIFFERS.format(before.latex.string.strip(" .,;\n"), before.name)
+    return ""
+
+
+def _is_case(printed: Printed) -> bool:
+    return bool(_CASE.search(printed.latex.string))
+
+
+def _may_be_other(before: Printed, printed: Printed) -> bool:
+    """Return whether two prints are of one display, or words between may go on to another case."""
+    first, said = before.announced, printed.announced
+    is_anew = first.passage != said.passage and (said.is_case or said.is_new)
+    is_other = first.is_apart(said) or first.example.number != said.example.number
+    return before.group == printed.group or is_anew or is_other
+
+
+def _agree(one: tuple[Sign, PrintedSize], other: tuple[Sign, PrintedSize]) -> bool:
+    """Return whether sizes agree to the places that both have, or nothing tells that they do not.
+
+    Zeros are special positions, and a number with a unit may be one without.
+    """
+    values, halves = zip(*map(_measure, (one, other)), strict=True)
+    if not all(values) or (one[1].head.unit is None) != (other[1].head.unit is None):
+        return True
+    return bool(sp.Abs(values[0] - values[1]) <= max(halves))
+
+
+def _measure(read: tuple[Sign, PrintedSize]) -> tuple[sp.Expr, sp.Expr]:
+    """Return a size, and half of its last place, in units that all sizes of a letter have."""
+    sign, one = read
+    number, value = Numeral(sign.number, sp.S.One), one.size.value * one.unit
+    return value, sp.Abs(number.half_place * value / number.value) if value else sp.S.Zero
