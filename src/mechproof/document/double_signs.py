@@ -14,8 +14,8 @@ from mechproof.document.printed_signs import find_roles
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import Reader
 from mechproof.latex.reader import Print
-from mechproof.nomenclature.pairs import DOUBLE
 from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.nomenclature.symbol_names import DOUBLE
 from mechproof.sources.displays import Printed
 
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)

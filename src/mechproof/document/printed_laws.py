@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.latex.piecewise_values import find_end, is_lower
+from mechproof.latex.values import find_end, is_lower
 
 _CLOSED = (sp.Le, sp.Ge)
 

@@ -26,8 +26,7 @@ from mechproof.document.mentions import (
     tell_characters,
 )
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
-from mechproof.document.numbers.letter_sizes import collect_sizes
-from mechproof.document.numbers.restated_sizes import RestatedSizes
+from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
 from mechproof.document.numbers.size_tables import SizeTables, find_head_units
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_laws import LawPiece
@@ -39,7 +38,6 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature.block import Declared, read_block
 from mechproof.nomenclature.declarations import add_phases, declare
-from mechproof.nomenclature.pairs import DOUBLE, add_pairs, leave_pairs
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
@@ -51,12 +49,12 @@ from mechproof.nomenclature.shown_letters import (
     is_vector,
     name_symbol,
 )
+from mechproof.nomenclature.symbol_names import DOUBLE, add_pairs, leave_pairs
 from mechproof.nomenclature.symbols import add_chained_rates, add_scopes, give_chained_rates
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper
 from mechproof.record.estimates import without_estimates
-from mechproof.sources.commas import join_thousands, mark_decimals
-from mechproof.sources.displays import Printed, find_displays
+from mechproof.sources.displays import Printed, find_displays, join_thousands, mark_decimals
 from mechproof.sources.located_text import Place
 from mechproof.sources.paper_files import Source
 from mechproof.sources.tabulars import find_tabulars

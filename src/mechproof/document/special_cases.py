@@ -15,8 +15,7 @@ from sympy.core.relational import Relational
 from mechproof.document.known import Known
 from mechproof.document.printed_laws import find_seams, read_piece
 from mechproof.document.tasks import Role, Sign, Task
-from mechproof.latex.piecewise_values import find_end, has_value, list_ends, list_outer_ends
-from mechproof.latex.values import differentiate
+from mechproof.latex.values import differentiate, find_end, has_value, list_ends, list_outer_ends
 from mechproof.nomenclature.said_relations import narrow
 from mechproof.nomenclature.symbol_names import ORDERS
 from mechproof.record import Conjunction, Equality, Equation, Paper, Part, Row, Statement

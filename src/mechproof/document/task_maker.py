@@ -17,6 +17,7 @@ from mechproof.document.numbers.letter_sizes import list_zeros
 from mechproof.document.numbers.numerical_values import state_limit, turn_units
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.row_sides import (
+    find_units,
     gives_entries,
     has_letters,
     have_same_letters,
@@ -26,7 +27,6 @@ from mechproof.document.row_sides import (
     ties_letters,
     ties_running,
 )
-from mechproof.document.row_units import find_units
 from mechproof.document.special_cases import (
     list_rates,
     list_values,

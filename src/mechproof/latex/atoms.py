@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -61,54 +62,32 @@ def read_atom(parser: Parser) -> Node:
         return Number("0", start=start, end=parser.end)
     if text == r"\frac" and printed_derivatives.is_derivative(parser):
         return printed_derivatives.read_derivative(parser)
-    if text == r"\frac":
-        return read_unit(parser) or _read_fraction(parser, start)
-    if text == r"\sqrt":
-        return _read_root(parser, start)
-    if text == r"\binom":
-        return printed_derivatives.read_binomial(parser)
-    if text in _CLOSED_BY:
-        return _read_bracket(parser, start)
-    if text == "|":
-        return _read_magnitude(parser, start)
-    if text == r"\|":
-        return _read_norm(parser, start)
-    if text == places.LEFT:
-        return places.read_enclosed(parser)
-    if text == r"\lvert":
-        inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
-        return _enclose(parser, inside, start)
-    if text in _ROUNDING:
-        closing, function = _ROUNDING[text]
-        inside = parser.read_inside(text, parser.read_sum, closing)
-        return Call(function, (inside,), start=start, end=parser.end)
     if text.startswith(r"\begin{"):
         return environments.read_environment(parser)
-    if text in (r"\sum", r"\prod"):
-        return calculus.read_repeated(parser)
-    if text == r"\lim":
-        return printed_derivatives.read_limit(parser)
-    if text == r"\int":
-        return calculus.read_integral(parser)
+    if text in _READERS:
+        return _READERS[text](parser)
     return read_unit(parser) or letters.read_letter(parser, None)
 
 
-def _read_fraction(parser: Parser, start: int) -> Node:
-    parser.take()
+def _read_fraction(parser: Parser) -> Node:
+    if unit := read_unit(parser):
+        return unit
+    start = parser.take().start
     above = calculus.read_numerator(parser)
     below = parser.read_group()
     return Quotient(above, below, start=start, end=parser.end)
 
 
-def _read_root(parser: Parser, start: int) -> Node:
-    parser.take()
+def _read_root(parser: Parser) -> Node:
+    start = parser.take().start
     degree = None
     if parser.text == "[":
         degree = parser.read_inside("[", parser.read_sum, "]")
     return Radical(parser.read_group(), degree, start=start, end=parser.end)
 
 
-def _read_bracket(parser: Parser, start: int) -> Node:
+def _read_bracket(parser: Parser) -> Node:
+    start = parser.start
     if parser.text == "[" and environments.is_cases(parser):
         parser.take()
         return environments.read_cases(parser, start)
@@ -170,23 +149,29 @@ def _repeat_bracket(parser: Parser, start: int) -> Node:
     return Bracket(parser.brackets[0].inside, start=start, end=parser.end)
 
 
-def _read_magnitude(parser: Parser, start: int) -> Node:
-    parser.take("|")
-    parser.bars += 1
+def _read_bars(parser: Parser) -> Node:
+    start, bar = parser.start, parser.take().text
+    parser.bars[bar] += 1
     inside = parser.read_sum()
-    parser.bars -= 1
-    parser.take("|")
+    parser.bars[bar] -= 1
+    parser.take(bar)
+    if bar == r"\|":
+        return Magnitude(inside, start=start, end=parser.end)
     _refuse_bar_between_factors(parser)
     return _enclose(parser, inside, start)
 
 
-def _read_norm(parser: Parser, start: int) -> Node:
-    parser.take(r"\|")
-    parser.norms += 1
-    inside = parser.read_sum()
-    parser.norms -= 1
-    parser.take(r"\|")
-    return Magnitude(inside, start=start, end=parser.end)
+def _read_sized_bars(parser: Parser) -> Node:
+    start = parser.start
+    inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
+    return _enclose(parser, inside, start)
+
+
+def _read_rounding(parser: Parser) -> Node:
+    start, opening = parser.start, parser.text
+    closing, function = _ROUNDING[opening]
+    inside = parser.read_inside(opening, parser.read_sum, closing)
+    return Call(function, (inside,), start=start, end=parser.end)
 
 
 def _enclose(parser: Parser, inside: Node, start: int) -> Node:
@@ -277,3 +262,19 @@ def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
         parser.place += 4
         return Degrees(base, start=start, end=parser.end)
     return None
+
+
+# How what begins with a sign is read.
+_READERS: Mapping[str, Callable[[Parser], Node]] = {
+    r"\frac": _read_fraction,
+    r"\sqrt": _read_root,
+    r"\binom": printed_derivatives.read_binomial,
+    **dict.fromkeys(_CLOSED_BY, _read_bracket),
+    **dict.fromkeys(("|", r"\|"), _read_bars),
+    r"\lvert": _read_sized_bars,
+    places.LEFT: places.read_enclosed,
+    **dict.fromkeys(_ROUNDING, _read_rounding),
+    **dict.fromkeys((r"\sum", r"\prod"), calculus.read_repeated),
+    r"\lim": printed_derivatives.read_limit,
+    r"\int": calculus.read_integral,
+}

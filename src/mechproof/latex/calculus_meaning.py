@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.piecewise_values import has_value
 from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import (
     Approach,
@@ -24,6 +23,7 @@ from mechproof.latex.values import (
     UNSMOOTH,
     depends,
     differentiate,
+    has_value,
     list_beside,
     list_steps,
     make_running,

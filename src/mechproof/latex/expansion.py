@@ -201,7 +201,7 @@ def _state(row: Row, place: _Place) -> tuple[Statement, tuple[sp.Expr, ...]]:
     reader, meaning = place.read.reader, place.read.meaning()
     as_printed = place.members(meaning)
     rebuilt = place.members(place.read.meaning(row.derived))
-    says = state(row, place.sign, Members(place.nodes, *as_printed, *rebuilt), reader)
+    says = state(row, place.sign, Members(place.nodes, as_printed, rebuilt), reader)
     return says, tuple(meaning.lost)
 
 
@@ -271,12 +271,10 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
     if len(chain.members) > 1:
         _refuse_other_quantity(row, place, right)
         return replace(correction, says=_state(row, right)[0])
-    (one, _), (one_derived, _) = (
-        place.members(place.read.meaning(values)) for values in ({}, row.derived)
+    nodes = place.nodes[0], chain.members[0]
+    printed, derived = (
+        (place.read.meaning(values).side(nodes[0]), read.meaning(values).side(nodes[1]))
+        for values in ({}, row.derived)
     )
-    other, other_derived = (
-        read.meaning(values).side(chain.members[0]) for values in ({}, row.derived)
-    )
-    nodes = (place.nodes[0], chain.members[0])
-    members = Members(nodes, one, other, one_derived, other_derived)
+    members = Members(nodes, printed, derived)
     return replace(correction, says=state(row, place.sign, members, place.read.reader))

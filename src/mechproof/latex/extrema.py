@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from mechproof.latex.measures import begins_member
-from mechproof.latex.piecewise_values import find_zero
 from mechproof.latex.tree import Extremum, Letter, Node
-from mechproof.latex.values import refuse_unknown, settle_all
+from mechproof.latex.values import find_zero, refuse_unknown, settle_all
 from mechproof.record import Conjunction, Equality, Holds, ValueWhere
 from mechproof.record.parts import TURNING
 

@@ -6,6 +6,7 @@ times one name, a fraction or a root: `\cos 2\varphi`, `\cos\frac x2`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter
 from typing import TypeVar
@@ -113,7 +114,9 @@ class Parser:
         """Begin to read these signs, which end at a place of the source."""
         self.tokens: Sequence[Token] = fold_slashed(side_conditions.keep_gaps(tokens), self.names)
         self.last = last
-        self.place = self.bars = self.norms = self.depth = 0
+        self.place = self.depth = 0
+        # Upright bars, single and double ones, that are open at this depth.
+        self.bars = Counter[str]()
         # Of places of brackets, whether they multiply the letter before.
         self.multiplied: dict[int, bool] = {}
 
@@ -264,10 +267,8 @@ class Parser:
 
     def ends_product(self) -> bool:
         """Return whether no factor follows."""
-        if self.text == "|":
-            return self.bars > 0
-        if self.text == r"\|":
-            return self.norms > 0
+        if self.text in ("|", r"\|"):
+            return self.bars[self.text] > 0
         is_word = self.text.startswith((r"\text", r"\end")) and not is_unit(self)
         ends = self.text in ENDING or self.text in self.signs
         ends = ends or calculus.is_over(self) or calculus.is_sum_beside(self)
@@ -344,9 +345,9 @@ class Parser:
         """Read what stands between two signs, a level deeper."""
         self.take(opening)
         self.depth += 1
-        bars, self.bars, norms, self.norms = self.bars, 0, self.norms, 0
+        bars, self.bars = self.bars, Counter()
         inside = read()
-        self.bars, self.norms = bars, norms
+        self.bars = bars
         self.depth -= 1
         self.take(closing)
         return inside

@@ -36,7 +36,7 @@ def is_bar(parser: Parser) -> bool:
     """Return whether a bar with a place stands here, and none that closes another one."""
     before = [token.text for token in parser.tokens[: parser.place]]
     is_closing = before.count(LEFT) + before.count(r"\lvert") > before.count(r"\rvert")
-    is_closing = bool(parser.bars) if parser.text == "|" else is_closing
+    is_closing = parser.bars["|"] > 0 if parser.text == "|" else is_closing
     return (
         parser.text in _BARS and not is_closing and (parser.peek(1), parser.peek(2)) == ("_", "{")
     )
@@ -188,14 +188,13 @@ def _find_running(parser: Parser, letter: Letter) -> Letter | None:
     """Return the letter that a letter depends on, or of which a matrix is declared a function."""
     if isinstance(letter.symbol, sp.MatrixSymbol):
         name = parser.names.find_argument(letter.symbol)
-        start, end = letter.start, letter.end
-        return Letter(name.symbol, name.latex, start=start, end=end) if name else None
-    if by := parser.notation.called.get(letter.symbol):
-        return Letter(by, str(by), start=letter.start, end=letter.end)
-    for symbol, (by, rates) in parser.notation.moving.items():
-        if letter.symbol in (symbol, *rates):
-            return Letter(by, str(by), start=letter.start, end=letter.end)
-    return None
+        found = (name.symbol, name.latex) if name else None
+    else:
+        moving = parser.notation.moving.items()
+        running = (by for symbol, (by, rates) in moving if letter.symbol in (symbol, *rates))
+        by = parser.notation.called.get(letter.symbol) or next(running, None)
+        found = (by, str(by)) if by else None
+    return Letter(*found, start=letter.start, end=letter.end) if found else None
 
 
 def _read_point(parser: Parser, sign: int) -> Node:

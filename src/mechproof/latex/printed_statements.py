@@ -34,22 +34,19 @@ class Members:
     """Both members as printed, and read with the derived values at hand."""
 
     nodes: tuple[Node, Node]
-    left: Any
-    right: Any
-    left_derived: Any
-    right_derived: Any
+    printed: tuple[Any, Any]
+    derived: tuple[Any, Any]
 
 
 def _turn_rows(members: Members) -> Members:
     """Return members of which a bracket with commas stands as a column beside a column."""
-    left, right = turn(members.nodes, (members.left, members.right))
-    derived = turn(members.nodes, (members.left_derived, members.right_derived))
-    return Members(members.nodes, left, right, *derived)
+    nodes = members.nodes
+    return Members(nodes, turn(nodes, members.printed), turn(nodes, members.derived))
 
 
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """Return what a sign of a row asserts; `ValueError` where that is not declared."""
-    if is_power(members.left) or is_power(members.right):
+    if any(map(is_power, members.printed)):
         return _state_power(row, sign, members, reader)
     members = _turn_rows(members)
     if any(isinstance(node, Extremum) for node in members.nodes):
@@ -62,22 +59,20 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         return _state_residual(row, row.residual, members)
     if rounded := _find_rounded(row, members, reader):
         return rounded
-    left = _derive(row, members.left, members.left_derived, reader)
-    right = _derive(row, members.right, members.right_derived, reader)
-    printed = (members.left, members.right)
+    sides = left, right = _derive(row, members, reader)
     changed = tuple(
         _is_derived(row, node, member, reader)
-        for node, member in zip(members.nodes, printed, strict=True)
+        for node, member in zip(members.nodes, members.printed, strict=True)
     )
     if not any(changed):
         defined = _find_definition(row, members, reader)
         if defined:
             return defined
-        if not any(_is_faulty(side, reader) for side in (left, right)):
+        if not any(_is_faulty(side, reader) for side in sides):
             _refuse_unknown(row, members, reader)
     if says_nothing(left, right):
         _refuse_unknown_entries(row, left, right)
-    left, right = (_substitute(row, name_entries(side)) for side in (left, right))
+    left, right = (_substitute(row, name_entries(side)) for side in sides)
     if not any(changed):
         return Equality(left, right, "member")
     if changed == (False, True):
@@ -87,7 +82,7 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """State a power of a matrix to a letter of which nothing else is said."""
-    sides = (members.left, members.right)
+    sides = members.printed
     where = [one for one in (row.on.where if row.on else ()) if not says_from_one_on(one)]
     said = {symbol for one in where for symbol in one.free_symbols}
     said |= {v.symbol for v in reader.variables if v.given is not None}
@@ -104,10 +99,7 @@ def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> State
 
 
 def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
-    sides = (
-        _derive(row, members.left, members.left_derived, reader),
-        _derive(row, members.right, members.right_derived, reader),
-    )
+    sides = _derive(row, members, reader)
     if isinstance(members.nodes[1], Extremum):
         sides = sides[::-1]
     node = next(node for node in members.nodes if isinstance(node, Extremum))
@@ -124,7 +116,7 @@ def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> St
 
 def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:
     """State that the difference of the members is a residual, which may have the other sign."""
-    left, right = members.left, members.right
+    left, right = members.printed
     _refuse_unknown_entries(row, left, right)
     if isinstance(left, sp.MatrixBase) != isinstance(right, sp.MatrixBase):
         raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
@@ -141,19 +133,27 @@ def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:
     return member in row.derived or any(depends(s, keys, reader.values) for s in letters)
 
 
-def _derive(row: Row, member: Any, derived_member: Any, reader: Reader) -> Any:
-    if member in row.derived:
-        return row.derived[member]
-    return settle(derived_member, reader.values, row.derived)
+def _derive(row: Row, members: Members, reader: Reader) -> tuple[Any, Any]:
+    """Return what our mechanics give for both members."""
+    left, right = (
+        row.derived[member] if member in row.derived else settle(value, reader.values, row.derived)
+        for member, value in zip(members.printed, members.derived, strict=True)
+    )
+    return left, right
 
 
 def _substitute(row: Row, member: Any) -> Any:
     return member.xreplace(dict(row.substituted))
 
 
+def _put_in(row: Row, members: Members, reader: Reader) -> tuple[Any, Any]:
+    """Return what our mechanics give for both members, with the substitutions of the row."""
+    left, right = (_substitute(row, side) for side in _derive(row, members, reader))
+    return left, right
+
+
 def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
-    left = _substitute(row, _derive(row, members.left, members.left_derived, reader))
-    right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
+    left, right = _put_in(row, members, reader)
     _refuse_unknown_entries(row, left, right)
     matrices = [side for side in (left, right) if isinstance(side, sp.MatrixBase)]
     if any(matrix.is_zero_matrix for matrix in matrices):
@@ -170,10 +170,9 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
 
     Beside a factor the rest of the right member is put on the other side, which is a number then.
     """
-    value = _substitute(row, _derive(row, members.left, members.left_derived, reader))
+    value, right = _put_in(row, members, reader)
     stated = round_to(members.nodes[1], value)
     number = find_factor(members.nodes) and find_factor(members.nodes[1:])
-    right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
     are_numbers = not any(is_matrix(side) for side in (value, right))
     if stated is None and number and are_numbers:
         above, below = (settle_all(side, reader.values) for side in (value, right))
@@ -193,11 +192,7 @@ def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber |
 
     A decimal that is the constant itself is stated as equal to it, as a whole number is.
     """
-    derived = (members.left_derived, members.right_derived)
-    values = [
-        _substitute(row, _derive(row, member, other, reader))
-        for member, other in zip((members.left, members.right), derived, strict=True)
-    ]
+    values = _put_in(row, members, reader)
     for node, value, number in zip(members.nodes[::-1], values, values[::-1], strict=True):
         stated = round_to(node, value) if isinstance(value, sp.Expr) else None
         if stated is None or "." not in stated.printed:
@@ -210,11 +205,11 @@ def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber |
 
 def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:
     """Return the definition that a sign is: of a symbol it introduces or is declared by."""
-    sides = (members.left, members.right)
-    for node, other in zip(members.nodes, reversed(sides), strict=True):
+    left, right = members.printed
+    for node, other in zip(members.nodes, (right, left), strict=True):
         if isinstance(node, Letter) and not node.indices and _introduces(row, node, other, reader):
             return Definition(node.symbol, other)
-    printed = members.left.free_symbols | members.right.free_symbols
+    printed = left.free_symbols | right.free_symbols
     for symbol in sorted(printed & reader.values.keys(), key=str):
         value = reader.values[symbol]
         if value.free_symbols <= printed and _is_declared_by(symbol, value, members):
@@ -231,9 +226,10 @@ def _introduces(row: Row, letter: Letter, other: Any, reader: Reader) -> bool:
 
 def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool:
     """Return whether the print, solved for a symbol, is its declared value."""
-    if any(isinstance(side, sp.MatrixBase) for side in (members.left, members.right)):
+    left, right = members.printed
+    if isinstance(left, sp.MatrixBase) or isinstance(right, sp.MatrixBase):
         return False
-    difference = members.left - members.right
+    difference = left - right
     slope = sp.diff(difference, symbol)
     if slope == 0 or slope.has(symbol):
         return False
@@ -242,7 +238,7 @@ def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool
 
 def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
     """Refuse a member that is a symbol of which nothing is known: it can agree with nothing."""
-    for member, other in ((members.left, members.right), (members.right, members.left)):
+    for member, other in (members.printed, members.printed[::-1]):
         is_bare = isinstance(member, sp.Symbol | sp.Indexed | sp.MatrixSymbol)
         if is_bare and member not in reader.values and member not in other.free_symbols:
             raise _tell_unknown(row, member)

@@ -29,7 +29,7 @@ class Line:
 
 def split(tokens: Sequence[Token]) -> list[Line]:
     """Return the prints that a print consists of."""
-    rows = _split_rows(tokens) if _is_rows(tokens) else [tokens]
+    rows = _split_rows(tokens) or [[*tokens]]
     return [line for row in rows for line in _split_steps(row)]
 
 
@@ -38,23 +38,20 @@ def _measure(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
     return zip(measure_depths(token.text for token in tokens), tokens, strict=True)
 
 
-def _is_rows(tokens: Sequence[Token]) -> bool:
-    """Return whether a print is one environment with relations in it, and what follows it."""
+def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
+    """Return the rows of a print that is one environment with relations in it, none of another.
+
+    What follows the environment belongs to each of them.
+    """
     kinds = [rf"\begin{{{kind}}}" for kind in _ROWS]
-    if not tokens or tokens[0].text not in kinds:
-        return False
     levels = list(_measure(tokens))
     end = next((n for n, (depth, _) in enumerate(levels) if n and depth == 0), None)
-    if end is None:
-        return False
+    if end is None or tokens[0].text not in kinds:
+        return []
     behind = next((t.text for t in tokens[end + 1 :] if t.text not in GAPS.values()), ",")
     inside = any(depth == 1 and token.text in RELATIONS for depth, token in levels[:end])
-    return inside and behind in (",", ";", ".", "(")
-
-
-def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
-    levels = list(_measure(tokens))
-    end = next(n for n, (depth, _) in enumerate(levels) if n and depth == 0)
+    if not inside or behind not in (",", ";", ".", "("):
+        return []
     rows: list[list[Token]] = [[]]
     for depth, token in levels[1:end]:
         if depth == 1 and token.text == r"\\":

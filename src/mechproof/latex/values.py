@@ -1,6 +1,7 @@
 """Values of symbols that are given by others: what depends on what, and putting them in.
 
-What is said to depend on others and has no value must not be taken as fixed.
+What is said to depend on others and has no value must not be taken as fixed. Of values by pieces it
+is told where these end, and whether those that meet there have one value.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from itertools import count, pairwise
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
@@ -26,6 +28,7 @@ QUOTIENTS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
     sp.tan: lambda angle: sp.sin(angle) / sp.cos(angle),
     sp.cot: lambda angle: sp.cos(angle) / sp.sin(angle),
 }
+_ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
@@ -170,3 +173,63 @@ def _find_carrier(symbol: sp.Basic, moving: Moving) -> sp.Basic:
     carriers = (other for s, (other, rates) in moving.items() if symbol in (s, *rates))
     carrier = next(carriers, None)
     return symbol if carrier is None else _find_carrier(carrier, moving)
+
+
+def list_ends(*values: Any) -> list[Relational]:
+    """Return the inequalities at which pieces end, each once."""
+    pieces = {piece for value in values for piece in value.atoms(sp.Piecewise)}
+    found = {
+        r.canonical for piece in pieces for _, said in piece.args for r in said.atoms(*_ORDERS)
+    }
+    return sorted(found, key=str)
+
+
+def find_end(end: Relational, by: sp.Basic) -> sp.Expr | None:
+    """Return where a piece ends along a letter, None where the end is not linear in it."""
+    return find_zero(end.lhs - end.rhs, by)
+
+
+def find_zero(difference: sp.Expr, by: sp.Basic) -> sp.Expr | None:
+    """Return where what is linear in a letter is zero, None where it is not linear."""
+    difference = sp.expand(difference)
+    slope = difference.coeff(by)
+    rest = difference - slope * by
+    return None if slope == 0 or rest.has(by) else -rest / slope
+
+
+def has_value(value: Any, by: sp.Basic, point: sp.Expr) -> bool:
+    """Return whether a value has one at a point where pieces may end, as far as is seen.
+
+    It has none where the pieces that meet differ, nor where none holds.
+    """
+    for piece in value.atoms(sp.Piecewise):
+        near = [inside for inside, said in piece.args if any(_ends(said, by, point))]
+        near += [inside for inside, said in piece.args if said == sp.true and len(near) == 1]
+        there = [inside.xreplace({by: point}) for inside in near]
+        is_left_out = all(said.xreplace({by: point}) == sp.false for _, said in piece.args)
+        if is_left_out or any(sp.simplify(one - there[0]) != 0 for one in there):
+            return False
+    return True
+
+
+def list_outer_ends(value: Any, by: sp.Basic) -> Iterator[Relational]:
+    """Yield the ends along a letter beyond which no piece lies, if each end belongs to two else."""
+    for piece in value.atoms(sp.Piecewise):
+        if any(said == sp.true for _, said in piece.args):
+            continue
+        ends = {r: (find_end(r, by), is_lower(r, by)) for r in list_ends(piece)}
+        met = set(ends.values())
+        outer = [r for r, (point, low) in ends.items() if (point, not low) not in met]
+        if len({ends[r][1] for r in outer}) == len(outer) and all(p is not None for p, _ in met):
+            yield from outer
+
+
+def is_lower(end: Relational, by: sp.Basic) -> bool:
+    """Return whether a letter is seen to be larger than an end, else it is taken to be smaller."""
+    return bool(sp.expand(end.gts - end.lts).coeff(by).is_positive)
+
+
+def _ends(said: sp.Basic, by: sp.Basic, point: sp.Expr) -> Iterator[bool]:
+    for end in said.atoms(*_ORDERS):
+        found = find_end(end, by)
+        yield found is not None and sp.expand(found - point) == 0

@@ -1,9 +1,12 @@
-"""What the symbols of letters and of their derivatives are called, and how these are printed."""
+r"""What the symbols of letters and of their derivatives are called, and how these are printed.
+
+Letters may be printed two at once, x_{1,2}=a\pm b: what the print is of, and what it ties.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import replace
 from functools import partial
@@ -13,7 +16,7 @@ import sympy as sp
 
 from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.name_table import to_signs
-from mechproof.nomenclature.block import Declared
+from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.shown_letters import name_symbol, show_letter
 from mechproof.record import Variable
 from mechproof.record.unit_notation import read_unit
@@ -37,6 +40,12 @@ _SET = (
 _INDEX = re.compile(rf"_\{{\s*(?:{_SET}|[A-Za-z]{{2,}})\s*\}}|_(?:{_SET})")
 _WORD = re.compile(r"[A-Za-z]{2,}(?=[\s}]*\Z)")
 _TYPES = (r"_{{{}}}", r"_{{\mathrm{{{}}}}}", r"_{{\text{{{}}}}}")
+# A double sign.
+DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
+_PAIR = re.compile(r"(.+)_\{?(\d)\s*(?:[,/]|\{,\}|\\,)+\s*(\d)\}?")
+_PRINT = re.compile(
+    r"(?:\\[A-Za-z]+|[A-Za-z])\s*_\s*\{\s*\d\s*(?:[,/]|\{,\}|\\,)+\s*\d\s*\}", re.DOTALL
+)
 
 
 def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> str:
@@ -160,3 +169,49 @@ def _to_signs(variable: Variable) -> Callable[[str], tuple[str, ...]]:
 
 def _set(kind: str, index: re.Match[str]) -> str:
     return kind.format(*_WORD.findall(index[0]))
+
+
+def find_stem(letter: str) -> str:
+    """Return x of the name of two letters, x_{1,2}, nothing of another."""
+    pair = _PAIR.fullmatch(letter)
+    return pair[1] if pair else ""
+
+
+def list_halves(letter: str) -> tuple[str, ...]:
+    """Return x_1 and x_2 of the name of two letters, x_{1,2}, nothing of another."""
+    pair = _PAIR.fullmatch(letter)
+    return (f"{pair[1]}_{pair[2]}", f"{pair[1]}_{pair[3]}") if pair else ()
+
+
+def find_pairs(prints: Iterable[str]) -> Iterator[str]:
+    """Yield the names of two letters that stand beside double signs."""
+    for latex in prints:
+        if DOUBLE.search(latex):
+            yield from _PRINT.findall(latex)
+
+
+def leave_pairs(letters: Iterable[str], prints: Iterable[str]) -> list[str]:
+    """Return letters without what is printed of two of them at once."""
+    letters = [*letters]
+    known = {*map(name_symbol, letters)}
+    pairs = map(name_symbol, find_pairs(prints))
+    both = {name for name in pairs if {*list_halves(name)} <= known}
+    return [x for x in letters if name_symbol(x) not in both]
+
+
+def add_pairs(block: Block, prints: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    """Declare what is printed of two declared letters at once; return both by its name.
+
+    It has the unit of the first; what is said of each is not said of both. What the block declares
+    itself is a letter of its own, as the ratio i_{1,2} is.
+    """
+    declared = {name_symbol(name): x for x in block.letters for name in x.names}
+    found: dict[str, dict[str, None]] = {}
+    for name in find_pairs(prints):
+        if {*list_halves(name_symbol(name))} <= declared.keys() - {name_symbol(name)}:
+            found.setdefault(name_symbol(name), {})[name] = None
+    pairs = {name: list_halves(name) for name in found if name not in declared}
+    for name, halves in pairs.items():
+        one = declared[halves[0]]
+        block.letters.append(Declared((*found[name],), one.meaning, one.unit, shape=one.shape))
+    return pairs

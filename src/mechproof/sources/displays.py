@@ -1,4 +1,7 @@
-"""Displayed equations of a text, numbered as LaTeX numbers them."""
+"""Displayed equations of a text, numbered as LaTeX numbers them; the commas and points of numbers.
+
+Commas and points between digits are decimal ones, or part thousands, 1{,}000.
+"""
 
 from __future__ import annotations
 
@@ -61,6 +64,16 @@ _UNNUMBERED = re.compile(r"\\(?:IEEE)?(?:nonumber|notag)(?![A-Za-z])")
 _NUMBERED = re.compile(r"\\IEEEyes(?:sub)?number\*?(?![A-Za-z])")
 _BELOW = re.compile(r"\\IEEEyessubnumber(?![A-Za-z])")
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED, _NUMBERED)))
+_COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
+_NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")
+_THOUSANDS = re.compile(r"[1-9]\d{0,2}(?:\{,\}\d{3})+")
+# With this package a comma is decimal where no blank follows; in indices it parts numbers.
+_ICOMMA = re.compile(r"\\usepackage\s*(?:\[[^\]]*\])?\s*\{[^{}]*\bicomma\b[^{}]*\}")
+_DECIMAL = re.compile(r"_\{[^{}]*\}|\\(?:\w*ref|label|tag|cite)\*?\{[^{}]*\}|(?<=\d),(?=\d)")
+_WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
+# A point may part thousands, too: 1.500.
+_PARTING = re.compile(r"(?<=\d)\.(?=\d{3}(?!\d))")
+_POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
 
 
 @dataclass(frozen=True)
@@ -307,3 +320,23 @@ def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
         return counter.step_below(is_new=r"\IEEEyesnumber" in line.string)
     is_numbered = is_numbered and not _UNNUMBERED.search(line.string)
     return counter.step() if is_numbered or _NUMBERED.search(line.string) else ""
+
+
+def mark_decimals(text: LocatedText) -> LocatedText:
+    """Return a text with 3{,}5 for 3,5, if it says so of its commas."""
+    if not _ICOMMA.search(text.string):
+        return text
+    return text.replace(_DECIMAL, lambda match: "{,}" if match[0] == "," else match[0])
+
+
+def join_thousands(text: LocatedText) -> LocatedText:
+    """Return a text without what parts thousands: commas, or points beside decimal commas."""
+    numbers = _NUMBER.findall(text.string)
+    if not numbers:
+        return text
+    prints = (_WORDS.sub(" ", one.latex.string) for one in find_displays(text))
+    has_points = any(map(_POINT.search, prints))
+    if not all(map(_THOUSANDS.fullmatch, numbers)):
+        # Beside decimal commas points part thousands.
+        return text if has_points else text.replace(_PARTING, lambda match: "")
+    return text.replace(_COMMA, lambda match: "") if has_points else text

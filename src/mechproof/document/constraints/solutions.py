@@ -17,8 +17,8 @@ from mechproof.document.slips import PrintedSides, Sides
 from mechproof.document.special_cases import state_angles
 from mechproof.document.tasks import Role, Sign, Task
 from mechproof.latex import Reader
-from mechproof.nomenclature.pairs import find_stem
 from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.nomenclature.symbol_names import find_stem
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict

@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from mechproof.nomenclature.pairs import leave_pairs
 from mechproof.nomenclature.shown_letters import (
     Collected,
     drop_transposition,
     is_vector,
     name_symbol,
 )
+from mechproof.nomenclature.symbol_names import leave_pairs
 from mechproof.sources.displays import Printed
 from mechproof.sources.paper_files import Source
 
