@@ -184,24 +184,19 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         at = Judging(key, tasks, rows, document.symbols, limit)
         answers = at.ask(judge_row, [(n,) for n in range(len(tasks))])
         rows |= {n: make_row(tasks[n], answer) for (n,), answer in answers}
-        rows |= dict(_compare_members(at))
-        rows |= dict(follow_from_constraints(at))
-        rows |= dict(compare_rates(at))
-        rows |= dict(compare_restated(at))
-        rows |= dict(excuse_by_constraints(at))
-        rows |= dict(support_steps(at))
-        rows |= dict(_compare_specially(at))
-        rows |= dict(solve_constraints(at))
+        for change in (
+            *(_compare_members, follow_from_constraints, compare_rates, compare_restated),
+            *(excuse_by_constraints, support_steps, _compare_specially, solve_constraints),
+        ):
+            rows |= dict(change(at))
         misprints = dict(find_misprints(at))
         rows |= dict(_leave_open(at))
         rows |= misprints
-        rows |= dict(doubt_by_proved(at))
-        rows |= dict(doubt_by_indices(at))
-        rows |= dict(doubt_by_decimals(at))
-        rows |= dict(doubt_by_rounded(at))
-        rows |= dict(doubt_by_rates(at))
-        rows |= dict(doubt_by_factors(at))
-        rows |= dict(doubt_conditions(at))
+        for doubt in (
+            *(doubt_by_proved, doubt_by_indices, doubt_by_decimals, doubt_by_rounded),
+            *(doubt_by_rates, doubt_by_factors, doubt_conditions),
+        ):
+            rows |= dict(doubt(at))
         unlike = dict(find_other_solutions(at))
         unlike |= dict(find_roots(at))
         rows |= unlike
@@ -217,9 +212,8 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_unread(at, found))
         rows |= dict(doubt_by_cases(at))
         rows |= {n: row for n, row in doubt_by_ties(at) if n not in placed}
-        rows |= dict(doubt_by_motion(at))
-        rows |= dict(doubt_by_examples(at))
-        rows |= dict(doubt_by_restated(at))
+        for doubt in (doubt_by_motion, doubt_by_examples, doubt_by_restated):
+            rows |= dict(doubt(at))
         rows |= dict(doubt_by_matrices(at, document.find_possible_matrices()))
     finally:
         del opened[key]

@@ -1,13 +1,18 @@
-"""What prints do that define no letter: those with a double sign, and those that follow."""
+r"""Prints that say two things: with a double sign, or of vectors of the plane as complex numbers.
+
+Of a\mathrm{e}^{j\varphi} there are two equations of real parts: all letters are real but those that
+an equation before gives a complex value. What follows defines no letter, nor does a double sign.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
-from mechproof.document.constraints.complex_parts import is_complex
 from mechproof.document.constraints.solutions import SIGN, read_signs
 from mechproof.document.known import Known
 from mechproof.document.printed_signs import find_roles
@@ -16,6 +21,7 @@ from mechproof.latex import Reader
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.nomenclature.symbol_names import DOUBLE
+from mechproof.record import Definition, Equality, Row, ValueWhere
 from mechproof.sources.displays import Printed
 
 _MATRICES = (sp.MatrixBase, sp.MatrixExpr)
@@ -25,6 +31,13 @@ _SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
 _COUNTED = ("letter", "number", "value", "unit")
 # Both letters, by the name of what is printed of both.
 Pairs = Mapping[str, Sequence[str]]
+_COMMAND = re.compile(r"\\[A-Za-z]+")
+_EXPONENTIAL = re.compile(r"e\s*\}?\s*\^\s*\{\s*[-+]?\s*([ij])(?!\s*[_}])")
+# Upright it is no index, and begins a term, a side or an exponent.
+_UPRIGHT = re.compile(
+    r"(?:\A|[-+=(&]|(?<![_^])\^\s*\{)\s*(?:\\mathrm|\{\\rm)\s*\{?\s*(?P<unit>[ij])\s*\}"
+)
+_NAMES = ("real part", "imaginary part")
 
 
 def find_following(name: str, read: Print, known: Known) -> list[Sign]:
@@ -91,3 +104,45 @@ def _find_halves(left: sp.Expr, value: sp.Expr, known: Known, pairs: Pairs) -> t
     is_any = any(name_symbol(str(s)) in pairs for s in value.free_symbols)
     names = known.symbols.names
     return () if is_any else tuple(names[x] for x in pairs.get(letter, ()))
+
+
+def find_imaginary_unit(prints: Iterable[str]) -> str:
+    r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; nothing if none does."""
+    prints = list(prints)
+    if upright := next(filter(None, map(_UPRIGHT.search, prints)), None):
+        return rf"\mathrm{{{upright['unit']}}}"
+    found = (_EXPONENTIAL.search(_COMMAND.sub("x", latex)) for latex in prints)
+    return next((match[1] for match in found if match), "")
+
+
+def split_parts(row: Row, sign: Sign, known: Known) -> Iterator[tuple[Row, Sign]]:
+    """Yield a row with its sign, or one for each of the parts of complex sides."""
+    if sign.role is Role.DEFINITION:
+        value = known.settle(known.values.get(sign.letter, sp.S.Zero))
+        if is_complex(value):
+            parts = sp.ImmutableMatrix(_take_parts(value))
+            row = replace(row, says=Definition(sign.letter, parts))
+        yield row, sign
+        return
+    sides = [known.settle(side) for side in sign.sides if side is not None]
+    if not any(map(is_complex, sides)):
+        yield row, sign
+        return
+    for name, one, other in zip(_NAMES, *map(_take_parts, sides), strict=True):
+        if one != other or one != 0:
+            says = Equality(one, other, "member")
+            own = replace(sign, letter=None, sides=(one, other))
+            yield replace(row, number=f"{row.number}, {name}", says=says), own
+
+
+def is_complex(value: Any) -> bool:
+    """Return whether the imaginary unit stands in a value."""
+    return isinstance(value, sp.Expr) and bool(value.has(sp.I))
+
+
+def _take_parts(side: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return both parts; `NotImplementedError` where they are not found."""
+    real, imaginary = sp.expand(side.replace(ValueWhere, lambda value, _: value)).as_real_imag()
+    if real.has(sp.re, sp.im) or imaginary.has(sp.re, sp.im):
+        raise NotImplementedError
+    return real, imaginary

@@ -13,20 +13,9 @@ import sympy as sp
 from mechproof.document.known import Known, define_now
 from mechproof.document.printed_laws import read_piece
 from mechproof.document.tasks import Role, Sign
+from mechproof.latex import tree
 from mechproof.latex.measures import find_number
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import (
-    Approach,
-    At,
-    Chain,
-    Letter,
-    Measure,
-    Node,
-    Number,
-    Product,
-    shows_matrix,
-    walk,
-)
 
 
 @dataclass(frozen=True)
@@ -35,15 +24,15 @@ class LetterAlone:
 
     name: str
     read: Print
-    chain: Chain
+    chain: tree.Chain
     left: int
-    node: Node
+    node: tree.Node
     symbol: sp.Basic
     value: Any
     sides: tuple[Any, Any]
 
     @property
-    def nodes(self) -> tuple[Node, ...]:
+    def nodes(self) -> tuple[tree.Node, ...]:
         """Return both sides as they are printed."""
         return self.chain.members[self.left : self.left + 2]
 
@@ -61,14 +50,14 @@ class LetterAlone:
         return Sign(role, letter, "", self.sides, *find_number(self.nodes, self.sides))
 
 
-def is_bare(node: Node) -> bool:
+def is_bare(node: tree.Node) -> bool:
     """Return whether a side is a letter alone, and of no family."""
-    return isinstance(node, Letter) and not node.indices
+    return isinstance(node, tree.Letter) and not node.indices
 
 
-def has_place(nodes: tuple[Node, ...]) -> bool:
+def has_place(nodes: tuple[tree.Node, ...]) -> bool:
     """Return whether a value at a place is taken."""
-    return any(isinstance(part, At | Approach) for part in walk(nodes))
+    return any(isinstance(part, tree.At | tree.Approach) for part in tree.walk(nodes))
 
 
 def compare_with_known(symbol: sp.Basic, known: Known) -> Role:
@@ -134,7 +123,7 @@ def _is_piece(one: LetterAlone, known: Known) -> bool:
 def _refuse_matrix(one: LetterAlone, known: Known) -> NoReturn:
     """Refuse a matrix whose letter is a number, and note its size if that is clear."""
     rows, columns = one.value.shape
-    if not any(map(_may_have_vectors, walk(one.nodes))):
+    if not any(map(_may_have_vectors, tree.walk(one.nodes))):
         known.sizes[one.symbol] = one.value.shape
     source, node = one.read.source, one.node
     told = f"{source.latex[node.start : node.end]} is a matrix here"
@@ -142,7 +131,7 @@ def _refuse_matrix(one: LetterAlone, known: Known) -> NoReturn:
 
 
 def _note_piece(
-    name: str, read: Print, condition: Chain, sides: tuple[sp.Basic, Any], known: Known
+    name: str, read: Print, condition: tree.Chain, sides: tuple[sp.Basic, Any], known: Known
 ) -> None:
     """Note what is printed of a letter in a range of the one on which it depends.
 
@@ -170,7 +159,7 @@ def _is_special(one: LetterAlone, known: Known) -> bool:
     terms = [term for term in sp.Add.make_args(one.value) if not term.is_number]
     alone = terms[0] if len(terms) == 1 else one.value
     is_letter = alone.is_Symbol or (-alone).is_Symbol or isinstance(one.value, sp.MatrixSymbol)
-    has_number = any(isinstance(member, Number | Measure) for member in one.chain.members)
+    has_number = any(isinstance(member, tree.Number | tree.Measure) for member in one.chain.members)
     return is_letter and (one.symbol in known.met or has_number or known.said.is_equating)
 
 
@@ -180,8 +169,10 @@ def _counts_otherwise(symbol: sp.Basic, value: Any) -> bool:
     return bool(symbol.is_integer) and not is_count
 
 
-def _may_have_vectors(node: Node) -> bool:
+def _may_have_vectors(node: tree.Node) -> bool:
     """Return whether a letter that is taken as a number stands beside a matrix as a factor."""
-    factors = node.factors if isinstance(node, Product) else ()
-    has_matrix = any(shows_matrix(part) for part in walk(factors))
-    return has_matrix and any(isinstance(x, Letter) and not shows_matrix(x) for x in factors)
+    factors = node.factors if isinstance(node, tree.Product) else ()
+    has_matrix = any(tree.shows_matrix(part) for part in tree.walk(factors))
+    return has_matrix and any(
+        isinstance(x, tree.Letter) and not tree.shows_matrix(x) for x in factors
+    )

@@ -10,22 +10,10 @@ import sympy as sp
 
 from mechproof.document.known import Known
 from mechproof.document.tasks import EQUAL
+from mechproof.latex import tree
 from mechproof.latex.characters import find_disguised, find_replaced, name_character, write_plain
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import (
-    Approach,
-    Constant,
-    Derivation,
-    Extremum,
-    Letter,
-    Measure,
-    Node,
-    Number,
-    Power,
-    Table,
-    walk,
-)
 from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.said import Said
 from mechproof.nomenclature.shown_letters import name_symbol
@@ -39,7 +27,7 @@ _CONSTANT = re.compile(
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
 # What a number behind it is no size of.
-_NO_SIZE = (Approach, Derivation, Extremum, Table)
+_NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.
 _WORDS = re.compile(r"\\(?:text[a-z]*|mbox|intertext|mathrm|operatorname\*?)\s*\{[^{}]*\}")
@@ -52,11 +40,11 @@ def refuse_units(read: Print) -> None:
         is_turned = chain.relations and all(is_number(node) for node in chain.members[:2])
         is_limit = chain.relations and chain.relations[0] not in (*EQUAL, r"\approx")
         beside = set() if is_turned or is_limit else {0}
-        if any(isinstance(node, _NO_SIZE) for node in walk(chain.members[0])):
+        if any(isinstance(node, _NO_SIZE) for node in tree.walk(chain.members[0])):
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
-            for node in walk(part):
-                if isinstance(node, Measure) and node.factor == 1:
+            for node in tree.walk(part):
+                if isinstance(node, tree.Measure) and node.factor == 1:
                     raise read.source.refuse(
                         node.start,
                         f"a unit, {node.unit}, but no letter whose unit it could be",
@@ -66,8 +54,8 @@ def refuse_units(read: Print) -> None:
 
 def refuse_powers_of_zero(read: Print) -> None:
     """Refuse r^0 of a letter: nobody prints a one so, but a frame at its right."""
-    for node in walk(read.chains):
-        if isinstance(node, Power) and isinstance(node.base, Letter) and _is_zero(node.exponent):
+    for node in (node for node in tree.walk(read.chains) if isinstance(node, tree.Power)):
+        if isinstance(node.base, tree.Letter) and node.exponent == tree.Number("0"):
             printed = read.source.latex[node.start : node.end]
             raise read.source.refuse(
                 node.start,
@@ -78,17 +66,13 @@ def refuse_powers_of_zero(read: Print) -> None:
 
 def refuse_pi(read: Print, said: Said | None) -> None:
     r"""Refuse \pi as a number where words say that it is a letter."""
-    found = (node for node in walk(read.chains) if isinstance(node, Constant))
+    found = (node for node in tree.walk(read.chains) if isinstance(node, tree.Constant))
     if said and (node := next((node for node in found if node.value == sp.pi), None)):
         raise read.source.refuse(
             node.start,
             rf"\pi: line {said.line} says that it is a letter: {said.meaning}",
             rf"Declare it in the block of letters: \pi : {said.meaning}",
         )
-
-
-def _is_zero(node: Node) -> bool:
-    return isinstance(node, Number) and node.text == "0"
 
 
 def says_constant(latex: str) -> bool:

@@ -1,10 +1,9 @@
-"""Laws whose pieces are printed one by one, each with its range; what meets where they do."""
+"""Laws whose pieces are printed one by one, each with its range."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -32,22 +31,8 @@ class LawPiece:
     @property
     def range(self) -> tuple[sp.Expr | None, sp.Expr | None]:
         """Return the ends, in one form."""
-        return _show(self.low), _show(self.high)
-
-
-@dataclass(frozen=True)
-class Seam:
-    """A place where two pieces meet; `is_shared` tells that it belongs to both."""
-
-    before: LawPiece
-    behind: LawPiece
-    place: sp.Expr
-    is_shared: bool
-
-    @property
-    def values(self) -> tuple[Any, Any]:
-        """Return what the pieces give."""
-        return self.before.value, self.behind.value
+        low, high = (None if x is None else sp.expand(x) for x in (self.low, self.high))
+        return low, high
 
 
 def read_piece(
@@ -92,15 +77,3 @@ def order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
 def join_pieces(pieces: Sequence[LawPiece]) -> sp.Piecewise:
     """Return the law that pieces are together."""
     return sp.Piecewise(*((one.value, sp.And(*one.where)) for one in pieces))
-
-
-def find_seams(pieces: Sequence[LawPiece]) -> Iterator[Seam]:
-    """Yield where pieces that are in order meet."""
-    for before, behind in pairwise(pieces):
-        if before.high is not None:
-            shared = before.is_closed[1] and behind.is_closed[0]
-            yield Seam(before, behind, before.high, shared)
-
-
-def _show(end: sp.Expr | None) -> sp.Expr | None:
-    return None if end is None else sp.expand(end)

@@ -11,8 +11,12 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.document.constraints.complex_parts import find_imaginary_unit, is_complex
-from mechproof.document.double_signs import find_double_signs, find_following
+from mechproof.document.double_signs import (
+    find_double_signs,
+    find_following,
+    find_imaginary_unit,
+    is_complex,
+)
 from mechproof.document.example_values import collect_values, lend_values
 from mechproof.document.known import CHAIN_RULE, Known, Later, define_later, find_later
 from mechproof.document.mentions import (
@@ -27,7 +31,7 @@ from mechproof.document.mentions import (
 )
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
 from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
-from mechproof.document.numbers.size_tables import SizeTables, find_head_units
+from mechproof.document.numbers.size_tables import SizeTables
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_laws import LawPiece
 from mechproof.document.printed_signs import find_roles, give_values
@@ -170,10 +174,6 @@ class Document:
         self.limit = limit
         self._parse_all()
         return {name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape}
-
-    def find_table_units(self) -> Iterator[tuple[str, str, int]]:
-        """Yield the letters in heads of tables with their units, and where the table stands."""
-        return find_head_units(self.tables, self.symbols.reader())
 
     def find_possible_matrices(self) -> dict[sp.Basic, str]:
         """Return the letters taken as numbers that are printed as matrices are, and how."""

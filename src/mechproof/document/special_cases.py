@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.document.known import Known
-from mechproof.document.printed_laws import find_seams, read_piece
+from mechproof.document.printed_laws import read_piece
 from mechproof.document.tasks import Role, Sign, Task
 from mechproof.latex.values import differentiate, find_end, has_value, list_ends, list_outer_ends
 from mechproof.nomenclature.said_relations import narrow
@@ -180,19 +181,21 @@ def make_seams(
         by, steps = pieces[0].by, known.symbols.find_steps(letter)[1]
         order = steps.index(letter)
         is_smooth = not order and known.met[steps[1]] > 0
-        for seam in find_seams(pieces):
-            before, behind = (one.xreplace({by: seam.place}) for one in seam.values)
-            names = (seam.before.name, seam.behind.name)
-            shown = [one for one in printed if one.name in names]
+        for one, other in pairwise(pieces):
+            if one.high is None:
+                continue
+            before, behind = (piece.value.xreplace({by: one.high}) for piece in (one, other))
+            is_shared = one.is_closed[1] and other.is_closed[0]
+            shown = [display for display in printed if display.name in (one.name, other.name)]
             row = Equation(
-                f"{known.name_law(letter)}, {letter} at {by} = {seam.place}",
-                r"\quad ".join(one.latex.string for one in shown),
+                f"{known.name_law(letter)}, {letter} at {by} = {one.high}",
+                r"\quad ".join(display.latex.string for display in shown),
                 says=Equality(before, behind, "member"),
                 read_as=f"{before} = {behind}",
             )
             sides = known.settle(before), known.settle(behind)
             letters = sides[0].free_symbols | sides[1].free_symbols
             paper = papers[not letters & known.symbols.bare]
-            asserts = is_smooth or (seam.is_shared and not order)
+            asserts = is_smooth or (is_shared and not order)
             sign, place = Sign(Role.SEAM), shown[-1].locate(files)
             yield Task(row, place, sign, paper, asserts, residual=sides[0] - sides[1])

@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.constraints.complex_parts import split_parts
 from mechproof.document.constraints.solutions import read_signs, state_signs, tie_pair
+from mechproof.document.double_signs import split_parts
 from mechproof.document.example_values import ExampleValues
 from mechproof.document.known import Known
 from mechproof.document.mentions import is_listed, is_met_once, look_up
@@ -198,7 +198,7 @@ class TaskMaker:
         number = self.numbers.state(printed, row, sign, own)
         if isinstance(number, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
-        row, sign = number.row, number.sign
+        row, sign, is_stated = number
         limited = state_limit(row, sign, self.known)
         turned = limited if isinstance(limited, str) else turn_units(limited, sign, own, self.known)
         if isinstance(turned, str):
@@ -210,7 +210,7 @@ class TaskMaker:
                 row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
             )
         sides = list_sides(row, sign, self.known)
-        units = find_units(row, sign, sides, self.known, self.papers, number.is_stated)
+        units = find_units(row, sign, sides, self.known, self.papers, is_stated)
         paper = self.papers[units.are_known]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):

@@ -8,32 +8,14 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import calculus, environments, letters, places, printed_derivatives
+from mechproof.latex import calculus, environments, letters, places, printed_derivatives, tree
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import DOTS, NARROW
 from mechproof.latex.left_scripts import VECTORS
+from mechproof.latex.matrix_meaning import make_cross_matrix
 from mechproof.latex.measures import read_measure, read_unit
 from mechproof.latex.name_table import find_brace
 from mechproof.latex.numerals import read_number
-from mechproof.latex.products import make_cross_matrix
-from mechproof.latex.tree import (
-    Bracket,
-    Call,
-    Degrees,
-    Entries,
-    Excerpt,
-    Letter,
-    Magnitude,
-    Node,
-    Number,
-    PrintedFunction,
-    Quotient,
-    Radical,
-    Table,
-    Transposed,
-    shows_matrix,
-    walk,
-)
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -42,12 +24,12 @@ _TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
 _CLOSED_BY = {"(": ")", "[": "]"}
 # What closes a bracket that rounds, and what it makes of its inside.
 _ROUNDING = {
-    r"\lfloor": (r"\rfloor", PrintedFunction("floor", sp.floor)),
-    r"\lceil": (r"\rceil", PrintedFunction("ceil", sp.ceiling)),
+    r"\lfloor": (r"\rfloor", tree.PrintedFunction("floor", sp.floor)),
+    r"\lceil": (r"\rceil", tree.PrintedFunction("ceil", sp.ceiling)),
 }
 
 
-def read_atom(parser: Parser) -> Node:
+def read_atom(parser: Parser) -> tree.Node:
     """Read what stands between two operators."""
     start = parser.start
     text = parser.text
@@ -59,7 +41,7 @@ def read_atom(parser: Parser) -> Node:
         for _ in range(4):
             parser.take()
         # Beside a matrix it is one of zeros.
-        return Number("0", start=start, end=parser.end)
+        return tree.Number("0", start=start, end=parser.end)
     if text == r"\frac" and printed_derivatives.is_derivative(parser):
         return printed_derivatives.read_derivative(parser)
     if text.startswith(r"\begin{"):
@@ -69,24 +51,24 @@ def read_atom(parser: Parser) -> Node:
     return read_unit(parser) or letters.read_letter(parser, None)
 
 
-def _read_fraction(parser: Parser) -> Node:
+def _read_fraction(parser: Parser) -> tree.Node:
     if unit := read_unit(parser):
         return unit
     start = parser.take().start
-    above = calculus.read_numerator(parser)
+    above = parser.read_inside("{", lambda: calculus.read_numerator(parser), "}")
     below = parser.read_group()
-    return Quotient(above, below, start=start, end=parser.end)
+    return tree.Quotient(above, below, start=start, end=parser.end)
 
 
-def _read_root(parser: Parser) -> Node:
+def _read_root(parser: Parser) -> tree.Node:
     start = parser.take().start
     degree = None
     if parser.text == "[":
         degree = parser.read_inside("[", parser.read_sum, "]")
-    return Radical(parser.read_group(), degree, start=start, end=parser.end)
+    return tree.Radical(parser.read_group(), degree, start=start, end=parser.end)
 
 
-def _read_bracket(parser: Parser) -> Node:
+def _read_bracket(parser: Parser) -> tree.Node:
     start = parser.start
     if parser.text == "[" and environments.is_cases(parser):
         parser.take()
@@ -96,12 +78,12 @@ def _read_bracket(parser: Parser) -> Node:
         return _repeat_bracket(parser, start)
     parts = parser.read_inside(parser.text, lambda: read_list(parser), closing)
     if len(parts) == 1:
-        bracket = Bracket(parts[0], start=start, end=parser.end)
+        bracket = tree.Bracket(parts[0], start=start, end=parser.end)
         return _read_cross(parser, bracket) if closing == "]" else bracket
-    return Entries(tuple(parts), start=start, end=parser.end)
+    return tree.Entries(tuple(parts), start=start, end=parser.end)
 
 
-def _read_cross(parser: Parser, bracket: Bracket) -> Node:
+def _read_cross(parser: Parser, bracket: tree.Bracket) -> tree.Node:
     r"""Read [a]_\times, the matrix by which a cross product multiplies."""
     texts = [token.text for token in parser.rest[:4]]
     if places.is_between(parser):
@@ -110,8 +92,8 @@ def _read_cross(parser: Parser, bracket: Bracket) -> Node:
         _refuse_index(parser, bracket.start)
         return bracket
     parser.place += 4
-    make = PrintedFunction("cross", make_cross_matrix)
-    return Call(make, (bracket.inside,), start=bracket.start, end=parser.end)
+    make = tree.PrintedFunction("cross", make_cross_matrix)
+    return tree.Call(make, (bracket.inside,), start=bracket.start, end=parser.end)
 
 
 def _refuse_index(parser: Parser, start: int) -> None:
@@ -124,7 +106,7 @@ def _refuse_index(parser: Parser, start: int) -> None:
         )
 
 
-def read_list(parser: Parser) -> list[Node]:
+def read_list(parser: Parser) -> list[tree.Node]:
     """Read what stands in brackets or braces, parted by commas."""
     parts = [parser.read_sum()]
     while parser.skip(","):
@@ -137,7 +119,7 @@ def read_list(parser: Parser) -> list[Node]:
     return parts
 
 
-def _repeat_bracket(parser: Parser, start: int) -> Node:
+def _repeat_bracket(parser: Parser, start: int) -> tree.Node:
     """(…) is the bracket of the print before, if that has exactly one among its factors."""
     parser.place += 3
     if len(parser.brackets) != 1:
@@ -146,50 +128,50 @@ def _repeat_bracket(parser: Parser, start: int) -> Node:
             "Print the bracket.",
             start,
         )
-    return Bracket(parser.brackets[0].inside, start=start, end=parser.end)
+    return tree.Bracket(parser.brackets[0].inside, start=start, end=parser.end)
 
 
-def _read_bars(parser: Parser) -> Node:
+def _read_bars(parser: Parser) -> tree.Node:
     start, bar = parser.start, parser.take().text
     parser.bars[bar] += 1
     inside = parser.read_sum()
     parser.bars[bar] -= 1
     parser.take(bar)
     if bar == r"\|":
-        return Magnitude(inside, start=start, end=parser.end)
+        return tree.Magnitude(inside, start=start, end=parser.end)
     _refuse_bar_between_factors(parser)
     return _enclose(parser, inside, start)
 
 
-def _read_sized_bars(parser: Parser) -> Node:
+def _read_sized_bars(parser: Parser) -> tree.Node:
     start = parser.start
     inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
     return _enclose(parser, inside, start)
 
 
-def _read_rounding(parser: Parser) -> Node:
+def _read_rounding(parser: Parser) -> tree.Node:
     start, opening = parser.start, parser.text
     closing, function = _ROUNDING[opening]
     inside = parser.read_inside(opening, parser.read_sum, closing)
-    return Call(function, (inside,), start=start, end=parser.end)
+    return tree.Call(function, (inside,), start=start, end=parser.end)
 
 
-def _enclose(parser: Parser, inside: Node, start: int) -> Node:
+def _enclose(parser: Parser, inside: tree.Node, start: int) -> tree.Node:
     """Return what bars say: the determinant of a printed matrix, else the absolute value."""
-    table = inside.inside if isinstance(inside, Bracket) else inside
-    is_symbol = isinstance(table, Letter) and shows_matrix(table)
-    if isinstance(table, Letter) and is_symbol and 1 in table.symbol.shape:
-        return Magnitude(inside, start=start, end=parser.end)
-    if isinstance(table, Table) or is_symbol:
-        return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
+    table = inside.inside if isinstance(inside, tree.Bracket) else inside
+    is_symbol = isinstance(table, tree.Letter) and tree.shows_matrix(table)
+    if isinstance(table, tree.Letter) and is_symbol and 1 in table.symbol.shape:
+        return tree.Magnitude(inside, start=start, end=parser.end)
+    if isinstance(table, tree.Table) or is_symbol:
+        return tree.Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
     is_open = parser.collects and _shows_determinant(parser)
-    if is_open and isinstance(table, Letter) and not parser.names.find_alike(table.symbol):
+    if is_open and isinstance(table, tree.Letter) and not parser.names.find_alike(table.symbol):
         raise parser.refuse(
             f"bars around {table.text} beside a determinant: of a matrix, or an absolute value?",
             parser.remedies.name.format(table.text),
             start,
         )
-    return Magnitude(inside, start=start, end=parser.end)
+    return tree.Magnitude(inside, start=start, end=parser.end)
 
 
 def _shows_determinant(parser: Parser) -> bool:
@@ -209,14 +191,14 @@ def _refuse_bar_between_factors(parser: Parser) -> None:
         )
 
 
-def read_excerpt(parser: Parser, whole: Node, start: int) -> Node:
+def read_excerpt(parser: Parser, whole: tree.Node, start: int) -> tree.Node:
     """Read [1:3, 4] behind a matrix: rows and columns."""
     parser.take("[")
     ranges = [_read_range(parser)]
     while parser.skip(","):
         ranges.append(_read_range(parser))
     parser.take("]")
-    return Excerpt(whole, tuple(ranges), start=start, end=parser.end)
+    return tree.Excerpt(whole, tuple(ranges), start=start, end=parser.end)
 
 
 def is_excerpt(parser: Parser) -> bool:
@@ -244,28 +226,30 @@ def _read_count(parser: Parser) -> int:
     return int(number.text)
 
 
-def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
+def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node | None:
     """Read a power that is none: transposition, degrees."""
     texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
     is_plain = texts == ["{", "T", "}"]
     mark = texts[1] if texts[::2] == ["{", "}"] else ""
-    if mark in _TRANSPOSED or (is_plain and any(map(shows_matrix, walk(base)))):
+    if mark in _TRANSPOSED or (is_plain and any(map(tree.shows_matrix, tree.walk(base)))):
         parser.place += 4
-        return Transposed(base, start=start, end=parser.end)
+        return tree.Transposed(base, start=start, end=parser.end)
     if is_plain and parser.collects and not parser.names.find("T"):
         raise parser.refuse(
             "a power T: an exponent, or the transposed of a matrix?",
             parser.remedies.name.format("T"),
         )
-    is_ring = texts == ["{", "o", "}"] and isinstance(base, Number) and not parser.names.find("o")
+    is_ring = (
+        texts == ["{", "o", "}"] and isinstance(base, tree.Number) and not parser.names.find("o")
+    )
     if is_ring or texts == ["{", r"\circ", "}"]:
         parser.place += 4
-        return Degrees(base, start=start, end=parser.end)
+        return tree.Degrees(base, start=start, end=parser.end)
     return None
 
 
 # How what begins with a sign is read.
-_READERS: Mapping[str, Callable[[Parser], Node]] = {
+_READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\frac": _read_fraction,
     r"\sqrt": _read_root,
     r"\binom": printed_derivatives.read_binomial,

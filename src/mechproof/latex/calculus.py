@@ -8,21 +8,10 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import letters
+from mechproof.latex import letters, tree
 from mechproof.latex.latex_signs import DOTS, find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.printed_relations import RELATIONS
-from mechproof.latex.tree import (
-    Chain,
-    Derivation,
-    Integration,
-    Letter,
-    Node,
-    Number,
-    Repeated,
-    strip,
-    walk,
-)
 from mechproof.latex.undeclared import printed_name
 
 if TYPE_CHECKING:
@@ -34,11 +23,11 @@ class OpenIntegral:
     """An integral being read: its differential, and letters that it may bind."""
 
     depth: int
-    differential: Node | None = None
-    running: list[Letter] = field(default_factory=list)
+    differential: tree.Node | None = None
+    running: list[tree.Letter] = field(default_factory=list)
 
 
-def compare_derivatives(chain: Chain) -> Chain:
+def compare_derivatives(chain: tree.Chain) -> tree.Chain:
     r"""Let \int f\,dx=F+C say that f is the derivative of F+C, where nobody says where it starts.
 
     Of a letter that is alone at a side an integral says what it is; one over a body, \int r^2\,dm,
@@ -46,36 +35,36 @@ def compare_derivatives(chain: Chain) -> Chain:
     """
     if len(chain.members) != 2 or chain.relations != ("=",):
         return chain
-    sides = [strip(member) for member in chain.members]
+    sides = [tree.strip(member) for member in chain.members]
     unlimited = [n for n, side in enumerate(sides) if _has_no_limits(side)]
     if len(unlimited) != 1:
         return chain
     (place,) = unlimited
     integral, other = sides[place], sides[1 - place]
-    assert isinstance(integral, Integration)
-    by, is_read = integral.differential, not any(map(_has_no_limits, walk(other)))
-    if not isinstance(by, Letter) or isinstance(other, Letter) or not is_read:
+    assert isinstance(integral, tree.Integration)
+    by, is_read = integral.differential, not any(map(_has_no_limits, tree.walk(other)))
+    if not isinstance(by, tree.Letter) or isinstance(other, tree.Letter) or not is_read:
         return chain
     inside, beside = _list_symbols(integral.integrand), _list_symbols(other)
     if by.symbol not in inside and not inside <= beside:
         return chain
     sides[place] = replace(integral.integrand, start=integral.start, end=integral.end)
-    sides[1 - place] = Derivation(other, by, start=other.start, end=other.end)
+    sides[1 - place] = tree.Derivation(other, by, start=other.start, end=other.end)
     return replace(chain, members=tuple(sides))
 
 
-def _has_no_limits(node: Node) -> bool:
-    return isinstance(node, Integration) and node.low is None and node.high is None
+def _has_no_limits(node: tree.Node) -> bool:
+    return isinstance(node, tree.Integration) and node.low is None and node.high is None
 
 
-def _list_symbols(node: Node) -> set[sp.Basic]:
-    return {part.symbol for part in walk(node) if isinstance(part, Letter)}
+def _list_symbols(node: tree.Node) -> set[sp.Basic]:
+    return {part.symbol for part in tree.walk(node) if isinstance(part, tree.Letter)}
 
 
 # Sums -------------------------------------------------------------------------------------------
 
 
-def read_repeated(parser: Parser) -> Node:
+def read_repeated(parser: Parser) -> tree.Node:
     r"""Read \sum_{k=1}^n and the product behind it; \sum_{k=1,k\ne i} leaves one term out."""
     start = parser.start
     name = parser.take().text.strip("\\")
@@ -93,7 +82,7 @@ def read_repeated(parser: Parser) -> Node:
     term = parser.read_product()
     parser.sums.pop()
     parser.bound.pop()
-    return Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
+    return tree.Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
 
 
 def is_sum_beside(parser: Parser) -> bool:
@@ -119,7 +108,7 @@ def _name_whole(parser: Parser, name: str) -> str:
     return parser.remedies.name.format(rf"\{name} {printed_name(parser, parser.place)}")
 
 
-def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
+def _read_below(parser: Parser) -> tuple[tree.Letter, tree.Node, tuple[tree.Node, ...]]:
     parser.take("_")
     parser.take("{")
     token = parser.take()
@@ -129,7 +118,7 @@ def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
             "Print another letter for one of them.",
             token.start,
         )
-    index = Letter(
+    index = tree.Letter(
         letters.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
     )
     if parser.text != "=":
@@ -150,7 +139,7 @@ def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
 # Integrals --------------------------------------------------------------------------------------
 
 
-def read_integral(parser: Parser) -> Node:
+def read_integral(parser: Parser) -> tree.Node:
     """Read an integral up to its differential; without one up to the end of the product."""
     start = parser.start
     parser.take()
@@ -163,16 +152,16 @@ def read_integral(parser: Parser) -> Node:
     integrand = _read_integrand(parser, opened)
     parser.integrals.pop()
     _bind(parser, opened)
-    return Integration(integrand, opened.differential, low, high, start=start, end=parser.end)
+    return tree.Integration(integrand, opened.differential, low, high, start=start, end=parser.end)
 
 
-def _read_integrand(parser: Parser, opened: OpenIntegral) -> Node:
+def _read_integrand(parser: Parser, opened: OpenIntegral) -> tree.Node:
     """Read one product, or a sum that ends with the differential."""
     start = parser.start
     if is_differential(parser):
         read_differential(parser, opened)
         _refuse_factor_behind(parser)
-        return Number("1", start=start, end=start)
+        return tree.Number("1", start=start, end=start)
     terms = [parser.read_term()]
     _end_with_differential(parser, opened)
     place, bound = parser.place, len(opened.running)
@@ -255,15 +244,11 @@ def read_differential(parser: Parser, opened: OpenIntegral) -> None:
     opened.differential = operand
 
 
-def read_numerator(parser: Parser) -> Node:
+def read_numerator(parser: Parser) -> tree.Node:
     """Read the upper part of a fraction; the differentials of integrals may stand in it."""
-    return parser.read_inside("{", lambda: _read_numerator(parser), "}")
-
-
-def _read_numerator(parser: Parser) -> Node:
     start = parser.start
     alone = is_differential(parser)
-    inside = Number("1", start=start, end=start) if alone else parser.read_sum()
+    inside = tree.Number("1", start=start, end=start) if alone else parser.read_sum()
     for opened in reversed(parser.integrals):
         if is_differential(parser):
             read_differential(parser, opened)
@@ -272,7 +257,7 @@ def _read_numerator(parser: Parser) -> Node:
 
 def _bind(parser: Parser, opened: OpenIntegral) -> None:
     """Hand letters that this integral does not bind to the one around it, or refuse them."""
-    bound = opened.differential.text if isinstance(opened.differential, Letter) else None
+    bound = opened.differential.text if isinstance(opened.differential, tree.Letter) else None
     free = [letter for letter in opened.running if letter.text != bound]
     if parser.integrals:
         parser.integrals[-1].running += free

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.products import is_matrix
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.tree import (
     Approach,
     At,

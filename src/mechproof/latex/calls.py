@@ -9,28 +9,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, side_conditions
+from mechproof.latex import atoms, calculus, side_conditions, tree
 from mechproof.latex.characters import is_letter
 from mechproof.latex.latex_signs import DOTS, find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.tree import (
-    Add,
-    Bracket,
-    Call,
-    Constant,
-    Degrees,
-    Entries,
-    Letter,
-    Node,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Table,
-    strip,
-    walk,
-)
 from mechproof.record import NUMBER, Notation
 
 if TYPE_CHECKING:
@@ -53,7 +36,7 @@ def _function_sign(parser: Parser) -> str:
     return parser.text if parser.text.startswith("\\") else rf"\{parser.text}"
 
 
-def read_call(parser: Parser, *, is_argument: bool = False) -> Node:
+def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
     r"""Read a function, the power it is raised to, and its arguments.
 
     The power may stand behind the bracket, \cos(x)^2, if that is of no function within another.
@@ -73,23 +56,23 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> Node:
         _refuse_power_behind(parser)
     if parser.text == "^" and arguments:
         exponent = parser.read_script("^")
-    return Call(function, arguments, exponent, start=start, end=parser.end)
+    return tree.Call(function, arguments, exponent, start=start, end=parser.end)
 
 
-def _read_logarithm(parser: Parser) -> Node:
+def _read_logarithm(parser: Parser) -> tree.Node:
     r"""Read \log_a x, the natural logarithm of x by that of a."""
     start = parser.take().start
     base = parser.read_script("_")
     exponent = _read_exponent(parser, "log")
     natural = parser.functions[r"\ln"]
-    above = Call(natural, _read_arguments(parser, parser.place), start=start, end=parser.end)
+    above = tree.Call(natural, _read_arguments(parser, parser.place), start=start, end=parser.end)
     _refuse_power_behind(parser)
-    below = Call(natural, (base,), start=start, end=parser.end)
-    quotient = Quotient(above, below, start=start, end=parser.end)
-    return Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
+    below = tree.Call(natural, (base,), start=start, end=parser.end)
+    quotient = tree.Quotient(above, below, start=start, end=parser.end)
+    return tree.Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
 
 
-def _read_exponent(parser: Parser, name: str) -> Node | None:
+def _read_exponent(parser: Parser, name: str) -> tree.Node | None:
     if parser.text != "^":
         return None
     start = parser.start
@@ -104,15 +87,15 @@ def _read_exponent(parser: Parser, name: str) -> Node | None:
     return exponent
 
 
-def _is_minus_one(exponent: Node, parser: Parser) -> bool:
+def _is_minus_one(exponent: tree.Node, parser: Parser) -> bool:
     """Return whether an exponent is minus one, in whatever way it is printed."""
-    if any(isinstance(part, Letter) for part in walk(exponent)):
+    if any(isinstance(part, tree.Letter) for part in tree.walk(exponent)):
         return False
     meaning = Meaning(parser.source, {}, Notation(), parser.remedies)
     return bool(meaning.of(exponent) == -1)
 
 
-def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
+def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     """Read the arguments of a function whose name begins at a place."""
     if parser.open_group():
         return _read_grouped(parser)
@@ -123,7 +106,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
     if is_function(parser):
         return (read_call(parser, is_argument=True),)
     argument = _read_short(parser)
-    if isinstance(argument, Table) and len(argument.rows) == len(argument.rows[0]) == 1:
+    if isinstance(argument, tree.Table) and len(argument.rows) == len(argument.rows[0]) == 1:
         # A bracket that is set as a matrix.
         argument = argument.rows[0][0]
     printed = "".join(token.text for token in parser.tokens[place : parser.place])
@@ -133,13 +116,13 @@ def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
     return (argument,)
 
 
-def _read_bracketed(parser: Parser, place: int) -> tuple[Node, ...]:
+def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     r"""Read what a bracket holds, with the angle behind a count in it: \cos(n-1)\theta."""
     bracket = atoms.read_atom(parser)
-    if isinstance(bracket, Entries):
+    if isinstance(bracket, tree.Entries):
         return bracket.parts
-    inside = strip(bracket)
-    if not isinstance(inside, Add):
+    inside = tree.strip(bracket)
+    if not isinstance(inside, tree.Add):
         return (bracket,)
     is_phase = _goes_on(parser, bracket, parser.place)
     if is_phase and not _is_behind_space(parser):
@@ -156,14 +139,14 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[Node, ...]:
     return (bracket,)
 
 
-def _may_count(parser: Parser, inside: Add) -> bool:
+def _may_count(parser: Parser, inside: tree.Add) -> bool:
     r"""Return whether a number plus letters may count what stands behind: \cos(n-1)\theta.
 
     That is a letter, if all may be anything, or a bracket or fraction behind what counts.
     """
     known = parser.notation.dimensions.keys()
-    parts = {part.symbol for part in walk(inside) if isinstance(part, Letter)}
-    if not parts or not any(isinstance(term, Number) for _, term in inside.terms):
+    parts = {part.symbol for part in tree.walk(inside) if isinstance(part, tree.Letter)}
+    if not parts or not any(isinstance(term, tree.Number) for _, term in inside.terms):
         return False
     if match := parser.names.match(parser.tokens, parser.place):
         return not known >= {*parts, match.name.symbol}
@@ -173,13 +156,13 @@ def _may_count(parser: Parser, inside: Add) -> bool:
     return not side_conditions.is_bracketed(parser) and (parts <= counts or not known >= parts)
 
 
-def _read_grouped(parser: Parser) -> tuple[Node, ...]:
+def _read_grouped(parser: Parser) -> tuple[tree.Node, ...]:
     r"""Read \sin{x+1}: braces of their own behind a function hold its argument."""
     parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
     _refuse_power_behind(parser)
     first = parts[0]
-    if len(parts) == 1 and isinstance(first, Bracket | Entries):
-        return first.parts if isinstance(first, Entries) else (first,)
+    if len(parts) == 1 and isinstance(first, tree.Bracket | tree.Entries):
+        return first.parts if isinstance(first, tree.Entries) else (first,)
     _check_reach(parser)
     return tuple(parts)
 
@@ -192,11 +175,11 @@ def _refuse_power_behind(parser: Parser) -> None:
         )
 
 
-def _read_short(parser: Parser) -> Node:
+def _read_short(parser: Parser) -> tree.Node:
     """Read a number times one name, fraction, bracket or root; or a product that is an angle."""
     factors = [parser.read_factor()]
-    nodes = [*walk(factors[0])]
-    is_number = all(isinstance(node, Number | Quotient) for node in nodes)
+    nodes = [*tree.walk(factors[0])]
+    is_number = all(isinstance(node, tree.Number | tree.Quotient) for node in nodes)
     is_last = parser.ends_product() or parser.text in ("/", *DOTS) or is_function(parser)
     if is_number and not is_last:
         factors.append(parser.read_factor())
@@ -206,40 +189,44 @@ def _read_short(parser: Parser) -> Node:
             "a dot behind the argument of a function: does the argument go on?",
             r"Print \cos(n\cdot\varphi) if it does, \varphi\cos n if not.",
         )
-    if len(factors) > 1 and not isinstance(factors[-1], Letter | Constant) and parser.text:
+    if (
+        len(factors) > 1
+        and not isinstance(factors[-1], tree.Letter | tree.Constant)
+        and parser.text
+    ):
         _check_reach(parser)
     return argument
 
 
-def _read_phase(parser: Parser, factors: list[Node]) -> Node:
+def _read_phase(parser: Parser, factors: list[tree.Node]) -> tree.Node:
     """Read the letters that make an angle of factors, which they join."""
     while _goes_on(parser, factors[-1], parser.place):
         factors.append(parser.read_factor())
     if len(factors) == 1:
         return factors[0]
-    return Product(tuple(factors), start=factors[0].start, end=parser.end)
+    return tree.Product(tuple(factors), start=factors[0].start, end=parser.end)
 
 
-def _goes_on(parser: Parser, before: Node, place: int) -> bool:
+def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
     r"""Return whether a letter stands at a place whose product with what is before is an angle.
 
     What begins a phase has to be followed by the rest of it: in `n\omega t` that is t.
     """
-    nodes = [*walk(before)]
-    letters: list[sp.Basic] = [node.symbol for node in nodes if isinstance(node, Letter)]
-    constants = [node.value for node in nodes if isinstance(node, Constant)]
+    nodes = [*tree.walk(before)]
+    letters: list[sp.Basic] = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
+    constants = [node.value for node in nodes if isinstance(node, tree.Constant)]
     if (counts := letters or constants) and _is_counted(parser, counts, place):
-        return not any(isinstance(node, Call) for node in nodes)
+        return not any(isinstance(node, tree.Call) for node in nodes)
     letters += constants
     match = parser.names.match(parser.tokens, place)
     is_turn = match is None and parser.peek(place - parser.place) == r"\pi"
     behind = match.name.symbol if match else sp.pi
     phases = parser.notation.phases
-    is_open = not letters or any(isinstance(node, Call) for node in nodes)
+    is_open = not letters or any(isinstance(node, tree.Call) for node in nodes)
     if is_open or not (match or is_turn) or any((one, behind) not in phases for one in letters):
         return False
     begins = match and any(behind == first and other != sp.pi for first, other in phases)
-    return not (match and begins) or _goes_on(parser, Letter(behind, ""), match.end)
+    return not (match and begins) or _goes_on(parser, tree.Letter(behind, ""), match.end)
 
 
 def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool:
@@ -263,7 +250,7 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
     is_near = not (has_angle or _is_behind_space(parser))
     # Of a fraction the numerator has been read, with the differential that stands in it.
     read = parser.integrals[-1].differential
-    is_over = isinstance(read, Letter) and read.text == texts[0]
+    is_over = isinstance(read, tree.Letter) and read.text == texts[0]
     return is_near and (is_over or ("d", texts[0]) in pairwise(texts[1:]))
 
 
@@ -306,16 +293,16 @@ def _is_behind_space(parser: Parser) -> bool:
     return bool(_SPACE.search(parser.source.latex[before : parser.start]))
 
 
-def _is_quantity_behind(parser: Parser, argument: Node) -> bool:
+def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
     r"""Return whether what stands behind an angle makes no angle of it: \cos\theta\,x.
 
     That is a letter that is no number, or a bracket with such letters, and no quotient in it.
     """
-    known, nodes = parser.notation.dimensions, [*walk(argument)]
-    letters = [node.symbol for node in nodes if isinstance(node, Letter)]
+    known, nodes = parser.notation.dimensions, [*tree.walk(argument)]
+    letters = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
     behind = {known.get(symbol) for symbol in _list_behind(parser)}
     is_quantity = None not in behind and bool(behind - {NUMBER})
-    is_angle = bool(letters) or any(isinstance(node, Degrees) for node in nodes)
+    is_angle = bool(letters) or any(isinstance(node, tree.Degrees) for node in nodes)
     return is_quantity and is_angle and all(known.get(symbol) == NUMBER for symbol in letters)
 
 

@@ -16,7 +16,7 @@ _GREEK = (
     *("varphi", "chi", "psi", "omega"),
 )
 _CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "varphi", "psi", "omega")
-_SIGNS: Mapping[str, str] = {
+_LETTERS: Mapping[str, str] = {
     **{chr(0x3B1 + n): f"\\{name}" for n, name in enumerate(_GREEK) if name},
     **{
         chr(0x391 + n): rf"\{name.removeprefix('var').title()}"
@@ -25,6 +25,9 @@ _SIGNS: Mapping[str, str] = {
     },
     **{"ϑ": r"\vartheta", "ϕ": r"\phi", "ϖ": r"\varpi", "ϰ": r"\varkappa", "ϱ": r"\varrho"},
     **{"ϵ": r"\epsilon", "µ": r"\mu", "\u2126": r"\Omega", "∆": r"\Delta", "ℓ": r"\ell"},
+}
+_SIGNS: Mapping[str, str] = {
+    **_LETTERS,
     **{"−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "∙": r"\cdot"},
     **{"±": r"\pm", "∓": r"\mp", "∞": r"\infty", "∑": r"\sum", "∏": r"\prod", "∫": r"\int"},
     **dict.fromkeys("≤⩽≦", r"\le"),
@@ -33,6 +36,8 @@ _SIGNS: Mapping[str, str] = {
     **{"⌊": r"\lfloor", "⌋": r"\rfloor", "⌈": r"\lceil", "⌉": r"\rceil"},
     **{"′": "'", "∣": "|", "…": r"\dots", "⋯": r"\dots", "\u2044": "/", "\u2215": "/"},
 }
+# The names of the commands of letters.
+GREEK = frozenset((*(command[1:] for command in _LETTERS.values()), "Upsilon"))
 # What is copied in the place of other signs, and what to print.
 _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mechproof.latex.characters import is_letter
+from mechproof.latex.characters import GREEK, is_letter
 
 LEFT = "{}"
 # Accents and types of letters that are vectors or matrices.
@@ -25,15 +25,6 @@ UPRIGHT = (
     *(r"\mathop", r"\mathit"),
 )
 TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
-GREEK = frozenset(
-    (
-        *("alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta"),
-        *("vartheta", "iota", "kappa", "varkappa", "lambda", "mu", "nu", "xi", "pi", "varpi"),
-        *("rho", "varrho", "sigma", "varsigma", "tau", "upsilon", "phi", "varphi", "chi", "psi"),
-        *("omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi"),
-        *("Psi", "Omega", "ell"),
-    )
-)
 _SCRIPTS = ("^", "_")
 # Behind these a script has nothing to its left.
 _OPERATORS = (

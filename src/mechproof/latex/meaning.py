@@ -26,17 +26,19 @@ from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Reme
 from mechproof.latex.extrema import give_term
 from mechproof.latex.matrix_meaning import (
     ENTRIES,
-    give_entries,
+    assemble,
     give_excerpt,
     give_magnitude,
     give_product,
-    give_table,
     give_transposed,
+    invert,
+    is_matrix,
     is_power,
+    is_vector,
     raise_matrix,
+    show_entries,
 )
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
-from mechproof.latex.products import invert, is_matrix, is_vector, show_entries
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
 from mechproof.record import (
@@ -297,8 +299,8 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     tree.Approach: give_limit,
     tree.At: give_value,
     tree.Extremum: give_term,
-    tree.Table: give_table,
-    tree.Entries: give_entries,
+    tree.Table: lambda meaning, node: assemble([[*map(meaning.of, row)] for row in node.rows]),
+    tree.Entries: lambda meaning, node: sp.ImmutableMatrix([[*map(meaning.of, node.parts)]]),
     tree.Excerpt: give_excerpt,
     tree.Transposed: give_transposed,
     tree.Magnitude: give_magnitude,

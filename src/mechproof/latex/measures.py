@@ -9,24 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from mechproof.latex import tree
 from mechproof.latex.latex_signs import GAPS, find_command
 from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tokens import QUANTITIES
-from mechproof.latex.tree import (
-    Add,
-    Calculated,
-    Chain,
-    Degrees,
-    Letter,
-    Measure,
-    Node,
-    Number,
-    Product,
-    exchange,
-    walk,
-)
 from mechproof.latex.words import AND, ELSE, IF
 
 if TYPE_CHECKING:
@@ -42,7 +30,7 @@ _BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
 _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 
 
-def read_measure(parser: Parser) -> Number | Measure:
+def read_measure(parser: Parser) -> tree.Number | tree.Measure:
     """Read a number, and the unit behind it: all that follows in its member, or what is upright."""
     is_first = begins_member(parser, parser.place)
     alone, name_unit = read_number(parser), parser.notation.name_unit
@@ -53,12 +41,12 @@ def read_measure(parser: Parser) -> Number | Measure:
         unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
         if last > parser.place and unit:
             parser.place = last
-            return Measure(number, unit, start=number.start, end=parser.end)
+            return tree.Measure(number, unit, start=number.start, end=parser.end)
     parser.place = place
     return alone
 
 
-def _take_power(parser: Parser, number: Number) -> Number:
+def _take_power(parser: Parser, number: tree.Number) -> tree.Number:
     r"""Return a number with the power of ten behind it, 2.1\cdot10^5; ten may be one itself."""
     latex, is_ten = parser.source.latex, number.text == "10"
     times = _POWER.match(latex, parser.end)
@@ -96,13 +84,13 @@ def _find_end(parser: Parser) -> int:
     return place if has_unit else parser.place
 
 
-def read_unit(parser: Parser) -> Measure | None:
+def read_unit(parser: Parser) -> tree.Measure | None:
     """Read a unit behind what is calculated, as one of it."""
     unit, last, start = *_find_unit(parser), parser.start
     if not unit:
         return None
     parser.place = last
-    return Measure(Number("1", start=start, end=start), unit, start=start, end=parser.end)
+    return tree.Measure(tree.Number("1", start=start, end=start), unit, start=start, end=parser.end)
 
 
 def is_unit(parser: Parser) -> bool:
@@ -185,28 +173,28 @@ def _is_micro(parser: Parser, place: int) -> bool:
     return is_mu and place + 1 < len(parser.tokens) and _is_upright(parser, place + 1)
 
 
-def put_units(chain: Chain, weigh: Callable[[str], sp.Expr | None]) -> Chain:
+def put_units(chain: tree.Chain, weigh: Callable[[str], sp.Expr | None]) -> tree.Chain:
     """Let numbers with units beside letters be quantities: `weigh` returns what a unit is.
 
     Where it returns nothing for one, the number stays as it is.
     """
 
-    def change(node: Node) -> Node | None:
-        if not isinstance(node, Measure):
+    def change(node: tree.Node) -> tree.Node | None:
+        if not isinstance(node, tree.Measure):
             return None
         factor = weigh(node.unit)
         return node if factor is None else replace(node, factor=factor)
 
-    def settle(member: Node) -> Node:
-        has_letters = any(isinstance(node, Letter) for node in walk(member))
-        settled: Node = exchange(member, change) if has_letters else member
+    def settle(member: tree.Node) -> tree.Node:
+        has_letters = any(isinstance(node, tree.Letter) for node in tree.walk(member))
+        settled: tree.Node = tree.exchange(member, change) if has_letters else member
         return settled
 
     return replace(chain, members=tuple(map(settle, chain.members)))
 
 
 def find_number(
-    nodes: tuple[Node, ...], sides: tuple[Any, Any]
+    nodes: tuple[tree.Node, ...], sides: tuple[Any, Any]
 ) -> tuple[str, Any, str, tuple[str, str]]:
     """Return the digits of the side that is a number, with its sign, the other side, the unit.
 
@@ -217,49 +205,53 @@ def find_number(
         digits, unit = _read_digits(node)
         if digits:
             return digits, other, unit, _read_given(partner)
-    units = [node.unit for node in nodes if isinstance(node, Calculated)]
+    units = [node.unit for node in nodes if isinstance(node, tree.Calculated)]
     return "", None, units[0] if len(units) == 1 else "", ("", "")
 
 
-def _read_given(node: Node) -> tuple[str, str]:
+def _read_given(node: tree.Node) -> tuple[str, str]:
     """Return the digits of a number with a unit, and that, too; of what is calculated all."""
-    if isinstance(node, Calculated):
+    if isinstance(node, tree.Calculated):
         return str(sp.N(node.value, _DIGITS)).lower().replace("+", ""), node.unit
-    return _read_digits(node) if isinstance(_split_sign(node)[1], Measure) else ("", "")
+    return _read_digits(node) if isinstance(_split_sign(node)[1], tree.Measure) else ("", "")
 
 
-def _read_digits(node: Node) -> tuple[str, str]:
+def _read_digits(node: tree.Node) -> tuple[str, str]:
     """Return the digits of a number, with its sign, and its unit; nothing for what is none."""
     sign, inside = _split_sign(node)
-    if isinstance(inside, Number):
+    if isinstance(inside, tree.Number):
         return sign + inside.text, ""
-    if isinstance(inside, Measure):
+    if isinstance(inside, tree.Measure):
         return sign + inside.number.text, inside.unit
-    if isinstance(inside, Degrees) and isinstance(inside.number, Number):
+    if isinstance(inside, tree.Degrees) and isinstance(inside.number, tree.Number):
         return sign + inside.number.text, "°"
     return "", ""
 
 
-def name_unit_behind(node: Node) -> str:
+def name_unit_behind(node: tree.Node) -> str:
     """Return the unit of a number, nothing for what has none."""
     inside = _split_sign(node)[1]
-    return inside.unit if isinstance(inside, Measure | Calculated) else ""
+    return inside.unit if isinstance(inside, tree.Measure | tree.Calculated) else ""
 
 
-def find_factor(nodes: tuple[Node, ...]) -> str:
+def find_factor(nodes: tuple[tree.Node, ...]) -> str:
     """Return the digits of the only decimal of members, if it is a factor of one of them."""
-    decimals = [one for one in walk(nodes) if isinstance(one, Number) and "." in one.text]
+    decimals = [one for one in tree.walk(nodes) if isinstance(one, tree.Number) and "." in one.text]
     members = (_split_sign(node)[1] for node in nodes)
-    factors = [one for member in members if isinstance(member, Product) for one in member.factors]
+    factors = [
+        one for member in members if isinstance(member, tree.Product) for one in member.factors
+    ]
     return decimals[0].text if len(decimals) == 1 and decimals[0] in factors else ""
 
 
-def _split_sign(node: Node) -> tuple[str, Node]:
-    if isinstance(node, Add) and len(node.terms) == 1:
+def _split_sign(node: tree.Node) -> tuple[str, tree.Node]:
+    if isinstance(node, tree.Add) and len(node.terms) == 1:
         return "-", node.terms[0][1]
     return "", node
 
 
-def is_number(node: Node) -> bool:
+def is_number(node: tree.Node) -> bool:
     """Return whether a node is a number, with a sign and a unit at most, or calculated."""
-    return isinstance(_split_sign(node)[1], Number | Measure | Degrees | Calculated)
+    return isinstance(
+        _split_sign(node)[1], tree.Number | tree.Measure | tree.Degrees | tree.Calculated
+    )

@@ -25,6 +25,7 @@ from mechproof.latex import (
     printed_derivatives,
     several_equations,
     side_conditions,
+    tree,
 )
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
@@ -36,17 +37,6 @@ from mechproof.latex.printed_derivatives import fold_slashed
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tokens import read_signs
-from mechproof.latex.tree import (
-    Add,
-    Bracket,
-    Letter,
-    Node,
-    Number,
-    Power,
-    PrintedFunction,
-    Product,
-    Quotient,
-)
 from mechproof.record import Notation
 
 T = TypeVar("T")
@@ -59,13 +49,13 @@ ENDING = (
 LONGEST_NAME = 40
 
 
-def _spell(notation: Notation) -> Mapping[tuple[str, ...], PrintedFunction]:
+def _spell(notation: Notation) -> Mapping[tuple[str, ...], tree.PrintedFunction]:
     r"""Return the declared functions that are printed as several signs: `cos^{-1}`, `Inv`."""
     spelled = {}
     for name, make in notation.functions.items():
         for latex in (name, rf"\{name}"):
             if len(signs := to_signs(latex)) > 1:
-                spelled[signs] = PrintedFunction(name, make)
+                spelled[signs] = tree.PrintedFunction(name, make)
     return spelled
 
 
@@ -87,15 +77,16 @@ class Parser:
         upper: int = 0,
     ) -> None:
         self.source = PrintedText(latex)
-        signs = read_signs(latex)
-        self.lines = several_equations.split(signs.tokens)
+        tokens, self.groups = read_signs(latex)
+        self.lines = several_equations.split(tokens)
         self.names = names
-        self.begin(signs.tokens, len(latex))
-        self.groups = signs.groups
+        self.begin(tokens, len(latex))
         self.notation = notation
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
         makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
-        self.functions = {rf"\{name}": PrintedFunction(name, make) for name, make in makes.items()}
+        self.functions = {
+            rf"\{name}": tree.PrintedFunction(name, make) for name, make in makes.items()
+        }
         self._spelled = _spell(notation)
         self.remedies = remedies
         self.collects = collected is not None
@@ -107,7 +98,7 @@ class Parser:
         self.bound: list[str] = []
         self.sums: list[tuple[str, int]] = []
         self.integrals: list[calculus.OpenIntegral] = []
-        self.brackets: tuple[Bracket, ...] = ()
+        self.brackets: tuple[tree.Bracket, ...] = ()
         self._refuse_alike()
 
     def begin(self, tokens: Sequence[Token], last: int) -> None:
@@ -174,7 +165,7 @@ class Parser:
                 found.append(token.text)
         return found
 
-    def find_spelled(self) -> tuple[PrintedFunction, int] | None:
+    def find_spelled(self) -> tuple[tree.PrintedFunction, int] | None:
         """Return the longest function that is declared as several signs, and how many they are."""
         texts = tuple(token.text for token in self.tokens[self.place : self.place + LONGEST_NAME])
         found = [(f, len(s)) for s, f in self._spelled.items() if texts[: len(s)] == s]
@@ -209,7 +200,7 @@ class Parser:
 
     # Expressions ----------------------------------------------------------------------------
 
-    def read_sum(self) -> Node:
+    def read_sum(self) -> tree.Node:
         """Read terms with their signs."""
         start, before = self.start, self.peek(-1) if self.place else ""
         terms = [self.read_term()]
@@ -220,26 +211,26 @@ class Parser:
                 terms.append(self.read_term())
         return modulo.read_remainder(self, self.add_up(terms, start), before)
 
-    def add_up(self, terms: Sequence[tuple[int, Node]], start: int) -> Node:
+    def add_up(self, terms: Sequence[tuple[int, tree.Node]], start: int) -> tree.Node:
         """Return the sum of terms with their signs, one alone as it is."""
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
-        return Add(tuple(terms), start=start, end=self.end)
+        return tree.Add(tuple(terms), start=start, end=self.end)
 
-    def read_term(self) -> tuple[int, Node]:
+    def read_term(self) -> tuple[int, tree.Node]:
         """Read a product and its sign; of a double sign the letter that says which is a factor."""
         start, is_double = self.start, self.text in (r"\pm", r"\mp")
         sign, term = self.read_sign(), self.read_product()
         if self.branch is None or not is_double:
             return sign, term
-        which = Letter(self.branch, r"\pm", start=start, end=start)
-        return sign, Product((which, term), start=start, end=self.end)
+        which = tree.Letter(self.branch, r"\pm", start=start, end=start)
+        return sign, tree.Product((which, term), start=start, end=self.end)
 
     def read_sign(self) -> int:
         """Read the sign before a term; that before the first may be left out."""
         return self.signs[self.take().text] if self.text in self.signs else 1
 
-    def read_product(self) -> Node:
+    def read_product(self) -> tree.Node:
         """Read factors side by side, with dots, or divided by a slash."""
         start = self.start
         factors = [self.read_factor()]
@@ -256,9 +247,9 @@ class Parser:
                 factors.append(self.read_factor())
         if len(factors) == 1:
             return factors[0]
-        return Product(tuple(factors), tuple(signs), start=start, end=self.end)
+        return tree.Product(tuple(factors), tuple(signs), start=start, end=self.end)
 
-    def _read_dot(self, left: Node) -> str:
+    def _read_dot(self, left: tree.Node) -> str:
         """Read the sign between two factors, none where they stand side by side."""
         if self.text in DOTS:
             return self.take().text
@@ -274,7 +265,7 @@ class Parser:
         ends = ends or calculus.is_over(self) or calculus.is_sum_beside(self)
         return is_word or ends or side_conditions.is_bracketed(self) or modulo.is_next(self)
 
-    def _divide(self, factors: list[Node], signs: list[str], start: int) -> Node:
+    def _divide(self, factors: list[tree.Node], signs: list[str], start: int) -> tree.Node:
         slash = self.take("/")
         below = self.read_factor()
         if not self.ends_product() and self.text not in DOTS:
@@ -285,24 +276,24 @@ class Parser:
             )
         above = factors[0]
         if len(factors) > 1:
-            above = Product(tuple(factors), tuple(signs), start=start, end=slash.start)
-        return Quotient(above, below, start=start, end=self.end)
+            above = tree.Product(tuple(factors), tuple(signs), start=start, end=slash.start)
+        return tree.Quotient(above, below, start=start, end=self.end)
 
-    def check_neighbours(self, left: Node) -> None:
+    def check_neighbours(self, left: tree.Node) -> None:
         """Refuse factors side by side that could be something else."""
         if is_digit(self.text) and not may_follow(self, left):
             raise self.refuse(
                 "a number follows without a sign between: a factor, an index or a decimal place?",
                 r"Print \cdot, or the number first.",
             )
-        if isinstance(left, Number) and self.text == r"\frac" and is_number_fraction(self):
+        if isinstance(left, tree.Number) and self.text == r"\frac" and is_number_fraction(self):
             raise self.refuse(
                 "a number before a fraction of numbers: a product or a mixed number?",
                 r"Print \cdot between them.",
             )
         letters.check_bracket_after(self, left)
 
-    def read_factor(self) -> Node:
+    def read_factor(self) -> tree.Node:
         """Read an atom and the power it is raised to."""
         if extrema.is_extremum(self):
             return extrema.read_extremum(self)
@@ -318,26 +309,26 @@ class Parser:
             return suffixed
         if self.text != "^":
             return atom
-        if isinstance(atom, Quotient):
+        if isinstance(atom, tree.Quotient):
             raise self.refuse("a power of a fraction without brackets", r"Print \left(…\right)^n.")
         return self._raise(atom, start)
 
-    def read_atom(self) -> Node:
+    def read_atom(self) -> tree.Node:
         """Read what stands between two operators."""
         return atoms.read_atom(self)
 
-    def _raise(self, base: Node, start: int) -> Node:
+    def _raise(self, base: tree.Node, start: int) -> tree.Node:
         raised = atoms.read_special_power(self, base, start)
-        raised = raised or Power(base, self.read_script("^"), start=start, end=self.end)
+        raised = raised or tree.Power(base, self.read_script("^"), start=start, end=self.end)
         letters.skip_argument(self, raised)
         return raised
 
-    def read_script(self, mark: str) -> Node:
+    def read_script(self, mark: str) -> tree.Node:
         """Read the expression in a script."""
         self.take(mark)
         return self.read_group()
 
-    def read_group(self) -> Node:
+    def read_group(self) -> tree.Node:
         """Read an expression in braces."""
         return self.read_inside("{", self.read_sum, "}")
 

@@ -12,23 +12,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from mechproof.latex import tree
 from mechproof.latex.errors import MeaningError
 from mechproof.latex.latex_signs import Token, find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.name_table import Names, find_brace
-from mechproof.latex.tree import (
-    Add,
-    Approach,
-    Bracket,
-    Call,
-    Derivation,
-    Letter,
-    Node,
-    Number,
-    Power,
-    PrintedFunction,
-    Product,
-)
 from mechproof.latex.undeclared import find_end
 
 if TYPE_CHECKING:
@@ -37,7 +25,7 @@ if TYPE_CHECKING:
 LARGEST_FACTORIAL = 1000
 # A binomial over a larger number is no polynomial of so high a degree.
 _MOST_FACTORS = 12
-_FIRST: int | Node = 1
+_FIRST: int | tree.Node = 1
 _OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
 PARTIAL = r"\partial"
 
@@ -68,7 +56,7 @@ def is_derivative(parser: Parser) -> bool:
     return is_d and is_alone and not names
 
 
-def read_derivative(parser: Parser) -> Node:
+def read_derivative(parser: Parser) -> tree.Node:
     r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, of higher order too."""
     start = parser.start
     parser.take()
@@ -81,7 +69,7 @@ def read_derivative(parser: Parser) -> Node:
     if operand is None:
         operand = parser.read_factor()
         # A power of a letter is raised first; of a bracket its derivative may be meant.
-        is_raised = isinstance(operand, Power) and isinstance(operand.base, Bracket)
+        is_raised = isinstance(operand, tree.Power) and isinstance(operand.base, tree.Bracket)
         if not parser.ends_product():
             parser.check_neighbours(operand)
         is_open = parser.collects and begins_letter(parser.text)
@@ -90,54 +78,54 @@ def read_derivative(parser: Parser) -> Node:
                 "how far does the derivative reach?", "Print brackets around it.", start
             )
     for by, own in reversed(steps):
-        operand = Derivation(operand, by, own, is_partial, start=start, end=parser.end)
+        operand = tree.Derivation(operand, by, own, is_partial, start=start, end=parser.end)
     return operand
 
 
-def read_suffix(parser: Parser, atom: Node) -> Node | None:
+def read_suffix(parser: Parser, atom: tree.Node) -> tree.Node | None:
     """Read n!, or (…)' where it is known by which letter primes are; None for neither."""
     if parser.text == "!":
         return _read_factorial(parser, atom)
     by, order = parser.notation.primed, 0
-    if parser.text != "'" or by is None or not isinstance(atom, Bracket):
+    if parser.text != "'" or by is None or not isinstance(atom, tree.Bracket):
         return None
-    letter = Letter(by, str(by), start=parser.start, end=parser.start)
+    letter = tree.Letter(by, str(by), start=parser.start, end=parser.start)
     while parser.skip("'"):
         order += 1
-    return Derivation(atom, letter, order, start=atom.start, end=parser.end)
+    return tree.Derivation(atom, letter, order, start=atom.start, end=parser.end)
 
 
-def _read_above(parser: Parser) -> tuple[int | Node, Node | None]:
+def _read_above(parser: Parser) -> tuple[int | tree.Node, tree.Node | None]:
     parser.take()
     order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
     if parser.text == "}":
         return order, None
     operand = parser.read_factor()
-    if isinstance(operand, Power) or parser.text != "}":
+    if isinstance(operand, tree.Power) or parser.text != "}":
         raise parser.refuse("what is differentiated?", "Print brackets around it.")
     return order, operand
 
 
-def _read_below(parser: Parser) -> list[tuple[Letter, int | Node]]:
+def _read_below(parser: Parser) -> list[tuple[tree.Letter, int | tree.Node]]:
     """Read the letters by which it is with the order by each, of partial ones several."""
-    steps: list[tuple[Letter, int | Node]] = []
+    steps: list[tuple[tree.Letter, int | tree.Node]] = []
     while not steps or parser.text == PARTIAL:
         start = parser.take().start
         by, order = parser.read_factor(), _FIRST
-        if isinstance(by, Power):
+        if isinstance(by, tree.Power):
             order = _read_order(by.exponent, parser)
             by = by.base
-        if not isinstance(by, Letter):
+        if not isinstance(by, tree.Letter):
             raise parser.refuse("a derivative by no letter", place=start)
         steps.append((by, order))
     return steps
 
 
-def _read_order(node: Node, parser: Parser) -> int | Node:
+def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
     """Read a number, or what counts: n, n+1."""
-    if isinstance(node, Letter | Add | Product):
+    if isinstance(node, tree.Letter | tree.Add | tree.Product):
         return node
-    if not isinstance(node, Number) or node.text not in ("1", "2", "3", "4"):
+    if not isinstance(node, tree.Number) or node.text not in ("1", "2", "3", "4"):
         reason = "a derivative whose order is none of 1, 2, 3, 4, and no letter"
         raise parser.refuse(reason, place=node.start)
     return int(node.text)
@@ -211,7 +199,7 @@ def _brace(inside: Sequence[Token], *before: str) -> list[Token]:
 # Limits -----------------------------------------------------------------------------------------
 
 
-def read_limit(parser: Parser) -> Node:
+def read_limit(parser: Parser) -> tree.Node:
     r"""Read \lim_{x\to a}, from one side where a^+, a+0, a- and the like say so."""
     start = parser.take().start
     if parser.text != "_":
@@ -219,17 +207,17 @@ def read_limit(parser: Parser) -> Node:
     parser.take("_")
     by, point, side = parser.read_inside("{", lambda: _read_way(parser), "}")
     term = parser.read_product()
-    return Approach(term, by, point, side, start=start, end=parser.end)
+    return tree.Approach(term, by, point, side, start=start, end=parser.end)
 
 
-def _read_way(parser: Parser) -> tuple[Letter, Node, str]:
+def _read_way(parser: Parser) -> tuple[tree.Letter, tree.Node, str]:
     by = parser.read_atom()
-    if not isinstance(by, Letter) or by.indices:
+    if not isinstance(by, tree.Letter) or by.indices:
         raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
     parser.take(r"\to")
     start, side = parser.start, _take_side(parser)
     # What is left of +0 and -0.
-    point = Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
+    point = tree.Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
     return by, point, side
 
 
@@ -249,7 +237,7 @@ def _take_side(parser: Parser) -> str:
 # Factorials -------------------------------------------------------------------------------------
 
 
-def _read_factorial(parser: Parser, atom: Node) -> Node:
+def _read_factorial(parser: Parser, atom: tree.Node) -> tree.Node:
     """Read the factorial, n!, or double factorial, n!!, of a letter, a number or a bracket.
 
     n!^2 is the square of n!.
@@ -258,20 +246,22 @@ def _read_factorial(parser: Parser, atom: Node) -> Node:
     name, make = ("factorial", _make_factorial)
     if parser.skip("!"):
         name, make = ("factorial2", _make_double_factorial)
-    if parser.text == "!" or not isinstance(atom, Letter | Number | Bracket):
+    if parser.text == "!" or not isinstance(atom, tree.Letter | tree.Number | tree.Bracket):
         raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
-    found = Call(PrintedFunction(name, make), (atom,), start=atom.start, end=parser.end)
+    found = tree.Call(tree.PrintedFunction(name, make), (atom,), start=atom.start, end=parser.end)
     if parser.text != "^":
         return found
-    return Power(found, parser.read_script("^"), start=atom.start, end=parser.end)
+    return tree.Power(found, parser.read_script("^"), start=atom.start, end=parser.end)
 
 
-def read_binomial(parser: Parser) -> Node:
+def read_binomial(parser: Parser) -> tree.Node:
     r"""Read \binom{n}{k}, a polynomial of n for a number k, else a quotient of factorials."""
     start = parser.start
     parser.take()
     numbers = (parser.read_group(), parser.read_group())
-    return Call(PrintedFunction("binomial", _make_binomial), numbers, start=start, end=parser.end)
+    return tree.Call(
+        tree.PrintedFunction("binomial", _make_binomial), numbers, start=start, end=parser.end
+    )
 
 
 def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:

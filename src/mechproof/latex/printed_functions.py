@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
-from mechproof.latex.products import invert, is_matrix, show_entries
+from mechproof.latex.matrix_meaning import invert, is_matrix, show_entries
 
 Make = Callable[..., sp.Expr]
 

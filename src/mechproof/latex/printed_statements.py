@@ -8,10 +8,9 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
-from mechproof.latex.matrix_meaning import is_power, says_from_one_on, state_power
+from mechproof.latex.matrix_meaning import is_matrix, is_power, says_from_one_on, state_power
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.measures import find_factor
-from mechproof.latex.products import is_matrix
 from mechproof.latex.reader import Reader
 from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
 from mechproof.latex.tree import Extremum, Letter, Node, walk

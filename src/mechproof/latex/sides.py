@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.latex.products import is_matrix, show_entries
+from mechproof.latex.matrix_meaning import is_matrix, show_entries
 from mechproof.latex.tree import Add, Degrees, Entries, Measure, Node, Number, strip
 from mechproof.record import PrintedNumber, family_of
 

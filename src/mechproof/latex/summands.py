@@ -6,33 +6,22 @@ from collections.abc import Collection, Iterable
 
 import sympy as sp
 
-from mechproof.latex.tree import (
-    Add,
-    Call,
-    Constant,
-    Degrees,
-    Letter,
-    Measure,
-    Node,
-    Power,
-    Radical,
-    walk,
-)
+from mechproof.latex import tree
 from mechproof.record import NUMBER, Dimension, Notation
 from mechproof.record.parts import ANGLES
 
 TIME = Dimension(time=1)
-_VALUES = (Constant, Degrees, Measure, Letter)
+_VALUES = (tree.Constant, tree.Degrees, tree.Measure, tree.Letter)
 
 
-def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
+def is_no_argument(bracket: tree.Add, notation: Notation, *, moves: bool) -> bool:
     """Return whether a sum multiplies what stands before it: nobody prints such an argument.
 
     A term has a function, or a root that shifts no angle and no time; or all terms are lengths and
     the like, or numbers with a literal one among them. No letter that counts is shifted, and no
     time where what stands before the bracket `moves`.
     """
-    terms = [[*walk(term, Call)] for _, term in bracket.terms]
+    terms = [[*tree.walk(term, tree.Call)] for _, term in bracket.terms]
     bare = [term for term in terms if not _has_function(term)]
     letters = set().union(*map(_list_letters, bare))
     known = notation.dimensions
@@ -43,8 +32,8 @@ def is_no_argument(bracket: Add, notation: Notation, *, moves: bool) -> bool:
         return not (moves and any(known.get(symbol) == TIME for symbol in letters))
     if not letters or running & letters:
         return False
-    if roots := [n for term in terms for n in term if isinstance(n, Radical)]:
-        is_fixed = not any(_list_letters(walk(root, Call)) for root in roots)
+    if roots := [n for term in terms for n in term if isinstance(n, tree.Radical)]:
+        is_fixed = not any(_list_letters(tree.walk(root, tree.Call)) for root in roots)
         return not any(_may_shift(known.get(s), angles=is_fixed) for s in letters)
     has_number = any(_is_literal(term) for term in terms)
     return all(_is_literal(t) or _is_amount(t, notation, beside=has_number) for t in terms)
@@ -55,11 +44,11 @@ def _may_shift(dimension: Dimension | None, *, angles: bool = True) -> bool:
     return dimension is not None and ((angles and dimension.is_angle) or dimension == TIME)
 
 
-def _is_literal(term: Collection[Node]) -> bool:
+def _is_literal(term: Collection[tree.Node]) -> bool:
     return not any(isinstance(n, _VALUES) for n in term)
 
 
-def _is_amount(term: Collection[Node], notation: Notation, *, beside: bool) -> bool:
+def _is_amount(term: Collection[tree.Node], notation: Notation, *, beside: bool) -> bool:
     """Return whether a term has the unit of no usual argument; `beside` a number it may be one."""
     units = [notation.dimensions.get(symbol) for symbol in _list_letters(term)]
     if any(unit not in (None, NUMBER, TIME) for unit in units):
@@ -67,15 +56,15 @@ def _is_amount(term: Collection[Node], notation: Notation, *, beside: bool) -> b
     return beside and bool(units) and all(u == NUMBER and not _may_shift(u) for u in units)
 
 
-def _list_letters(term: Iterable[Node]) -> set[sp.Basic]:
-    return {n.symbol for n in term if isinstance(n, Letter)}
+def _list_letters(term: Iterable[tree.Node]) -> set[sp.Basic]:
+    return {n.symbol for n in term if isinstance(n, tree.Letter)}
 
 
-def _has_function(term: Collection[Node]) -> bool:
+def _has_function(term: Collection[tree.Node]) -> bool:
     """Return whether a term has a function whose value is no angle, or an exponential."""
     return any(
         n.function.make not in ANGLES
-        if isinstance(n, Call)
-        else isinstance(n, Power) and bool(_list_letters(walk(n.exponent, Call)))
+        if isinstance(n, tree.Call)
+        else isinstance(n, tree.Power) and bool(_list_letters(tree.walk(n.exponent, tree.Call)))
         for n in term
     )

@@ -132,13 +132,10 @@ def _integration(node: Integration) -> str:
 
 
 def _derivation(node: Derivation) -> str:
-    order = f"^{_order(node.order)}" if node.order != 1 else ""
+    shown = _factor(node.order) if isinstance(node.order, Node) else str(node.order)
+    order = f"^{shown}" if node.order != 1 else ""
     d = "∂" if node.is_partial else "d"
     return f"{d}{order}({write(strip(node.of))})/{d}({write(node.by)}){order}"
-
-
-def _order(order: int | Node) -> str:
-    return _factor(order) if isinstance(order, Node) else str(order)
 
 
 def _approach(node: Approach) -> str:

@@ -7,7 +7,7 @@ is kept what they enclosed), scripts come in the order index, primes and stars, 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import takewhile
 
@@ -42,19 +42,11 @@ _ALIGNED = ("pmatrix*", "bmatrix*", "Bmatrix*", "vmatrix*", "matrix*")
 _DEGREE = ("°", r"\degree")
 
 
-@dataclass(frozen=True)
-class Signs:
-    """The signs of a print with its gaps, and the places of what stood in braces that went."""
-
-    tokens: tuple[Token, ...]
-    groups: tuple[tuple[int, int], ...]
-
-
 # Letters and their other names are looked for in every print.
 @lru_cache(maxsize=1 << 12)
 def tokenize(latex: str) -> tuple[Token, ...]:
     """Return the signs of a print; `ReadingError` for braces that do not match."""
-    return tuple(token for token in read_signs(latex).tokens if token.text not in GAPS)
+    return tuple(token for token in read_signs(latex)[0] if token.text not in GAPS)
 
 
 def list_signs(latex: str) -> list[str]:
@@ -62,10 +54,13 @@ def list_signs(latex: str) -> list[str]:
     return [token.text for token in tokenize(latex)]
 
 
-def read_signs(latex: str) -> Signs:
-    """Return the signs of a print, its gaps among them, and what its braces enclosed."""
+def read_signs(latex: str) -> tuple[tuple[Token, ...], tuple[tuple[int, int], ...]]:
+    """Return the signs of a print with its gaps, and the places of what stood in braces that went.
+
+    `ReadingError` for braces that do not match.
+    """
     normaliser = _Normaliser(latex)
-    return Signs(tuple(normaliser.read_all()), tuple(normaliser.groups))
+    return tuple(normaliser.read_all()), tuple(normaliser.groups)
 
 
 class _Normaliser:
@@ -116,7 +111,7 @@ class _Normaliser:
             return True
         base, inside = left_scripts.find_base(texts, first)
         is_parted = first > 0 or signs[-1].text in GAPS
-        if self._is_printed(signs[-1], r"\;") and texts[base:]:
+        if self.source.latex[signs[-1].start : signs[-1].end] == r"\;" and texts[base:]:
             # Nobody prints so wide a blank before a power.
             return left_scripts.may_begin(texts[base])
         if not is_parted or not texts[base:] or not left_scripts.may_begin(texts[base]):
@@ -131,9 +126,6 @@ class _Normaliser:
                 r"Print x^2\cdot y for a power, x\cdot{}^2y for a script at the left.",
             )
         return True
-
-    def _is_printed(self, sign: Token, latex: str) -> bool:
-        return self.source.latex[sign.start : sign.end] == latex
 
     def _read_left(self) -> list[Token]:
         """Read the scripts at the left of a letter, the upper one first."""

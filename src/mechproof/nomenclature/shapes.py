@@ -15,27 +15,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.latex import ReadingError
-from mechproof.latex.tree import (
-    Add,
-    Bracket,
-    Call,
-    Chain,
-    Constant,
-    Entries,
-    Excerpt,
-    Letter,
-    Magnitude,
-    Node,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Radical,
-    Table,
-    Transposed,
-    walk,
-)
+from mechproof.latex import ReadingError, tree
 from mechproof.nomenclature.shown_letters import (
     Collected,
     find_shapes,
@@ -47,12 +27,12 @@ from mechproof.nomenclature.shown_letters import (
 Shape = tuple[int, int]
 
 
-def _is_vector(node: Node) -> bool:
-    return isinstance(node, Letter) and is_vector(node.text)
+def _is_vector(node: tree.Node) -> bool:
+    return isinstance(node, tree.Letter) and is_vector(node.text)
 
 
 NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
-_NUMBERS = (Number, Constant, Radical)
+_NUMBERS = (tree.Number, tree.Constant, tree.Radical)
 # Scripts at the left for two frames, and what they belong to.
 _CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
 # The beginning of the name of a rate.
@@ -69,7 +49,7 @@ class Shapes:
     """
 
     def __init__(
-        self, prints: Sequence[tuple[str, Sequence[Chain]]], *, has_plain_matrices: bool = True
+        self, prints: Sequence[tuple[str, Sequence[tree.Chain]]], *, has_plain_matrices: bool = True
     ) -> None:
         self.known: dict[sp.Basic, Shape] = {}
         self.crosses: dict[sp.Basic, None] = {}
@@ -78,16 +58,16 @@ class Shapes:
         self._prints, self._has_plain_matrices = prints, has_plain_matrices
         self._latex = ""
         for node in self._walk_all():
-            if isinstance(node, Letter) and isinstance(node.symbol, sp.MatrixSymbol):
+            if isinstance(node, tree.Letter) and isinstance(node.symbol, sp.MatrixSymbol):
                 self.known[node.symbol] = int(node.symbol.rows), int(node.symbol.cols)
         self._shows_matrices = any(
-            isinstance(node, Table) or self._is_matrix(node) for node in self._walk_all()
+            isinstance(node, tree.Table) or self._is_matrix(node) for node in self._walk_all()
         )
 
-    def _walk_all(self) -> Iterable[Node]:
+    def _walk_all(self) -> Iterable[tree.Node]:
         for latex, chains in self._prints:
             self._latex = latex
-            yield from walk(tuple(chains))
+            yield from tree.walk(tuple(chains))
 
     def find(self) -> dict[sp.Basic, Shape]:
         """Return the shapes of the letters that are no numbers."""
@@ -100,111 +80,118 @@ class Shapes:
             before = after
             for node in self._walk_all():
                 self._look(node)
-                if isinstance(node, Letter) and (shape := self._find_other_frame(node)):
+                if isinstance(node, tree.Letter) and (shape := self._find_other_frame(node)):
                     self._push(node, shape)
         return {symbol: shape for symbol, shape in self.known.items() if shape != NUMBER}
 
-    def _look(self, node: Node) -> None:
+    def _look(self, node: tree.Node) -> None:
         """Take what one node says."""
-        if isinstance(node, Chain) and {*node.relations} <= {"="}:
+        if isinstance(node, tree.Chain) and {*node.relations} <= {"="}:
             # A zero may be one of any size.
-            members = [x for x in node.members if not (isinstance(x, Number) and x.text == "0")]
+            members = [
+                x for x in node.members if not (isinstance(x, tree.Number) and x.text == "0")
+            ]
             shape = next(filter(None, map(self.measure, members)), None)
             for member in members:
                 if shape:
                     self._push(member, shape)
             self._take_determinant(node.members)
             self._take_components(node.members)
-        elif isinstance(node, Add) and (shape := self.measure(node)):
+        elif isinstance(node, tree.Add) and (shape := self.measure(node)):
             self._push(node, shape)
-        elif isinstance(node, Product) and self._is_cross(node):
+        elif isinstance(node, tree.Product) and self._is_cross(node):
             for factor in node.factors:
                 self._push(factor, COLUMN)
-        elif isinstance(node, Product):
+        elif isinstance(node, tree.Product):
             self._look_at_frames(node.factors)
-        elif isinstance(node, Call) and node.function.name not in ("det", "tr", "Tr", "inv"):
+        elif isinstance(node, tree.Call) and node.function.name not in ("det", "tr", "Tr", "inv"):
             for argument in node.arguments:
                 self._push(argument, NUMBER)
-        elif isinstance(node, Table) and max(len(node.rows), len(node.rows[0])) > _BLOCKS:
+        elif isinstance(node, tree.Table) and max(len(node.rows), len(node.rows[0])) > _BLOCKS:
             for entry in (entry for row in node.rows for entry in row):
                 self._push(entry, NUMBER)
 
-    def _look_at_frames(self, factors: Sequence[Node]) -> None:
+    def _look_at_frames(self, factors: Sequence[tree.Node]) -> None:
         """Take what changes the frame of a vector as a square matrix."""
         for one, other in pairwise(factors):
             shape = self.measure(other)
             is_column = shape is not None and shape[1] == 1 != shape[0]
-            if shape and is_column and isinstance(one, Letter) and _CHANGES_FRAME.match(one.text):
+            if (
+                shape
+                and is_column
+                and isinstance(one, tree.Letter)
+                and _CHANGES_FRAME.match(one.text)
+            ):
                 self._push(one, (shape[0], shape[0]))
 
-    def _take_components(self, members: Sequence[Node]) -> None:
+    def _take_components(self, members: Sequence[tree.Node]) -> None:
         """Take the components in a bracket for those of the vectors beside it."""
-        brackets = (x.of if isinstance(x, Transposed) else x for x in members)
-        lists = [x.parts for x in brackets if isinstance(x, Entries)]
+        brackets = (x.of if isinstance(x, tree.Transposed) else x for x in members)
+        lists = [x.parts for x in brackets if isinstance(x, tree.Entries)]
         for parts in lists:
             for member in members:
-                if _is_vector(member) and not any(map(_is_vector, walk(parts))):
+                if _is_vector(member) and not any(map(_is_vector, tree.walk(parts))):
                     self._push(member, (len(parts), 1))
 
-    def _take_determinant(self, members: Sequence[Node]) -> None:
+    def _take_determinant(self, members: Sequence[tree.Node]) -> None:
         """Take bars around a letter beside a printed determinant for its own."""
-        calls = (x.arguments[0] for x in members if isinstance(x, Call) and x.arguments)
-        for table in (x for x in calls if isinstance(x, Table)):
+        calls = (x.arguments[0] for x in members if isinstance(x, tree.Call) and x.arguments)
+        for table in (x for x in calls if isinstance(x, tree.Table)):
             for member in members:
-                if isinstance(member, Magnitude):
+                if isinstance(member, tree.Magnitude):
                     self._push(member.inside, (len(table.rows), len(table.rows[0])))
 
-    def _is_matrix(self, node: Node) -> bool:
+    def _is_matrix(self, node: tree.Node) -> bool:
         """Return whether a letter stands alone in square brackets."""
-        if not (isinstance(node, Bracket) and isinstance(node.inside, Letter)):
+        if not (isinstance(node, tree.Bracket) and isinstance(node.inside, tree.Letter)):
             return False
         return self._latex[node.start : node.end].removeprefix(r"\left").strip().startswith("[")
 
-    def _is_cross(self, node: Product) -> bool:
+    def _is_cross(self, node: tree.Product) -> bool:
         """Return whether a cross stands between two vectors, not numbers or matrices."""
         is_open = all(
             self.measure(x) in (None, COLUMN) and not self._is_matrix(x) for x in node.factors
         )
         return self._shows_matrices and node.signs == (r"\times",) and is_open
 
-    def measure(self, node: Node) -> Shape | None:
+    def measure(self, node: tree.Node) -> Shape | None:
         """Return the shape of a part, None if it is not known."""
-        if isinstance(node, Letter):
+        if isinstance(node, tree.Letter):
             known = self.known.get(node.symbol) or self._find_other_frame(node)
             is_plain = not self._has_plain_matrices and not is_vector(node.text)
             return known or (NUMBER if is_plain else None)
-        if isinstance(node, Excerpt):
+        if isinstance(node, tree.Excerpt):
             sides = [limits[1] - limits[0] + 1 for limits in node.ranges if limits]
             return (sides[0], sides[1]) if len(sides) > 1 else None
-        if isinstance(node, Bracket):
+        if isinstance(node, tree.Bracket):
             letter = node.inside
-            is_cross = isinstance(letter, Letter) and letter.symbol in self.crosses
+            is_cross = isinstance(letter, tree.Letter) and letter.symbol in self.crosses
             return CROSS if is_cross and self._is_matrix(node) else self.measure(letter)
-        if isinstance(node, Add):
+        if isinstance(node, tree.Add):
             return next(filter(None, (self.measure(term) for _, term in node.terms)), None)
-        if isinstance(node, Product):
+        if isinstance(node, tree.Product):
             return COLUMN if self._is_cross(node) else self._multiply(node.factors)
-        if isinstance(node, Quotient):
+        if isinstance(node, tree.Quotient):
             return self.measure(node.above)
-        if isinstance(node, Power):
+        if isinstance(node, tree.Power):
             shape = self.measure(node.base)
             # The square of a vector is its product with itself.
             return NUMBER if shape and shape[0] != shape[1] else shape
-        if isinstance(node, Transposed):
+        if isinstance(node, tree.Transposed):
             shape = self.measure(node.of)
             return shape and (shape[1], shape[0])
-        if isinstance(node, Table):
+        if isinstance(node, tree.Table):
             heights, widths = self._measure_blocks(node)
             return (sum(heights), sum(widths)) if heights and widths else None
-        is_number = isinstance(node, _NUMBERS) or (isinstance(node, Call) and node.arguments)
+        is_number = isinstance(node, _NUMBERS) or (isinstance(node, tree.Call) and node.arguments)
         return NUMBER if is_number else None
 
-    def _find_other_frame(self, letter: Letter) -> Shape | None:
+    def _find_other_frame(self, letter: tree.Letter) -> Shape | None:
         """Return the shape of the same letter between other frames."""
         own = _CHANGES_FRAME.match(letter.text)
         return self.frames.get(own[1]) if own else None
 
-    def _measure_blocks(self, table: Table) -> tuple[list[int], list[int]]:
+    def _measure_blocks(self, table: tree.Table) -> tuple[list[int], list[int]]:
         """Return the heights of the rows and the widths of the columns; none where one is open."""
         shapes = [[self.measure(entry) for entry in row] for row in table.rows]
         is_large = max(len(table.rows), len(table.rows[0])) > _BLOCKS
@@ -218,16 +205,16 @@ class Shapes:
         widths = [next((one[1] for one in column if one), 0 if column else 1) for column in columns]
         return ([], []) if 0 in heights or 0 in widths else (heights, widths)
 
-    def _multiply(self, factors: Sequence[Node]) -> Shape | None:
+    def _multiply(self, factors: Sequence[tree.Node]) -> Shape | None:
         shapes = [shape for shape in map(self.measure, factors) if shape != NUMBER]
         if not shapes:
             return NUMBER
         first, last = shapes[0], shapes[-1]
         return (first[0], last[1]) if None not in shapes and first and last else None
 
-    def _push(self, node: Node, shape: Shape) -> None:
+    def _push(self, node: tree.Node, shape: Shape) -> None:
         """Take the shape of a part for its letters."""
-        if isinstance(node, Letter) and not isinstance(node.symbol, sp.IndexedBase):
+        if isinstance(node, tree.Letter) and not isinstance(node.symbol, sp.IndexedBase):
             is_clear = self.known.get(node.symbol, shape) == shape
             if node.symbol not in self.unclear and is_clear:
                 self.known[node.symbol] = shape
@@ -235,27 +222,27 @@ class Shapes:
                     self.frames.setdefault(frames[1], shape)
             elif not is_clear:
                 self.unclear[node.symbol] = None
-        elif isinstance(node, Bracket) and isinstance(node.inside, Letter):
+        elif isinstance(node, tree.Bracket) and isinstance(node.inside, tree.Letter):
             is_column = self._is_matrix(node) and self.known.get(node.inside.symbol) == COLUMN
             if is_column and shape == CROSS:
                 self.crosses[node.inside.symbol] = None
             else:
                 self._push(node.inside, shape)
-        elif isinstance(node, Bracket):
+        elif isinstance(node, tree.Bracket):
             self._push(node.inside, shape)
-        elif isinstance(node, Add):
+        elif isinstance(node, tree.Add):
             for _, term in node.terms:
                 self._push(term, shape)
-        elif isinstance(node, Transposed):
+        elif isinstance(node, tree.Transposed):
             self._push(node.of, (shape[1], shape[0]))
-        elif isinstance(node, Quotient):
+        elif isinstance(node, tree.Quotient):
             self._push(node.above, shape)
-        elif isinstance(node, Power) and shape[0] == shape[1] > 1:
+        elif isinstance(node, tree.Power) and shape[0] == shape[1] > 1:
             self._push(node.base, shape)
-        elif isinstance(node, Product):
+        elif isinstance(node, tree.Product):
             self._solve(node, shape)
 
-    def _solve(self, node: Product, shape: Shape) -> None:
+    def _solve(self, node: tree.Product, shape: Shape) -> None:
         """Take the shape of the one factor of a product that is not known."""
         shapes = list(map(self.measure, node.factors))
         if shape == NUMBER or self._is_cross(node):

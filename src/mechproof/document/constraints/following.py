@@ -14,9 +14,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from mechproof.document.constraints.applicable_constraints import state_at
 from mechproof.document.constraints.combinations import list_factors
-from mechproof.document.constraints.consequences import find_consequence
+from mechproof.document.constraints.consequences import find_consequence, state_at
 from mechproof.document.tasks import Role, Task
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero

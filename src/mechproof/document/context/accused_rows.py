@@ -10,13 +10,14 @@ from dataclasses import replace
 from typing import Any
 
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
-from mechproof.document.constraints.applicable_constraints import (
+from mechproof.document.constraints.consequences import (
+    FOLLOWING,
+    GIVEN,
     holds_elsewhere,
     is_plain,
     is_turned,
     may_hold_for,
 )
-from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
 from mechproof.document.context.constrained_rows import (
     connect,
     is_constraint,

@@ -8,8 +8,14 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.applicable_constraints import list_applicable, may_hold_for
-from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, SQUARE, list_letters
+from mechproof.document.constraints.consequences import (
+    FOLLOWING,
+    GIVEN,
+    SQUARE,
+    list_applicable,
+    list_letters,
+    may_hold_for,
+)
 from mechproof.document.context.doubts import CONTRADICTING, defines, list_used
 from mechproof.document.context.judging_beside import (
     judge_beside,

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.applicable_constraints import holds_elsewhere
+from mechproof.document.constraints.consequences import holds_elsewhere
 from mechproof.document.context.doubts import (
     ROUNDING,
     defines,
@@ -159,16 +159,13 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
         named = (one for one in at.tasks if one is task or one.row.number in at.rows[n].reason)
         letters = set[sp.Basic]().union(*(list_compared(one, at.tasks) for one in named))
         if met := sorted(letters & shown.keys(), key=str):
-            holds = "it holds" if outcome == Verdict.PROVED.value else "it differs"
-            yield n, make_row(task, f"{holds} if {met[0]} is a number: {_ask(met[0], shown)}")
-
-
-def _ask(letter: sp.Basic, shown: Mapping[sp.Basic, str]) -> str:
-    asked = f"is it a matrix, as {shown[letter]} looks?"
-    return (
-        f"{asked} Say in the block of letters what it is, {letter} 3x3 : its meaning, or "
-        f"{letter} : number"
-    )
+            holds, letter = "holds" if outcome == Verdict.PROVED.value else "differs", met[0]
+            reason = (
+                f"it {holds} if {letter} is a number: is it a matrix, as {shown[letter]} looks? "
+                f"Say in the block of letters what it is, {letter} 3x3 : its meaning, or "
+                f"{letter} : number"
+            )
+            yield n, make_row(task, reason)
 
 
 def doubt_by_rounded(at: Judging) -> Changes:

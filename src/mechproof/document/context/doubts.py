@@ -9,7 +9,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.applicable_constraints import is_left, is_turned
+from mechproof.document.constraints.consequences import is_left, is_turned
 from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.document.where_true import WITH_DEFINITIONS, holds_alone

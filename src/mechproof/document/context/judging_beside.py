@@ -9,8 +9,12 @@ from itertools import chain
 
 import sympy as sp
 
-from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
-from mechproof.document.constraints.consequences import find_consequence, list_letters
+from mechproof.document.constraints.consequences import (
+    find_consequence,
+    list_applicable,
+    list_letters,
+    state_at,
+)
 from mechproof.document.constraints.following import list_entries
 from mechproof.document.constraints.solutions import (
     SUBSTITUTION,

@@ -16,8 +16,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.applicable_constraints import is_bare, is_of_another_example
-from mechproof.document.constraints.consequences import FOLLOWING
+from mechproof.document.constraints.consequences import FOLLOWING, is_bare, is_of_another_example
 from mechproof.document.context.doubts import (
     is_later_case,
     is_left_case,

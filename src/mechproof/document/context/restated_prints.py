@@ -17,8 +17,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.applicable_constraints import is_plain
-from mechproof.document.constraints.consequences import FOLLOWING, GIVEN
+from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, is_plain
 from mechproof.document.context.constrained_rows import binds
 from mechproof.document.judging_workers import Changes, Judging, judge_row, name_equation
 from mechproof.document.row_sides import have_same_letters

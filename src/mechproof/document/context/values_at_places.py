@@ -13,8 +13,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.document.checked_rows import make_row
-from mechproof.document.constraints.applicable_constraints import list_applicable, state_at
-from mechproof.document.constraints.consequences import list_letters
+from mechproof.document.constraints.consequences import list_applicable, list_letters, state_at
 from mechproof.document.context.constrained_rows import connect, is_constraint
 from mechproof.document.context.undeclared_motion import find_ties
 from mechproof.document.judging_workers import Changes, Judging
@@ -55,7 +54,10 @@ def compare_at_places(at: Judging) -> Changes:
     asked = []
     for n, task in enumerate(tasks):
         values = dict(_list_put_in(task, symbols))
-        moving = _list_moving(values.keys() - _find_places(task).keys(), symbols) & met
+        running = values.keys() - _find_places(task).keys()
+        moving = {
+            letter for letter in met & symbols.moving.keys() if symbols.moving[letter][0] in running
+        }
         tied = _list_tied(task, moving, at)
         is_apart = _is_apart(task, tied, symbols)
         if tied and is_apart and rows[n].outcome != Verdict.PROVED.value:
@@ -79,11 +81,6 @@ def _list_put_in(task: Task, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Ex
             yield letter, value
         elif slope != 0 and not slope.has(by):
             yield by, sp.cancel((value - given.xreplace({by: sp.S.Zero})) / slope)
-
-
-def _list_moving(running: Set[sp.Basic], symbols: Symbols) -> set[sp.Basic]:
-    """Return the letters that depend on one of some."""
-    return {letter for letter, (by, _) in symbols.moving.items() if by in running}
 
 
 def _list_tied(task: Task, moving: Set[sp.Basic], at: Judging) -> frozenset[sp.Basic]:

@@ -6,25 +6,24 @@ Nothing of a draft is used before it stands in the paper.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
-from mechproof.document.constraints.complex_parts import find_imaginary_unit
-from mechproof.document.drafts.drafted_letters import (
+from mechproof.document.double_signs import find_imaginary_unit
+from mechproof.document.drafts.drafted_lines import (
+    COUNTING,
     DraftedLetter,
+    ask_refused,
+    ask_sizes,
+    ask_zeros,
     find_running,
     is_motion,
     list_entries,
     list_functions,
+    show_line,
     split_letter,
     strip_arguments,
-)
-from mechproof.document.drafts.drafted_lines import (
-    COUNTING,
-    ask_refused,
-    ask_sizes,
-    ask_zeros,
-    show_line,
     tell_unread,
     write_counts,
     write_factors,
@@ -38,6 +37,7 @@ from mechproof.document.drafts.said_values import (
     propose_relations,
     propose_values,
 )
+from mechproof.document.numbers.size_tables import find_head_units
 from mechproof.document.source_rows import Document
 from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printed_units
 from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
@@ -81,14 +81,18 @@ def draft_block(source: Source) -> str:
     for base, by in map(split_letter, collect_letters(values, guess=True, imaginary=unit).letters):
         entries.setdefault(name_symbol(base), DraftedLetter({base: None}, by))
     _take_inline(inline, entries, said)
-    measures = [*find_printed_units(displays), *find_units(source), *document.find_table_units()]
+    heads = find_head_units(document.tables, document.symbols.reader())
+    measures = [*find_printed_units(displays), *find_units(source), *heads]
     _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
     # A matrix is multiplied by any bracket that is no argument.
     factors = [x for x in collected.factors if name_symbol(x) not in shapes]
     lines = [
-        *_write_letters(entries, shapes, said),
+        *chain.from_iterable(
+            write_letter(name, entry, shapes.get(name), said.get(name))
+            for name, entry in entries.items()
+        ),
         *write_families(collected.families, said),
         *(f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses),
         *ask_sizes(map(strip_arguments, unclear)),
@@ -109,15 +113,6 @@ def draft_block(source: Source) -> str:
     is_markdown = is_markdown_name(source.files.names[0])
     first, mark, last = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
     return "\n".join([first, *(f"{mark}{line}" for line in lines), last, ""])
-
-
-def _write_letters(
-    entries: Mapping[str, DraftedLetter],
-    shapes: Mapping[str, tuple[int, int]],
-    said: Mapping[str, Said],
-) -> Iterator[str]:
-    for name, entry in entries.items():
-        yield from write_letter(name, entry, shapes.get(name), said.get(name))
 
 
 def _take_inline(
