@@ -18,13 +18,13 @@ from mechproof.document.known import Known
 from mechproof.document.printed_signs import find_roles
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import Reader
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.nomenclature.symbol_names import DOUBLE
 from mechproof.record import Definition, Equality, Row, ValueWhere
 from mechproof.sources.displays import Printed
 
-_MATRICES = (sp.MatrixBase, sp.MatrixExpr)
 # What a print with a double sign may do.
 _SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
 # What says which number a letter has.
@@ -89,7 +89,7 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
             "a double sign beside the imaginary unit: which of the two numbers is the letter?",
             "Print them one by one, as letters of their own.",
         )
-    if not is_one_sided or any(isinstance(side, _MATRICES) for side in sides):
+    if not is_one_sided or any(map(is_matrix, sides)):
         return []
     halves = _find_halves(sides[0], sides[1], known, pairs)
     # Rows of the two letters are about what is printed of both.

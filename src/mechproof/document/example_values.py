@@ -14,6 +14,7 @@ import sympy as sp
 
 from mechproof.document.known import Known, Values
 from mechproof.document.tasks import Role, Sign
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.nomenclature.inline import Inline, find_inline
 from mechproof.nomenclature.said_relations import read_relations
 from mechproof.record.unit_notation import ONE
@@ -60,8 +61,7 @@ def _take_out(
         return {}
     new = [s for s in steps[steps.index(letter) :] if s in known.values.keys() - before]
     values = {s: known.values[s] for s in new}
-    are_matrices = (isinstance(v, sp.MatrixBase | sp.MatrixExpr) for v in values.values())
-    return {} if any(are_matrices) else values
+    return {} if any(map(is_matrix, values.values())) else values
 
 
 def _differs(sign: Sign, value: Any) -> bool:

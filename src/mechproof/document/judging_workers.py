@@ -23,6 +23,7 @@ from mechproof.document.slips import find_slip
 from mechproof.document.source_rows import Document
 from mechproof.document.tasks import Role, Task
 from mechproof.document.where_true import WITH_DEFINITIONS, find_relations, tell_never_true
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
@@ -201,7 +202,7 @@ def _holds_transposed(task: Task) -> bool:
     if r"\partial" not in task.row.printed_latex or not isinstance(says, Equality):
         return False
     one, other = says.printed, says.rebuilt
-    if not all(isinstance(side, sp.MatrixBase | sp.MatrixExpr) for side in (one, other)):
+    if not (is_matrix(one) and is_matrix(other)):
         return False
     turned = replace(task.row, says=Equality(one.T, other, "member"))
     return one.shape == other.shape[::-1] and judge(turned, task.paper).verdict is Verdict.PROVED

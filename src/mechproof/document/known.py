@@ -1,12 +1,13 @@
 """What is known of the letters of a paper while its equations are read, one after the other.
 
-Of matrices of which others are made before they are printed it is known which are, and when.
+Of matrices of which others are made before they are printed it is known which are, and when; of
+laws whose pieces are printed one by one each has its range.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import chain
@@ -14,8 +15,8 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.document.printed_laws import LawPiece, join_pieces, order_pieces
-from mechproof.latex.values import differentiate, list_reached, settle_all
+from mechproof.latex.matrix_meaning import is_matrix
+from mechproof.latex.values import differentiate, find_end, is_lower, list_reached, settle_all
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.sources.announcements import NOTHING, Announced
 
@@ -26,6 +27,7 @@ CHAIN_RULE = "the chain rule"
 BLOCK = "the block of letters"
 # Matrices, each with its value and what prints it.
 Later = dict[sp.Basic, tuple[sp.MatrixBase, str]]
+_CLOSED = (sp.Le, sp.Ge)
 
 
 @dataclass
@@ -199,7 +201,7 @@ class Known:
 
     def join_pieces(self) -> dict[sp.Basic, list[LawPiece]]:
         """Return the laws that pieces are together, of letters that nothing else gives."""
-        ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
+        ordered = {letter: _order_pieces(pieces) for letter, pieces in self.pieces.items()}
         return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
 
     def define_laws(self, laws: Mapping[sp.Basic, list[LawPiece]]) -> None:
@@ -207,7 +209,8 @@ class Known:
         for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
             self.laws[letter] = laws[letter]
             if letter not in self.values:
-                self.define(letter, join_pieces(laws[letter]), self.name_law(letter))
+                pieces = ((one.value, sp.And(*one.where)) for one in laws[letter])
+                self.define(letter, sp.Piecewise(*pieces), self.name_law(letter))
 
     def find_parted(self, letter: sp.Basic) -> sp.Basic:
         """Return the letter of whose ranges the pieces are that give another or its rate."""
@@ -269,5 +272,65 @@ def define_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
 
 def _list_open(value: Any) -> set[sp.Basic]:
     """Return the letters for matrices that stand in a matrix."""
-    is_matrix = isinstance(value, sp.MatrixBase | sp.MatrixExpr)
-    return value.atoms(sp.MatrixSymbol) if is_matrix else set()
+    return value.atoms(sp.MatrixSymbol) if is_matrix(value) else set()
+
+
+@dataclass(frozen=True)
+class LawPiece:
+    """A value of a letter in a range of another one, `by`, and who prints it.
+
+    The ends of the range are None where there is none.
+    """
+
+    name: str
+    value: Any
+    by: sp.Basic
+    where: tuple[sp.Basic, ...]
+    low: sp.Expr | None
+    high: sp.Expr | None
+    is_closed: tuple[bool, bool]
+
+    @property
+    def range(self) -> tuple[sp.Expr | None, sp.Expr | None]:
+        """Return the ends, in one form."""
+        low, high = (None if x is None else sp.expand(x) for x in (self.low, self.high))
+        return low, high
+
+
+def read_piece(
+    name: str, value: Any, relations: Sequence[sp.Basic], by: sp.Basic
+) -> LawPiece | None:
+    """Return the piece that relations say to be meant, None if they say more than a range."""
+    ends: dict[bool, tuple[sp.Expr, bool]] = {}
+    for relation in relations:
+        if not isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge):
+            return None
+        end, lower = find_end(relation, by), is_lower(relation, by)
+        if end is None or lower in ends:
+            return None
+        ends[lower] = (end, isinstance(relation, _CLOSED))
+    low, high = (ends.get(lower, (None, False)) for lower in (True, False))
+    where = tuple(relations)
+    closed = low[1], high[1]
+    return LawPiece(name, value, by, where, low[0], high[0], closed) if ends else None
+
+
+def _order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
+    """Return pieces in the order in which each begins where another ends; none if they do not.
+
+    Of those with the same range the first is meant. All are ranges of the same letter.
+    """
+    ranges: dict[Any, LawPiece] = {}
+    if any(piece.by != pieces[0].by for piece in pieces):
+        return []
+    for piece in pieces:
+        ranges.setdefault(piece.range, piece)
+    starts = {low: piece for (low, _), piece in ranges.items()}
+    ends = {high for _, high in ranges}
+    first = [piece for (low, _), piece in ranges.items() if low is None or low not in ends]
+    if len(starts) < len(ranges) or len(ends) < len(ranges) or len(first) != 1:
+        return []
+    found = first[:1]
+    while found[-1].high is not None and (following := starts.get(found[-1].range[1])):
+        found.append(following)
+    return found if len(found) == len(ranges) else []

@@ -10,10 +10,10 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from mechproof.document.known import Known, define_now
-from mechproof.document.printed_laws import read_piece
+from mechproof.document.known import Known, define_now, read_piece
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import tree
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import find_number
 from mechproof.latex.reader import Print
 
@@ -39,7 +39,7 @@ class LetterAlone:
     @property
     def is_matrix(self) -> bool:
         """Return whether it is equal to a vector or a matrix."""
-        return isinstance(self.value, sp.MatrixBase | sp.MatrixExpr)
+        return is_matrix(self.value)
 
     def to_sign(self, role: Role, first: str = "") -> Sign:
         """Return a sign between both sides that does so to the letter."""

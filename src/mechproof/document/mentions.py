@@ -114,7 +114,10 @@ def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> b
 
 
 def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
-    """Yield the place of the first character of each kind, and what is said of all of them."""
+    """Yield the place of the first character of each kind, and what is said of all of them.
+
+    No verdict depends on it.
+    """
     if met := _find(find_replaced, displays, files):
         shown = ", ".join(f"{x} (U+{ord(x):04X}) as {sign}" for x, (_, sign) in met.items())
         yield _find_first(met), f"read as other signs: {shown}"

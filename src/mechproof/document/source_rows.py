@@ -11,6 +11,7 @@ from typing import TypeVar
 
 import sympy as sp
 
+from mechproof.document import mentions
 from mechproof.document.double_signs import (
     find_double_signs,
     find_following,
@@ -18,41 +19,23 @@ from mechproof.document.double_signs import (
     is_complex,
 )
 from mechproof.document.example_values import collect_values, lend_values
-from mechproof.document.known import CHAIN_RULE, Known, Later, define_later, find_later
-from mechproof.document.mentions import (
-    is_listed,
-    look_up,
-    refuse_pi,
-    refuse_powers_of_zero,
-    refuse_units,
-    refuse_unknown,
-    says_constant,
-    tell_characters,
-)
+from mechproof.document.known import CHAIN_RULE, Known, Later, LawPiece, define_later, find_later
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
 from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
 from mechproof.document.numbers.size_tables import SizeTables
 from mechproof.document.numbers.stated_numbers import StatedNumbers
-from mechproof.document.printed_laws import LawPiece
 from mechproof.document.printed_signs import find_roles, give_values
 from mechproof.document.special_cases import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
+from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
 from mechproof.nomenclature.declarations import add_phases, declare
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.nomenclature.shown_letters import (
-    collect_letters,
-    drop_transposition,
-    find_shapes,
-    group_alike,
-    is_vector,
-    name_symbol,
-)
 from mechproof.nomenclature.symbol_names import DOUBLE, add_pairs, leave_pairs
 from mechproof.nomenclature.symbols import add_chained_rates, add_scopes, give_chained_rates
 from mechproof.proof.verdict import Left, State
@@ -99,7 +82,7 @@ class Document:
             self._take_letters()
         self.chained = add_chained_rates(self.block)
         self.pairs = add_pairs(self.block, (one.latex.string for one in self.printed))
-        refuse_unknown(self.block, self.printed)
+        mentions.refuse_unknown(self.block, self.printed)
         self._declare({}, {})
 
     def _take_letters(self) -> None:
@@ -109,18 +92,22 @@ class Document:
         """
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_imaginary_unit(prints)
-        collected = collect_letters(prints, imaginary=self.block.imaginary)
+        collected = shown_letters.collect_letters(prints, imaginary=self.block.imaginary)
         self._uncollected = collected.unread
-        letters = drop_transposition([*collected.letters, *collected.guessed], prints)
+        letters = shown_letters.drop_transposition([*collected.letters, *collected.guessed], prints)
         letters = leave_pairs(letters, prints)
-        shapes = dict(find_shapes(prints))
-        if vectors := {name_symbol(x) for x in letters if is_vector(x)}:
+        shapes = dict(shown_letters.find_shapes(prints))
+        if vectors := {shown_letters.name_symbol(x) for x in letters if shown_letters.is_vector(x)}:
             sizes = find_sizes(prints, collected, has_plain_matrices=False).known
             shapes = {name: sizes[name] for name in vectors & sizes.keys()} | shapes
-        self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
+        self.taken = tuple(
+            x
+            for x in letters
+            if not shown_letters.is_vector(x) or shown_letters.name_symbol(x) in shapes
+        )
         self.block.letters += [
-            Declared(names, shape=shapes.get(name_symbol(names[0])))
-            for names in group_alike(self.taken)
+            Declared(names, shape=shapes.get(shown_letters.name_symbol(names[0])))
+            for names in shown_letters.group_alike(self.taken)
         ]
 
     def _declare(self, laws: Mapping[sp.Basic, list[LawPiece]], later: Later) -> None:
@@ -147,10 +134,12 @@ class Document:
         while True:
             reader = self.symbols.reader()
             read = [self._parse(printed, reader) for printed in self.printed]
-            sizes = {name_symbol(str(s)): shape for s, shape in self.known.sizes.items()}
+            sizes = {
+                shown_letters.name_symbol(str(s)): shape for s, shape in self.known.sizes.items()
+            }
             if self.taken and sizes:
                 self.block.letters = [
-                    replace(x, shape=sizes.get(name_symbol(x.names[0]), x.shape))
+                    replace(x, shape=sizes.get(shown_letters.name_symbol(x.names[0]), x.shape))
                     for x in self.block.letters
                 ]
                 self._declare(laws, later)
@@ -173,7 +162,9 @@ class Document:
         """Return the sizes of the letters that are printed to be matrices, by their names."""
         self.limit = limit
         self._parse_all()
-        return {name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape}
+        return {
+            shown_letters.name_symbol(x.names[0]): x.shape for x in self.block.letters if x.shape
+        }
 
     def find_possible_matrices(self) -> dict[sp.Basic, str]:
         """Return the letters taken as numbers that are printed as matrices are, and how."""
@@ -203,7 +194,7 @@ class Document:
         compared = list(tables.read(self.tables))
         start = Place(self.files.names[0], 1, 1)
         faults = [(place or start, reason) for place, reason in self.symbols.faults]
-        characters = tell_characters(self.printed, self.files)
+        characters = mentions.tell_characters(self.printed, self.files)
         self.told = [*faults, *tables.told, *characters]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
@@ -226,9 +217,9 @@ class Document:
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:
             return self._leave(printed, State.NOT_READ, printed.fault)
-        if reason := look_up(printed, self.block.skipped):
+        if reason := mentions.look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
-        if says_constant(printed.latex.string):
+        if mentions.says_constant(printed.latex.string):
             return self._leave(printed, State.NOT_JUDGED, "it says that something does not change")
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
@@ -248,12 +239,12 @@ class Document:
         self.has_units |= any(isinstance(n, Measure) and n.factor != 1 for n in walk(read.chains))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
-        refuse_units(read)
-        refuse_powers_of_zero(read)
-        refuse_pi(read, self.pi)
+        mentions.refuse_units(read)
+        mentions.refuse_powers_of_zero(read)
+        mentions.refuse_pi(read, self.pi)
         if branch is None and DOUBLE.search(latex):
             return find_double_signs(printed, read, reader, self.known, self.pairs)
-        if is_listed(printed, [*self.block.follows]):
+        if mentions.is_listed(printed, [*self.block.follows]):
             return find_following(printed.name, read, self.known)
         return find_roles(printed.name, read, self.known)
 
@@ -265,7 +256,7 @@ class Document:
             said = _ZERO.fullmatch(one.latex.string)
             if one.group != printed.group or one.locate(self.files).line != line:
                 return
-            if said and (letter := names.get(name_symbol(said[1]))):
+            if said and (letter := names.get(shown_letters.name_symbol(said[1]))):
                 yield letter
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:

@@ -103,11 +103,17 @@ class TaskMaker:
         tied = (one for pair in pairs[judged:] for one in tie_pair(*pair, dimensions))
         parts = (part for one in tied for part in split_parts(*one, self.known))
         held = dict.fromkeys(self.known.held.get(printed.name, ()), sp.S.Zero)
-        parts = ((put_on(r, held if s.role is Role.CONSTRAINT else {}), s) for r, s in parts)
-        tasks = ((self._prepare(printed, *part, own), part) for part in parts)
+        parts = (
+            (
+                put_on(r, held if s.role is Role.CONSTRAINT else {}),
+                replace(s, own=own),
+            )
+            for r, s in parts
+        )
+        tasks = ((self._prepare(printed, *part), part) for part in parts)
         zeros = list_zeros(printed, signs, self.printed, self.numbers.sizes)
         values = zeros, self.examples.list_at(printed)
-        return [self._add_special(printed, task, *part, own, *values) for task, part in tasks]
+        return [self._add_special(printed, task, *part, *values) for task, part in tasks]
 
     def _add_special(
         self,
@@ -115,7 +121,6 @@ class TaskMaker:
         task: Task | Left,
         row: Row,
         sign: Sign,
-        own: sp.Basic | None,
         zeros: Mapping[sp.Basic, sp.Expr],
         local: Mapping[sp.Basic, Any],
     ) -> Task | Left:
@@ -128,18 +133,18 @@ class TaskMaker:
         new = {s: v for s, v in zeros.items() if self.known.met[s] and s not in task.at}
         special = {**new, **self.examples.list_within(printed)}
         made = {
-            name: self._make(printed, put_on(row, values), sign, own, values)
+            name: self._make(printed, put_on(row, values), sign, values)
             for name, values in (("special", special), ("local", local))
             if values
         }
         tasks = {n: t for n, t in made.items() if isinstance(t, Task) and has_letters(t.row.says)}
         return replace(task, special=tasks.get("special"), local=tasks.get("local"))
 
-    def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
+    def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
         """Make a task of a row, and one for each other member that it is compared with."""
-        task = self._make(printed, row, sign, own)
+        task = self._make(printed, row, sign)
         if isinstance(task, Task) and sign.role is Role.STEP:
-            return replace(task, others=tuple(self._exchange_members(printed, row, sign, own)))
+            return replace(task, others=tuple(self._exchange_members(printed, row, sign)))
         if isinstance(task, Left) or sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return task
         others = []
@@ -157,12 +162,10 @@ class TaskMaker:
                 continue
             sides = [value if side == sign.letter else side for side in sign.sides]
             other = replace(row, says=Equality(sides[0], sides[1], "member"))
-            others.append(self._make(printed, other, replace(sign, first=name), own))
+            others.append(self._make(printed, other, replace(sign, first=name)))
         return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
 
-    def _exchange_members(
-        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
-    ) -> Iterator[Task]:
+    def _exchange_members(self, printed: Printed, row: Row, sign: Sign) -> Iterator[Task]:
         """Yield a step with a letter of it taken from another member of its chain."""
         letters = {s for side in sign.sides for s in getattr(side, "free_symbols", ())}
         for letter in sorted(letters & self.known.others.keys(), key=str):
@@ -171,21 +174,14 @@ class TaskMaker:
                     continue
                 sides = [side.xreplace({letter: value}) for side in sign.sides]
                 other = replace(row, says=Equality(sides[0], sides[1], "member"))
-                made = self._make(
-                    printed, other, replace(sign, first=name, sides=tuple(sides)), own
-                )
+                made = self._make(printed, other, replace(sign, first=name, sides=tuple(sides)))
                 if isinstance(made, Task):
                     yield made
 
     def _make(
-        self,
-        printed: Printed,
-        row: Row,
-        sign: Sign,
-        own: sp.Basic | None,
-        local: Mapping[sp.Basic, Any] | None = None,
+        self, printed: Printed, row: Row, sign: Sign, local: Mapping[sp.Basic, Any] | None = None
     ) -> Task | Left:
-        """Make a task of a row; `own` is the letter that its chain is about.
+        """Make a task of a row.
 
         `local` are values that are said of the row, also of letters that others define.
         """
@@ -195,19 +191,21 @@ class TaskMaker:
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         at = {**list_values(row, self.known), **(local or {})}
         row, sign = self._specialise(self._restate(row, sign), sign, at)
-        number = self.numbers.state(printed, row, sign, own)
+        number = self.numbers.state(printed, row, sign)
         if isinstance(number, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
         row, sign, is_stated = number
         limited = state_limit(row, sign, self.known)
-        turned = limited if isinstance(limited, str) else turn_units(limited, sign, own, self.known)
+        turned = limited if isinstance(limited, str) else turn_units(limited, sign, self.known)
         if isinstance(turned, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, turned)
         row = replace(turned, says=split_branches(turned.statement, self.known))
         turn = look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
             row = replace(
-                row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
+                row,
+                says=state_modulo(row.says, turn, self.known),
+                note=f"Said modulo {turn}.",
             )
         sides = list_sides(row, sign, self.known)
         units = find_units(row, sign, sides, self.known, self.papers, is_stated)

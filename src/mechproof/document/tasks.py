@@ -60,7 +60,8 @@ class Sign:
     the letters of that part. `formula` is what stands before a calculation that a number is of,
     `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
     Of two calculations `span` is that of their difference.
-    `halves` are x_1 and x_2 of what is printed of both, x_{1,2}.
+    `halves` are x_1 and x_2 of what is printed of both, x_{1,2}. `own` is the letter that its chain
+    is about, in whose unit a number of it counts.
     Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
     `places` are the numbers that letters are where one side is the value of something, `beside` the
     letters of the other side then.
@@ -86,6 +87,7 @@ class Sign:
     halves: tuple[sp.Basic, ...] = ()
     places: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
     beside: frozenset[sp.Basic] = frozenset()
+    own: sp.Basic | None = None
 
     @property
     def is_tied(self) -> bool:

@@ -91,18 +91,14 @@ class _Alignment:
             yield self.align(a[1:], b[1:]).after(cost, [left], [right])
         yield self.align(a[1:], b).after(first.size, _mark(a[:1], changed=True), ())
         yield self.align(a, b[1:]).after(second.size, (), _mark(b[:1], changed=True))
-        for place, held in enumerate(first.inner):
-            edit = self.align(held + a[1:], b)
-            opened = _open(first, place, edit.left[: len(held)])
-            rest = edit.left[len(held) :]
-            cost = edit.cost + first.size - measure(held) + OPENING
-            yield _Edit(cost, (opened, *rest), edit.right)
-        for place, held in enumerate(second.inner):
-            edit = self.align(a, held + b[1:])
-            opened = _open(second, place, edit.right[: len(held)])
-            rest = edit.right[len(held) :]
-            cost = edit.cost + second.size - measure(held) + OPENING
-            yield _Edit(cost, edit.left, (opened, *rest))
+        for is_left, part in ((True, first), (False, second)):
+            for place, held in enumerate(part.inner):
+                edit = self.align(held + a[1:], b) if is_left else self.align(a, held + b[1:])
+                own = edit.left if is_left else edit.right
+                opened = _open(part, place, own[: len(held)]), *own[len(held) :]
+                cost = edit.cost + part.size - measure(held) + OPENING
+                both = (opened, edit.right) if is_left else (edit.left, opened)
+                yield _Edit(cost, *both)
 
 
 def _mark(parts: Parts, *, changed: bool) -> tuple[Marked, ...]:

@@ -36,11 +36,9 @@ def read_environment(parser: Parser) -> Node:
 
 def _is_matrix(parser: Parser) -> bool:
     """Return whether braces hold entries without a condition, as columns are often printed."""
-    texts = [token.text for token in parser.rest]
-    inside = (
-        texts[: texts.index(rf"\end{{{_BRACED}}}")] if rf"\end{{{_BRACED}}}" in texts else texts
-    )
-    return not {*inside} & {*RELATIONS, *IF, *ELSE, *UNDEFINED}
+    texts = (token.text for token in parser.rest)
+    inside = {*takewhile(lambda text: text != rf"\end{{{_BRACED}}}", texts)}
+    return not inside & {*RELATIONS, *IF, *ELSE, *UNDEFINED}
 
 
 def _read_table(parser: Parser, kind: str) -> Table:

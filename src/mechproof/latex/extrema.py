@@ -97,11 +97,8 @@ def state_extremum(
         if _agree(there, known, letters):
             limit = sign(value, bound, evaluate=False)
             return Conjunction((Holds(limit), Equality(there, bound, "member")))
-    numbers = [_evaluate(there, letters) for there in reached]
     pairs = [
-        (number, there)
-        for number, there in zip(numbers, reached, strict=True)
-        if number is not None
+        (number, there) for there in reached if (number := _evaluate(there, letters)) is not None
     ]
     if not pairs:
         return None

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from mechproof.latex.latex_signs import same_sign
@@ -96,7 +96,7 @@ class _Parser:
         while self.place < end:
             sign = self.signs[self.place]
             if sign in SILENT and parts:
-                parts[-1] = _replace(parts[-1], tail=join([parts[-1].tail, sign]))
+                parts[-1] = replace(parts[-1], tail=join([parts[-1].tail, sign]))
                 self.place += 1
             elif sign in ("_", "^", "'"):
                 base = parts.pop() if parts else Fragment(("{}",))
@@ -108,11 +108,11 @@ class _Parser:
     def _read_script(self, base: Fragment, sign: str, end: int) -> Fragment:
         self.place += 1
         if sign == "'":
-            return _replace(base, sup=(*base.sup, Fragment((r"\prime",))))
+            return replace(base, sup=(*base.sup, Fragment((r"\prime",))))
         script = self._read_argument(end)
         if sign == "_":
-            return _replace(base, sub=base.sub + script)
-        return _replace(base, sup=base.sup + script)
+            return replace(base, sub=base.sub + script)
+        return replace(base, sup=base.sup + script)
 
     def _read_argument(self, end: int) -> Parts:
         """Read what stands in braces, or one sign."""
@@ -160,11 +160,6 @@ class _Parser:
 
     def _peek(self, end: int) -> str:
         return self.signs[self.place] if self.place < end else ""
-
-
-def _replace(part: Fragment, **changes: Parts | str) -> Fragment:
-    fields = {name: getattr(part, name) for name in ("pieces", "inner", "sub", "sup", "tail")}
-    return Fragment(**{**fields, **changes})
 
 
 def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:

@@ -10,34 +10,10 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
-from mechproof.latex import tree
-from mechproof.latex.calculus_meaning import (
-    BINDING,
-    RUNNING,
-    give_derivative,
-    give_integral,
-    give_limit,
-    give_repeated,
-    give_value,
-    list_lost,
-)
+from mechproof.latex import calculus_meaning, matrix_meaning, tree
 from mechproof.latex.dotted import give_dotted
 from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
-from mechproof.latex.matrix_meaning import (
-    ENTRIES,
-    assemble,
-    give_excerpt,
-    give_magnitude,
-    give_product,
-    give_transposed,
-    invert,
-    is_matrix,
-    is_power,
-    is_vector,
-    raise_matrix,
-    show_entries,
-)
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
@@ -102,7 +78,7 @@ class Meaning:
         outside, self._met = self._met, {}
         divisors, self.divisors = self.divisors, {}
         value = self.of(node)
-        self.lost |= dict.fromkeys(list_lost(self.divisors, value))
+        self.lost |= dict.fromkeys(calculus_meaning.list_lost(self.divisors, value))
         self.divisors = divisors
         roots = {power.base for power in value.atoms(sp.Pow) if power.exp.is_integer is False}
         met = [p for p in self._met if not (self.is_complex and p.has(sp.I))]
@@ -140,18 +116,20 @@ class Meaning:
         """Say that parts do not fit together, and which letters among them are matrices."""
         letters = [part for part in tree.walk(node) if isinstance(part, tree.Letter)]
         values = {one.text: self.values.get(one.symbol, one.symbol) for one in letters}
-        shapes = {text: value.shape for text, value in values.items() if is_matrix(value)}
+        shapes = {
+            text: value.shape for text, value in values.items() if matrix_meaning.is_matrix(value)
+        }
         told = (f"{text} is a {rows}x{columns} matrix" for text, (rows, columns) in shapes.items())
         return "; ".join((_UNFIT, *told))
 
     def _find(self, node: tree.Node) -> Any:
         """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
-        if not isinstance(node, (*BINDING, tree.Cases)):
+        if not isinstance(node, (*calculus_meaning.BINDING, tree.Cases)):
             return _RULES[type(node)](self, node)
         divisors, lost = {**self.divisors}, {**self.lost}
         found = _RULES[type(node)](self, node)
         self.divisors = divisors
-        if not isinstance(node, RUNNING):
+        if not isinstance(node, calculus_meaning.RUNNING):
             self.lost = lost
         return found
 
@@ -160,7 +138,7 @@ class Meaning:
         members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
             raise self.source.refuse(
-                chain.members[0].start, "matrices are not put in order", ENTRIES
+                chain.members[0].start, "matrices are not put in order", matrix_meaning.ENTRIES
             )
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
@@ -173,8 +151,10 @@ class Meaning:
 
     def take_number(self, node: tree.Node, found: Any) -> Any:
         """Return what has to be a number; of matrices sums, integrals and so on are not read."""
-        if is_matrix(found):
-            raise self.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
+        if matrix_meaning.is_matrix(found):
+            raise self.source.refuse(
+                node.start, "a matrix where a number is meant", matrix_meaning.ENTRIES
+            )
         return found
 
     def letter(self, node: tree.Letter) -> Any:
@@ -191,7 +171,7 @@ class Meaning:
         if not _any_matrix(terms):
             return sp.Add(*terms)
         # A zero beside a matrix is one of zeros.
-        return reduce(add, [term for term in terms if is_matrix(term) or term != 0])
+        return reduce(add, [term for term in terms if matrix_meaning.is_matrix(term) or term != 0])
 
     def _quotient(self, node: tree.Quotient) -> Any:
         below = self.of(node.below)
@@ -201,25 +181,25 @@ class Meaning:
         return self.of(node.above) / below
 
     def _divide_by(self, number: Any, shown: Any = None) -> None:
-        is_scalar = isinstance(number, sp.Expr) and not is_matrix(number)
+        is_scalar = isinstance(number, sp.Expr) and not matrix_meaning.is_matrix(number)
         if is_scalar and not (number.is_number and number.is_nonzero):
             self.divisors[number] = shown or 1 / number
 
     def _power(self, node: tree.Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
-        if exponent == 2 and is_vector(base):
-            shown = show_entries(base)
+        if exponent == 2 and matrix_meaning.is_vector(base):
+            shown = matrix_meaning.show_entries(base)
             return shown.dot(shown)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
-            if (power := raise_matrix(base, exponent)) is None:
+            if (power := matrix_meaning.raise_matrix(base, exponent)) is None:
                 raise self.source.refuse(node.start, self._tell_unfit(node))
             self._raised += 1
             return power
-        if is_power(base):
+        if matrix_meaning.is_power(base):
             raise self.source.refuse(node.start, self._tell_unfit(node))
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
             self._divide_by(base.det(method="berkowitz"))
-            return invert(base)
+            return matrix_meaning.invert(base)
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
                 node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
@@ -276,7 +256,7 @@ class Meaning:
 
 
 def _any_matrix(parts: list[Any]) -> bool:
-    return any(map(is_matrix, parts))
+    return any(map(matrix_meaning.is_matrix, parts))
 
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
@@ -287,23 +267,25 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     tree.Letter: Meaning.letter,
     tree.Bracket: lambda meaning, node: meaning.of(node.inside),
     tree.Add: Meaning._add,
-    tree.Product: give_product,
+    tree.Product: matrix_meaning.give_product,
     tree.Quotient: Meaning._quotient,
     tree.Dotted: give_dotted,
     tree.Power: Meaning._power,
     tree.Radical: Meaning._root,
     tree.Call: Meaning._call,
-    tree.Repeated: give_repeated,
-    tree.Integration: give_integral,
-    tree.Derivation: give_derivative,
-    tree.Approach: give_limit,
-    tree.At: give_value,
+    tree.Repeated: calculus_meaning.give_repeated,
+    tree.Integration: calculus_meaning.give_integral,
+    tree.Derivation: calculus_meaning.give_derivative,
+    tree.Approach: calculus_meaning.give_limit,
+    tree.At: calculus_meaning.give_value,
     tree.Extremum: give_term,
-    tree.Table: lambda meaning, node: assemble([[*map(meaning.of, row)] for row in node.rows]),
+    tree.Table: lambda meaning, node: matrix_meaning.assemble(
+        [[*map(meaning.of, row)] for row in node.rows]
+    ),
     tree.Entries: lambda meaning, node: sp.ImmutableMatrix([[*map(meaning.of, node.parts)]]),
-    tree.Excerpt: give_excerpt,
-    tree.Transposed: give_transposed,
-    tree.Magnitude: give_magnitude,
+    tree.Excerpt: matrix_meaning.give_excerpt,
+    tree.Transposed: matrix_meaning.give_transposed,
+    tree.Magnitude: matrix_meaning.give_magnitude,
     tree.Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
     tree.Cases: Meaning._cases,
 }

@@ -213,12 +213,12 @@ def _read_given(node: tree.Node) -> tuple[str, str]:
     """Return the digits of a number with a unit, and that, too; of what is calculated all."""
     if isinstance(node, tree.Calculated):
         return str(sp.N(node.value, _DIGITS)).lower().replace("+", ""), node.unit
-    return _read_digits(node) if isinstance(_split_sign(node)[1], tree.Measure) else ("", "")
+    return _read_digits(node) if isinstance(split_sign(node)[1], tree.Measure) else ("", "")
 
 
 def _read_digits(node: tree.Node) -> tuple[str, str]:
     """Return the digits of a number, with its sign, and its unit; nothing for what is none."""
-    sign, inside = _split_sign(node)
+    sign, inside = split_sign(node)
     if isinstance(inside, tree.Number):
         return sign + inside.text, ""
     if isinstance(inside, tree.Measure):
@@ -230,21 +230,22 @@ def _read_digits(node: tree.Node) -> tuple[str, str]:
 
 def name_unit_behind(node: tree.Node) -> str:
     """Return the unit of a number, nothing for what has none."""
-    inside = _split_sign(node)[1]
+    inside = split_sign(node)[1]
     return inside.unit if isinstance(inside, tree.Measure | tree.Calculated) else ""
 
 
 def find_factor(nodes: tuple[tree.Node, ...]) -> str:
     """Return the digits of the only decimal of members, if it is a factor of one of them."""
     decimals = [one for one in tree.walk(nodes) if isinstance(one, tree.Number) and "." in one.text]
-    members = (_split_sign(node)[1] for node in nodes)
+    members = (split_sign(node)[1] for node in nodes)
     factors = [
         one for member in members if isinstance(member, tree.Product) for one in member.factors
     ]
     return decimals[0].text if len(decimals) == 1 and decimals[0] in factors else ""
 
 
-def _split_sign(node: tree.Node) -> tuple[str, tree.Node]:
+def split_sign(node: tree.Node) -> tuple[str, tree.Node]:
+    """Return the sign before a node, and that without it."""
     if isinstance(node, tree.Add) and len(node.terms) == 1:
         return "-", node.terms[0][1]
     return "", node
@@ -253,5 +254,5 @@ def _split_sign(node: tree.Node) -> tuple[str, tree.Node]:
 def is_number(node: tree.Node) -> bool:
     """Return whether a node is a number, with a sign and a unit at most, or calculated."""
     return isinstance(
-        _split_sign(node)[1], tree.Number | tree.Measure | tree.Degrees | tree.Calculated
+        split_sign(node)[1], tree.Number | tree.Measure | tree.Degrees | tree.Calculated
     )

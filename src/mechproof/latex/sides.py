@@ -9,7 +9,8 @@ import sympy as sp
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.latex.matrix_meaning import is_matrix, show_entries
-from mechproof.latex.tree import Add, Degrees, Entries, Measure, Node, Number, strip
+from mechproof.latex.measures import split_sign
+from mechproof.latex.tree import Degrees, Entries, Measure, Node, Number, strip
 from mechproof.record import PrintedNumber, family_of
 
 _PLACES = 2
@@ -89,13 +90,7 @@ def is_opposite(difference: Any, residual: Any) -> bool:
 
 def round_to(node: Node, value: Any) -> PrintedNumber | None:
     """Return that a value rounds to a printed number; None where another thing is printed."""
-    node = strip(node)
-    if isinstance(node, Degrees):
-        node, value = node.number, value * 180 / sp.pi
-    sign = ""
-    if isinstance(node, Add) and len(node.terms) == 1:
-        ((_, node),) = node.terms
-        sign = "-"
+    sign, node = split_sign(strip(node))
     if isinstance(node, Degrees):
         node, value = node.number, value * 180 / sp.pi
     if isinstance(node, Measure):

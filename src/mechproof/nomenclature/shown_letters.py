@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from types import MappingProxyType
+from typing import TypeVar
 
 import sympy as sp
 
@@ -20,6 +21,7 @@ from mechproof.latex.words import ELSE, IF, to_text
 from mechproof.nomenclature.cells import name_unit
 from mechproof.record import Notation, Variable
 
+T = TypeVar("T")
 REMEDIES = Remedies(
     name="Declare it in the block of letters: {0} : its meaning",
     bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
@@ -189,21 +191,17 @@ class _Guesses:
         inverse = _INVERSE.search(error.remedy) if self.declares else None
         if inverse and inverse[1] in INVERSES:
             printed = rf"\{inverse[1]}^{{-1}}"
-            is_new = printed not in self.functions
-            self.functions[printed] = rf"\{INVERSES[inverse[1]]}"
-            return is_new
+            return _enter(printed, self.functions, rf"\{INVERSES[inverse[1]]}")
         italics = _ITALICS.search(error.reason)
         if self.declares and italics:
-            is_new = italics[1] not in self.functions
-            self.functions[italics[1]] = rf"\{italics[1]}"
-            return is_new
+            return _enter(italics[1], self.functions, rf"\{italics[1]}")
         asked = _ASKS.search(error.reason)
         named = _NAMES.search(error.remedy)
         if asked:
             arguments = find_arguments(error.latex, error.place) if self.declares else ""
             if not arguments:
-                return _enter(asked[1], self.factors)
-            return _enter(f"{asked[1]}({arguments})", self.letters)
+                return _enter(asked[1], self.factors, None)
+            return _enter(f"{asked[1]}({arguments})", self.letters, None)
         if not named or self._is_taken_up(named[1]):
             return False
         # Where nothing is declared, such a letter may still be taken, also with an index.
@@ -211,8 +209,8 @@ class _Guesses:
             return False
         sign = named[1].partition(" ")[0]
         if sign in _INCREMENTS and _INCREMENTS[sign].search(self.all_prints):
-            return _enter(sign, self.letters)
-        return _enter(named[1], self.letters)
+            return _enter(sign, self.letters, None)
+        return _enter(named[1], self.letters, None)
 
     def _is_taken_up(self, name: str) -> bool:
         is_open = name in _NO_LETTER and name not in self.said
@@ -240,9 +238,9 @@ def make_reader(
     return Reader(names, notation, REMEDIES)
 
 
-def _enter(name: str, names: dict[str, None]) -> bool:
+def _enter(name: str, names: dict[str, T], value: T) -> bool:
     is_new = name not in names
-    names[name] = None
+    names[name] = value
     return is_new
 
 

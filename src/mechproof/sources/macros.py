@@ -21,7 +21,6 @@ _DEFINING = re.compile(
 _COUNT = re.compile(r"\s*\[(\d)\]")
 _OPTION = re.compile(r"\s*\[([^\[\]]*)\]")
 _PARAMETER = re.compile(r"#(\d)")
-_BLANK = re.compile(r"\s*")
 
 
 @dataclass(frozen=True)
@@ -115,8 +114,7 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
 
 def _read_argument(string: str, place: int) -> tuple[str, int] | None:
     """Return what stands in braces, or the next sign, and where it ends."""
-    blank = _BLANK.match(string, place)
-    start = blank.end() if blank else place
+    start = len(string) - len(string[place:].lstrip())
     if start >= len(string):
         return None
     if string[start] != "{":

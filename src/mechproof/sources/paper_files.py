@@ -48,10 +48,14 @@ class DocumentError(ValueError):
 
 @dataclass
 class Source:
-    """The text of a paper, the lines of its blocks of letters, and what was not found."""
+    """The text of a paper, the lines of its blocks of letters, and what was not found.
+
+    What is piped in has no `folder`.
+    """
 
     files: Files
     text: LocatedText
+    folder: Path | None = None
     lines: list[LocatedText] = field(default_factory=list)
     has_block: bool = False
     missing: list[tuple[Place, str]] = field(default_factory=list)
@@ -62,9 +66,9 @@ def read_source(path: str, content: str | None = None) -> Source:
 
     Raises `DocumentError` for a file that cannot be read and for a block without an end.
     """
-    source = Source(Files(), LocatedText("", ()))
     folder = Path(path).resolve().parent if content is None else None
-    source.text = _read(path, _open(Path(path)) if content is None else content, source, folder, ())
+    source = Source(Files(), LocatedText("", ()), folder)
+    source.text = _read(path, _open(Path(path)) if content is None else content, source, ())
     beside = Path(path).with_suffix(BESIDE) if content is None else None
     if beside and beside.is_file():
         source.has_block = True
@@ -96,9 +100,7 @@ def _open(path: Path) -> str:
         raise DocumentError(f"{path}: {error.strerror}") from error
 
 
-def _read(
-    name: str, content: str, source: Source, folder: Path | None, above: tuple[str, ...]
-) -> LocatedText:
+def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> LocatedText:
     """Return a file without comments, and in it the files that it inputs."""
     text = source.files.add(name, content)
     is_markdown = is_markdown_name(name)
@@ -119,7 +121,7 @@ def _read(
     plain = _drop_false(plain.replace(_VERB, lambda match: " "))
     if last := _END.search(plain.string):
         plain = plain[: last.start()]
-    return _insert(plain, source, folder, (*above, name))
+    return _insert(plain, source, (*above, name))
 
 
 def _drop_false(text: LocatedText) -> LocatedText:
@@ -155,24 +157,20 @@ def _take_lines(block: LocatedText, source: Source) -> None:
             source.lines.append(line)
 
 
-def _insert(
-    text: LocatedText, source: Source, folder: Path | None, above: tuple[str, ...]
-) -> LocatedText:
+def _insert(text: LocatedText, source: Source, above: tuple[str, ...]) -> LocatedText:
     parts, last = [], 0
     for match in _INPUT.finditer(text.string):
         parts.append(text[last : match.start()])
         last = match.end()
         place = source.files.locate(text.offsets[match.start()])
-        if file := _find(match[1], folder, above, place, source):
-            parts.append(_read(str(file), _open(file), source, folder, above))
+        if file := _find(match[1], above, place, source):
+            parts.append(_read(str(file), _open(file), source, above))
     return join([*parts, text[last:]])
 
 
-def _find(
-    name: str, folder: Path | None, above: tuple[str, ...], place: Place, source: Source
-) -> Path | None:
+def _find(name: str, above: tuple[str, ...], place: Place, source: Source) -> Path | None:
     """Return the file that is input; one that is not inside the folder of the paper is told."""
-    if folder is None:
+    if (folder := source.folder) is None:
         source.missing.append((place, f"{name} is not read: what is piped in has no folder"))
         return None
     for file in (folder / name, folder / f"{name}.tex"):

@@ -9,7 +9,7 @@ the others define.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -17,10 +17,12 @@ import sympy as sp
 from mechproof.document.constraints.combinations import list_factors
 from mechproof.document.constraints.consequences import find_consequence, state_at
 from mechproof.document.tasks import Role, Task
+from mechproof.latex.matrix_meaning import is_matrix
+from mechproof.latex.values import settle_all
 from mechproof.proof.judge import judge
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Definition, Equality, Paper
+from mechproof.record import Definition, Equality, Paper, list_given
 from mechproof.statement_domains.domain import Domain
 
 ELIMINATION = "elimination"
@@ -66,7 +68,7 @@ def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]
     if not isinstance(says, Definition | Equality):
         return []
     one, other = says.printed, says.symbol if isinstance(says, Definition) else says.rebuilt
-    if isinstance(one, sp.MatrixBase | sp.MatrixExpr) or isinstance(other, sp.MatrixExpr):
+    if is_matrix(one) or isinstance(other, sp.MatrixExpr):
         one, other = (sp.sympify(side).doit() for side in (one, other))
         if isinstance(other, sp.MatrixSymbol):
             other = other.as_explicit()
@@ -76,19 +78,13 @@ def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]
     variables = tuple(
         replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables
     )
-    values = {v.symbol: v.given for v in variables if v.given is not None}
+    values = list_given(variables)
     paper = replace(task.paper, variables=variables)
     return [
         replace(task, residual=residual, paper=paper)
         for entry in (rest if isinstance(rest, sp.MatrixBase) else [rest])
-        if not (residual := _settle(entry, values)).has(sp.MatrixSymbol)
+        if not (residual := settle_all(entry, values)).has(sp.MatrixSymbol)
     ]
-
-
-def _settle(expression: sp.Expr, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
-    for _ in values:
-        expression = sp.sympify(expression).xreplace(values)
-    return expression
 
 
 def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement | str:

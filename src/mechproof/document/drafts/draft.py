@@ -11,25 +11,7 @@ from dataclasses import replace
 from itertools import chain
 
 from mechproof.document.double_signs import find_imaginary_unit
-from mechproof.document.drafts.drafted_lines import (
-    COUNTING,
-    DraftedLetter,
-    ask_refused,
-    ask_sizes,
-    ask_zeros,
-    find_running,
-    is_motion,
-    list_entries,
-    list_functions,
-    show_line,
-    split_letter,
-    strip_arguments,
-    tell_unread,
-    write_counts,
-    write_factors,
-    write_families,
-    write_letter,
-)
+from mechproof.document.drafts import drafted_lines
 from mechproof.document.drafts.said_values import (
     ask_extremes,
     ask_what_follows,
@@ -62,7 +44,7 @@ def draft_block(source: Source) -> str:
     said = dict(find_said(source))
     has_euler = _is_euler(prints)
     plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
-    plain = [COUNTING.sub(r"\g<letter>>0", latex) for latex in plain]
+    plain = [drafted_lines.COUNTING.sub(r"\g<letter>>0", latex) for latex in plain]
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
     if find_pi(said):
         collected.letters.append(r"\pi")
@@ -70,16 +52,20 @@ def draft_block(source: Source) -> str:
     found = find_sizes(plain, collected)
     document = Document(replace(source, lines=[], has_block=False))
     shapes = document.find_sizes(_LIMIT) | found.known
-    unclear = [x for x in letters if name_symbol(x) in found.unclear or is_motion(x, shapes)]
-    stems = {name_symbol(strip_arguments(x)) for x in unclear}
+    unclear = [
+        x for x in letters if name_symbol(x) in found.unclear or drafted_lines.is_motion(x, shapes)
+    ]
+    stems = {name_symbol(drafted_lines.strip_arguments(x)) for x in unclear}
     shapes = {name: size for name, size in shapes.items() if name not in stems}
-    functions = list_functions(source)
-    respect = find_running(source, displays, letters, functions)
-    entries = list_entries(collected, shapes, prints, respect, functions)
+    functions = drafted_lines.list_functions(source)
+    respect = drafted_lines.find_running(source, displays, letters, functions)
+    entries = drafted_lines.list_entries(collected, shapes, prints, respect, functions)
     inline = _find_inline(source, entries)
     values = [one.value for _, one in inline if one.number is None]
-    for base, by in map(split_letter, collect_letters(values, guess=True, imaginary=unit).letters):
-        entries.setdefault(name_symbol(base), DraftedLetter({base: None}, by))
+    for base, by in map(
+        drafted_lines.split_letter, collect_letters(values, guess=True, imaginary=unit).letters
+    ):
+        entries.setdefault(name_symbol(base), drafted_lines.DraftedLetter({base: None}, by))
     _take_inline(inline, entries, said)
     heads = find_head_units(document.tables, document.symbols.reader())
     measures = [*find_printed_units(displays), *find_units(source), *heads]
@@ -90,26 +76,26 @@ def draft_block(source: Source) -> str:
     factors = [x for x in collected.factors if name_symbol(x) not in shapes]
     lines = [
         *chain.from_iterable(
-            write_letter(name, entry, shapes.get(name), said.get(name))
+            drafted_lines.write_letter(name, entry, shapes.get(name), said.get(name))
             for name, entry in entries.items()
         ),
-        *write_families(collected.families, said),
+        *drafted_lines.write_families(collected.families, said),
         *(f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses),
-        *ask_sizes(map(strip_arguments, unclear)),
+        *drafted_lines.ask_sizes(map(drafted_lines.strip_arguments, unclear)),
         *(_EULER if has_euler else ()),
-        *write_counts(prints, readable, entries, said, source.text.string),
+        *drafted_lines.write_counts(prints, readable, entries, said, source.text.string),
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running], displays),
         *find_extremes(source, running),
         *ask_extremes(displays, running),
-        *ask_zeros(displays),
-        *write_factors(factors, entries),
+        *drafted_lines.ask_zeros(displays),
+        *drafted_lines.write_factors(factors, entries),
         *((f"imaginary {unit}",) if unit else ()),
         *(f"function {name} is {meant}" for name, meant in collected.functions.items()),
     ]
-    lines = ask_refused(lines, source)
+    lines = drafted_lines.ask_refused(lines, source)
     lines += ask_what_follows(source, displays)
-    lines += tell_unread(displays, plain, collected, source)
+    lines += drafted_lines.tell_unread(displays, plain, collected, source)
     is_markdown = is_markdown_name(source.files.names[0])
     first, mark, last = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
     return "\n".join([first, *(f"{mark}{line}" for line in lines), last, ""])
@@ -117,7 +103,7 @@ def draft_block(source: Source) -> str:
 
 def _take_inline(
     inline: Sequence[tuple[str, Inline]],
-    entries: Mapping[str, DraftedLetter],
+    entries: Mapping[str, drafted_lines.DraftedLetter],
     said: dict[str, Said],
 ) -> None:
     """Enter what sentences say of letters: their units, and that those with rates move."""
@@ -131,13 +117,15 @@ def _take_inline(
 
 def _take_units(
     measures: Sequence[tuple[str, str, int]],
-    entries: Mapping[str, DraftedLetter],
+    entries: Mapping[str, drafted_lines.DraftedLetter],
     said: dict[str, Said],
     source: Source,
 ) -> None:
     """Enter the units that are printed of letters, in displays first."""
     shown = {
-        name_symbol(show_line(one)): name for name, entry in entries.items() for one in entry.names
+        name_symbol(drafted_lines.show_line(one)): name
+        for name, entry in entries.items()
+        for one in entry.names
     }
     for letter, measure, offset in measures:
         name = shown.get(name_symbol(letter), "")
@@ -145,7 +133,9 @@ def _take_units(
         said[name] = replace(known, unit=known.unit or measure)
 
 
-def _find_inline(source: Source, entries: Mapping[str, DraftedLetter]) -> list[tuple[str, Inline]]:
+def _find_inline(
+    source: Source, entries: Mapping[str, drafted_lines.DraftedLetter]
+) -> list[tuple[str, Inline]]:
     """Return what sentences say of letters: of each one size only, and one formula."""
     found: dict[tuple[str, bool], dict[str, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):

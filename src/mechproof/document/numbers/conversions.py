@@ -31,12 +31,12 @@ _DECIMAL = re.compile(r"\d\s*(?:\.|\{,\})\s*\d")
 _OPEN = "the two sides differ, but a decimal may have been rounded"
 
 
-def convert(sign: Sign, own: sp.Basic | None, symbols: Symbols) -> PrintedNumber | str:
+def convert(sign: Sign, symbols: Symbols) -> PrintedNumber | str:
     """State that a number with a unit is the same in another, or in that of a letter.
 
     Either of the two may be rounded.
     """
-    digits, unit = sign.given[0], read_unit(sign.given[1])
+    own, digits, unit = sign.own, sign.given[0], read_unit(sign.given[1])
     meant = [read_unit(sign.unit)] if sign.unit else [*_list_units(own, unit, symbols)]
     ratios = [unit.scale / one.scale for one in meant if one.dimension == unit.dimension]
     turned = [ratio * turn for ratio in ratios for turn in _list_turns(unit, meant, own, symbols)]

@@ -130,12 +130,12 @@ class LetterSizes:
         used = {s: self.printed[s] for s in letters if s in self.printed and s not in declared}
         return dict(sorted(used.items(), key=lambda one: str(one[0])))
 
-    def find_own(self, sign: Sign, own: sp.Basic | None) -> sp.Basic | None:
+    def find_own(self, sign: Sign) -> sp.Basic | None:
         """Return a letter in whose unit a number counts: its own, or of a sum one of its letters.
 
         A unit behind the number is enough where the letters have units.
         """
-        symbols, dimension = self.known.symbols, self.infer(sign.value)
+        symbols, dimension, own = self.known.symbols, self.infer(sign.value), sign.own
         if own is not None:
             return None if sign.unit and dimension and own not in symbols.scales else own
         own = None if sign.unit else symbols.find_alike(sign.value.free_symbols)

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -40,39 +41,38 @@ _BARE = "it holds for the numbers as they stand, but not in the units of their l
 
 
 def state_number(
-    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
+    at: LetterSizes, sign: Sign, printed: Printed
 ) -> PrintedNumber | Equality | str | None:
     """State what a number says: at sizes, or of letters without; or say why nothing is.
 
-    It counts in the unit of the letter `own`, else in that behind it. None is what says of its
-    letters what any equation does.
+    None is what says of its letters what any equation does.
     """
     if not sign.number:
         return SINGLE
     if sign.given[1]:
-        return convert(sign, own, at.known.symbols)
+        return convert(sign, at.known.symbols)
     is_constraint = sign.role is Role.CONSTRAINT
     letters = at.known.settle(sign.value).free_symbols
     if is_constraint and not (sign.unit or letters):
         return round_irrational(sign)
     is_sum = _is_sum(sign.value)
-    own = at.find_own(sign, own)
+    sign = replace(sign, own=at.find_own(sign))
     if (is_constraint or is_sum) and letters - at.list_all().keys():
-        stated = _constrain(at, sign, own)
+        stated = _constrain(at, sign)
         if stated or is_constraint:
             return stated
     if is_constraint and not (sign.unit or is_sum) and _FEW_DIGITS.match(sign.number):
         return None
-    return _round(at, sign, own, printed)
+    return _round(at, sign, printed)
 
 
-def _constrain(at: LetterSizes, sign: Sign, own: sp.Basic | None) -> Equality | str | None:
+def _constrain(at: LetterSizes, sign: Sign) -> Equality | str | None:
     """State what a number says of letters whose sizes are not all known."""
     value, number = sign.value, sp.Rational(sign.number)
     scales, dimension = Scales(at.known.symbols), at.infer(sign.value)
     if not sign.unit:
-        is_fit = number != 0 and own is not None and _is_sum(value)
-        is_fit &= dimension == at.known.symbols.find_dimension(own)
+        is_fit = number != 0 and sign.own is not None and _is_sum(value)
+        is_fit &= dimension == at.known.symbols.find_dimension(sign.own)
         return Equality(value, number, "member") if is_fit else None
     unit = read_unit(sign.unit)
     if dimension != unit.dimension or not value.free_symbols <= scales.known.keys():
@@ -80,16 +80,14 @@ def _constrain(at: LetterSizes, sign: Sign, own: sp.Basic | None) -> Equality | 
     return Equality(scales.to_si(value) / unit.scale, number, "member")
 
 
-def _round(
-    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
-) -> PrintedNumber | Equality | str:
+def _round(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | Equality | str:
     """Return what a number says of a formula at the sizes, or why that is not judged."""
     formulas = _find_formulas(at, sign)
     if isinstance(formulas, str):
-        return _round_as_said(at, sign, own, printed) or formulas
+        return _round_as_said(at, sign, printed) or formulas
     if not isinstance(formulas, list):
         return formulas
-    value, unit = formulas[0], read_unit(sign.unit) if sign.unit else None
+    value, own, unit = formulas[0], sign.own, read_unit(sign.unit) if sign.unit else None
     if unit and value.free_symbols and not at.fits(value, own, unit):
         return UNFIT
     read = [*at.read(formulas, own, unit)]
@@ -108,20 +106,18 @@ def _round(
         return _BARE
     has_letters = bool(value.free_symbols | sign.value.free_symbols)
     may_excuse = has_letters or (own and unit)
-    excuse = _excuse(at, sign, own, printed, read, nearest) if may_excuse else ""
+    excuse = _excuse(at, sign, printed, read, nearest) if may_excuse else ""
     return excuse or _doubt(at, value, unit, printed) or nearest
 
 
-def _round_as_said(
-    at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed
-) -> PrintedNumber | str:
+def _round_as_said(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | str:
     """State that a number is that of a formula at sizes that sentences say, if it is."""
     sizes, unit = at.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
     settled = (at.known.settle(sign.value), at.known.settle(sign.value, stop=sizes))
     formulas = [x for x in settled if x != sign.letter and x.free_symbols <= sizes.keys()]
-    if not formulas or (unit and not at.fits(formulas[0], own, unit)):
+    if not formulas or (unit and not at.fits(formulas[0], sign.own, unit)):
         return ""
-    values = [one.xreplace(sizes) for one in at.read(formulas, own, unit)]
+    values = [one.xreplace(sizes) for one in at.read(formulas, sign.own, unit)]
     stated = [PrintedNumber(sign.number, value) for value in values]
     if _FEW_DIGITS.match(sign.number):
         stated = [one for one in stated if one.value == sp.Rational(sign.number)]
@@ -146,12 +142,7 @@ def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | st
 
 
 def _excuse(
-    at: LetterSizes,
-    sign: Sign,
-    own: sp.Basic | None,
-    printed: Printed,
-    read: Iterable[sp.Expr],
-    nearest: PrintedNumber,
+    at: LetterSizes, sign: Sign, printed: Printed, read: Sequence[sp.Expr], nearest: PrintedNumber
 ) -> str:
     """Say what may have been meant by a number that is not the one at the sizes."""
     if names := at.name_restated(at.known.list_used(sign.value), printed):
@@ -161,9 +152,9 @@ def _excuse(
         return NEAR
     if not sign.value.free_symbols and any(differs_by_unit(one, number) for one in read):
         return _BARE_NUMBERS
-    if names := _name_rounded(at, sign, own, printed):
+    if names := _name_rounded(at, sign, printed):
         return _ROUNDED.format(names, show(nearest.value))
-    names = _name_said(at, sign, own, printed)
+    names = _name_said(at, sign, printed)
     return _SAID.format(names, show(nearest.value)) if names else ""
 
 
@@ -179,19 +170,19 @@ def _doubt(at: LetterSizes, value: sp.Expr, unit: Unit | None, printed: Printed)
     return ""
 
 
-def _name_rounded(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+def _name_rounded(at: LetterSizes, sign: Sign, printed: Printed) -> str:
     """Return with which numbers before it one agrees, as far as these may have been rounded."""
     last = at.list_numbers(sign, printed)
     rounded = {s: one for s, one in last.items() if not _is_exact(at, one)}
     letters = at.known.settle(sign.value, stop=rounded).free_symbols
     used = {s: rounded[s] for s in sorted(letters & rounded.keys(), key=str)}
     given = {s: one.size for s, one in used.items()}
-    if not _is_near_at(at, sign, own, given, used.values()):
+    if not _is_near_at(at, sign, given, used.values()):
         return ""
     return ", ".join(f"{s} of {one.name}" for s, one in used.items())
 
 
-def _name_said(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Printed) -> str:
+def _name_said(at: LetterSizes, sign: Sign, printed: Printed) -> str:
     """Return which letter has a quantity that a sentence says if a number agrees with it."""
     known, scales = at.known, Scales(at.known.symbols)
     letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
@@ -200,7 +191,7 @@ def _name_said(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Print
             number = Numeral(one.digits, sp.S.One, one.unit)
             size = scales.size(Head(letter, str(letter), None), number)
             is_alike = one.unit.dimension == known.symbols.find_dimension(letter)
-            if is_alike and _is_near_at(at, sign, own, {letter: size}):
+            if is_alike and _is_near_at(at, sign, {letter: size}):
                 return f"{letter} = {one.text} in line {one.line}"
     return ""
 
@@ -208,7 +199,6 @@ def _name_said(at: LetterSizes, sign: Sign, own: sp.Basic | None, printed: Print
 def _is_near_at(
     at: LetterSizes,
     sign: Sign,
-    own: sp.Basic | None,
     given: Mapping[sp.Basic, RoundedSize],
     numbers: Iterable[PrintedSize] = (),
 ) -> bool:
@@ -218,7 +208,7 @@ def _is_near_at(
     if not (letters & given.keys() and letters <= sizes.keys()):
         return False
     unit, number = read_unit(sign.unit) if sign.unit else None, Numeral(sign.number, sp.S.One)
-    read = at.read([formula], own, unit, numbers)
+    read = at.read([formula], sign.own, unit, numbers)
     return any(is_near(one, number, sizes) for one in read)
 
 

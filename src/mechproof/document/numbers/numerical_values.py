@@ -38,12 +38,9 @@ _TURNED = "turns, or radians? the unit {} and the other side do not say it"
 _ZERO = "{} and the other side count from different zeros"
 
 
-def turn_units(row: Row, sign: Sign, own: sp.Basic | None, known: Known) -> Row | str:
-    """State a row as one of numerical values if it is one, or say why it may be.
-
-    `own` is the letter that its chain is about.
-    """
-    own = own or sign.letter
+def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:
+    """State a row as one of numerical values if it is one, or say why it may be."""
+    own = sign.own or sign.letter
     sides = _list_sides(row, sign, known)
     settled = [known.settle(side) for side in sides]
     if own is None or not settled or any(side.has(*SLOW) for side in settled):

@@ -78,14 +78,14 @@ def _tell_lack(letters: str) -> str:
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
     """Return a table with two letters in its head, or in its first column; None for another."""
-    for first, row in enumerate(table.rows[:_HEAD_ROWS]):
-        if len(heads := _read_heads(row, reader)) > 1:
-            return _take_units(_make_grid(name, heads, row, table.rows[first + 1 :], reader))
     columns = [*zip(*table.rows, strict=True)]
-    heads = _read_heads(columns[0], reader)
-    if len(heads) < 2:
-        return None
-    return _take_units(_make_grid(name, heads, columns[0], columns[1:], reader))
+    heads = [(row, table.rows[n:]) for n, row in enumerate(table.rows[:_HEAD_ROWS], start=1)]
+    for row, lines in (*heads, (columns[0], columns[1:])):
+        found = {n: head for n, cell in enumerate(row) if (head := read_head(cell.string, reader))}
+        if len(found) > 1:
+            unread = [c for n, c in enumerate(row) if n not in found and _shows_formula(c, reader)]
+            return _take_units(Grid(name, found, lines, unread))
+    return None
 
 
 def find_head_units(tables: Sequence[Tabular], reader: Reader) -> Iterator[tuple[str, str, int]]:
@@ -97,21 +97,9 @@ def find_head_units(tables: Sequence[Tabular], reader: Reader) -> Iterator[tuple
                     yield head.printed, head.unit.name, table.offset
 
 
-def _make_grid(
-    name: str,
-    heads: Mapping[int, Head],
-    row: Sequence[TableCell],
-    lines: Sequence[Sequence[TableCell]],
-    reader: Reader,
-) -> Grid:
-    others = [cell for n, cell in enumerate(row) if n not in heads]
-    unread = [c for c in others if MATH.search(c.string) or find_formula(c.string, reader)]
-    return Grid(name, heads, lines, unread)
-
-
-def _read_heads(cells: Sequence[TableCell], reader: Reader) -> dict[int, Head]:
-    found = {n: read_head(cell.string, reader) for n, cell in enumerate(cells)}
-    return {n: head for n, head in found.items() if head is not None}
+def _shows_formula(cell: TableCell, reader: Reader) -> bool:
+    """Return whether a head shows a formula."""
+    return bool(MATH.search(cell.string)) or find_formula(cell.string, reader) is not None
 
 
 def _take_units(grid: Grid) -> Grid:

@@ -63,12 +63,10 @@ class StatedNumbers:
     sizes: LetterSizes
     examples: ExampleValues
 
-    def state(
-        self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None
-    ) -> tuple[Row, Sign, bool] | str:
+    def state(self, printed: Printed, row: Row, sign: Sign) -> tuple[Row, Sign, bool] | str:
         """State what a number says, if a sign is beside one, or say why that is left open.
 
-        Last comes whether there is something to be said.
+        Last comes whether it states what a number says.
         """
         is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
         if is_number and not sign.value.has(sp.Limit):
@@ -79,16 +77,16 @@ class StatedNumbers:
         note = ""
         is_calculated = sign.role is Role.NUMBER and not sign.number
         if is_calculated:
-            found = state_put_in(sign, own, printed, self.sizes)
+            found = _state_put_in(sign, printed, self.sizes)
             stated, note = (found, "") if isinstance(found, str) else found
         elif sign.role is Role.NUMBER and sign.formula is not None:
-            stated = state_result(sign, own, printed, self.sizes)
+            stated = _state_result(sign, printed, self.sizes)
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
-            stated = state_number(self.sizes, sign, own, printed)
+            stated = state_number(self.sizes, sign, printed)
         elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
             if misfit := tell_misfit(sign, self.known.symbols):
                 return misfit
-            sign, stated = self._compare_size(printed, sign, own)
+            sign, stated = self._compare_size(printed, sign)
             stated = stated or _doubt_size(sign, printed, self.sizes) or None
         claim = row.says if stated is None else stated
         if isinstance(claim, PrintedNumber) and _is_rounded(row, claim, sign):
@@ -104,12 +102,12 @@ class StatedNumbers:
         return row, replace(sign, role=role), True
 
     def _compare_size(
-        self, printed: Printed, sign: Sign, own: sp.Basic | None
+        self, printed: Printed, sign: Sign
     ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
         """Compare a size with what other prints say of its letter, if they say a number."""
         said = replace(sign, role=Role.NUMBER)
         formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
-        judged = [(one, state_number(self.sizes, one, own, printed)) for one in formulas]
+        judged = [(one, state_number(self.sizes, one, printed)) for one in formulas]
         told = [(one, says) for one, says in judged if isinstance(says, PrintedNumber)]
         for one in sorted(told, key=lambda one: not agrees(one[1])):
             return one
@@ -138,7 +136,7 @@ def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
     if r"\approx" in row.printed_latex and not agrees(claim):
         is_factor = not sign.number and not is_far(claim.printed, claim.value)
         return is_factor or is_near(claim.value, Numeral(claim.printed, sp.S.One), {})
-    return sign.formula is None and may_be_rounded(claim, sign)
+    return sign.formula is None and _may_be_rounded(claim, sign)
 
 
 def _doubt_size(sign: Sign, printed: Printed, sizes: LetterSizes) -> str:
@@ -190,9 +188,7 @@ def _measure(read: tuple[Sign, PrintedSize]) -> tuple[sp.Expr, sp.Expr]:
     return value, sp.Abs(number.half_place * value / number.value) if value else sp.S.Zero
 
 
-def state_put_in(
-    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
-) -> PutIn | str:
+def _state_put_in(sign: Sign, printed: Printed, sizes: LetterSizes) -> PutIn | str:
     """State that a calculation is a formula with its sizes put in; another accuses nobody."""
     calculated = [side for side in sign.sides if not side.free_symbols]
     if len(calculated) > 1 and sign.is_calculated:
@@ -202,11 +198,11 @@ def state_put_in(
     given = calculated[0]
     formula = next(side for side in sign.sides if side is not given)
     unit = read_unit(sign.unit) if sign.unit else None
-    if unit and not sizes.fits(formula, own, unit):
+    if unit and not sizes.fits(formula, sign.own, unit):
         return UNFIT
     values = []
-    for settled, at, told in _list_settled(formula, sign, own, printed, sizes):
-        for value in (one.xreplace(at) for one in _read(settled, formula, own, unit, sizes)):
+    for settled, at, told in _list_settled(formula, sign, printed, sizes):
+        for value in (one.xreplace(at) for one in _read(settled, formula, sign.own, unit, sizes)):
             off = balls.evaluate(value - given, {})
             if off.is_finite() and off.contains(0):
                 return Equality(value, given, "member"), told
@@ -231,24 +227,25 @@ def _compare(one: sp.Expr, other: sp.Expr, span: tuple[float, float] | None) -> 
     return Equality(one, other, "member"), ""
 
 
-def state_result(
-    sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
+def _state_result(
+    sign: Sign, printed: Printed, sizes: LetterSizes
 ) -> PrintedNumber | Equality | str | None:
     """State that a number is what is calculated, and in its unit what the formula before gives."""
-    plain = state_number(sizes, sign, own, printed)
+    plain = state_number(sizes, sign, printed)
     if not isinstance(plain, PrintedNumber):
         return plain
     if not sign.unit:
-        return NEAR if may_be_rounded(plain, sign) else plain
+        return NEAR if _may_be_rounded(plain, sign) else plain
     unit, is_right = read_unit(sign.unit), agrees(plain)
-    own = sizes.find_own(replace(sign, value=sign.formula), own)
+    own = sizes.find_own(replace(sign, value=sign.formula))
+    sign = replace(sign, own=own)
     if is_share(unit):
         share = PrintedNumber(sign.number, sign.value / unit.scale)
         is_open = is_right and not agrees(share)
         return _UNSHOWN.format(show(sign.value), sign.unit) if is_open else plain
     if not sizes.fits(sign.formula, own, unit):
         return _UNSHOWN.format(show(plain.value), sign.unit) if is_right else plain
-    settled = [*_list_settled(sign.formula, sign, own, printed, sizes)]
+    settled = [*_list_settled(sign.formula, sign, printed, sizes)]
     values = [
         one.xreplace(at) for formula, at, _ in settled for one in sizes.read([formula], own, unit)
     ]
@@ -256,14 +253,14 @@ def state_result(
         stand = [formula.xreplace(at) for formula, at, _ in settled]
         return plain if is_right else _doubt_result(plain, sign, meant, stand)
     asked = replace(sign, number="", unit=sign.given[1], sides=(sign.formula, sign.value))
-    if not isinstance(state_put_in(asked, own, printed, sizes), str):
+    if not isinstance(_state_put_in(asked, printed, sizes), str):
         # Its numbers are those of the sizes, unrounded.
         if not is_right:
             return plain
         number = sp.Rational(sign.number)
         nearest = min(values, key=lambda value: measure_off(value, number), default=plain.value)
         return PrintedNumber(sign.number, nearest)
-    if may_be_rounded(plain, sign):
+    if _may_be_rounded(plain, sign):
         return NEAR
     is_own = own is not None and sizes.known.symbols.scales.get(own) == unit.scale
     is_arc = unit.dimension.is_angle and sign.value.has(*ANGLES)
@@ -286,7 +283,7 @@ def _doubt_result(
     return _UNSHOWN.format(show(plain.value), sign.unit) if is_turned else plain
 
 
-def may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
+def _may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
     """Return whether a number may be that of a calculation whose decimals are rounded."""
     if sign.span is None or not sign.value or agrees(stated):
         return False
@@ -307,13 +304,13 @@ def _read(
 
 
 def _list_settled(
-    formula: sp.Expr, sign: Sign, own: sp.Basic | None, printed: Printed, sizes: LetterSizes
+    formula: sp.Expr, sign: Sign, printed: Printed, sizes: LetterSizes
 ) -> Iterator[tuple[sp.Expr, dict[sp.Basic, sp.Expr], str]]:
     """Yield a formula of letters that have sizes, these, and what is told of them.
 
     First the sizes that are declared or said, then with the numbers of equations before.
     """
-    numbered = {s: one for s, one in sizes.list_numbers(sign, printed).items() if s != own}
+    numbered = {s: one for s, one in sizes.list_numbers(sign, printed).items() if s != sign.own}
     for numbers in ({}, numbered):
         at = sizes.list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
         for one in sizes.known.list_formulas(formula, at, at):
