@@ -1,16 +1,19 @@
 r"""What a correction changes: two prints in, both with what only one of them has marked, out.
 
 The trees of their signs are laid beside each other so that the least has to be taken out of one
-and put into the other; a root that goes leaves what it enclosed.
+and put into the other; a root that goes leaves what it enclosed. Nothing is read: a root, a
+fraction, a bracket or a script holds what it encloses, and any LaTeX will do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import groupby
 
-from mechproof.latex.fragments import Fragment, Parts, join, measure, parse
+from mechproof.latex.latex_signs import join, same_sign
 
 # Signs that part the cells of a table are no part of a formula that can be marked.
 PARTING = ("&", r"\\")
@@ -18,6 +21,24 @@ PARTING = ("&", r"\\")
 LONGEST, MOST = 450, 0.5
 # What opening costs besides its signs: only what largely stays is worth it.
 OPENING = 2
+# What opens and what closes, by its kind.
+_OPENERS = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}
+_CLOSERS = {")": "b", "]": "b", "}": "{", r"\right": "l", r"\end": "e"}
+
+SIGN = re.compile(
+    r"\\(?:text|mbox|textrm|mathrm|operatorname\*?)\s*\{[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
+    r"|\\left\s*(?:\\[A-Za-z]+|\\.|.)|\\right\s*(?:\\[A-Za-z]+|\\.|.)|\\[A-Za-z]+\*?|\\.|\S",
+    re.DOTALL,
+)
+# Commands whose arguments need no braces.
+ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\bar": 1}
+# What is set, but says nothing: it stays with what stands before it.
+SILENT = frozenset(
+    (*(r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad"), r"\cdot", r"\limits")
+)
+SIZE = re.compile(r"^\\(?:left|right|[bB]igg?[lr]?)\s*")
+
+Parts = tuple["Fragment", ...]
 
 
 @dataclass(frozen=True)
@@ -53,8 +74,8 @@ def mark_changes(printed: str, mend: str, taken: Style, put: Style) -> tuple[str
 
     Two that have little in common, or are very long, are returned as they are.
     """
-    left, right = parse(printed), parse(mend)
-    total = measure(left) + measure(right)
+    left, right = _parse(printed), _parse(mend)
+    total = _measure(left) + _measure(right)
     if not 0 < total <= LONGEST:
         return printed, mend
     edit = _Alignment().align(left, right)
@@ -75,7 +96,7 @@ class _Alignment:
 
     def _find(self, a: Parts, b: Parts) -> _Edit:
         if not a or not b:
-            return _Edit(measure(a) + measure(b), _mark(a, changed=True), _mark(b, changed=True))
+            return _Edit(_measure(a) + _measure(b), _mark(a, changed=True), _mark(b, changed=True))
         if a[0].same == b[0].same:
             kept = _mark(a[:1], changed=False), _mark(b[:1], changed=False)
             return self.align(a[1:], b[1:]).after(0, *kept)
@@ -96,7 +117,7 @@ class _Alignment:
                 edit = self.align(held + a[1:], b) if is_left else self.align(a, held + b[1:])
                 own = edit.left if is_left else edit.right
                 opened = _open(part, place, own[: len(held)]), *own[len(held) :]
-                cost = edit.cost + part.size - measure(held) + OPENING
+                cost = edit.cost + part.size - _measure(held) + OPENING
                 both = (opened, edit.right) if is_left else (edit.left, opened)
                 yield _Edit(cost, *both)
 
@@ -133,3 +154,143 @@ def _write_part(marked: Marked, style: Style) -> str:
     index = f"_{{{sub}}}" if sub else ""
     power = f"^{{{sup}}}" if sup else ""
     return join([text + index + power, marked.part.tail])
+
+
+@dataclass(frozen=True, eq=False)
+class Fragment:
+    """A sign with its scripts, or what encloses other parts: `pieces` stand around them."""
+
+    pieces: tuple[str, ...]
+    inner: tuple[Parts, ...] = ()
+    sub: Parts = ()
+    sup: Parts = ()
+    tail: str = ""
+
+    @property
+    def slots(self) -> tuple[Parts, ...]:
+        """Return all that it holds: what it encloses, its index and its exponent."""
+        return (*self.inner, self.sub, self.sup)
+
+    @cached_property
+    def label(self) -> tuple[str, ...]:
+        r"""Return what it is by itself, alike for `\left(` and `(`."""
+        return tuple(same_sign(SIZE.sub("", piece).rstrip("{")) for piece in self.pieces)
+
+    @cached_property
+    def same(self) -> tuple[object, ...]:
+        """Return what is equal for parts that print alike."""
+        return (self.label, *(tuple(p.same for p in slot) for slot in self.slots))
+
+    @cached_property
+    def size(self) -> int:
+        """Return the number of its signs."""
+        return 1 + sum(map(_measure, self.slots))
+
+
+def _measure(parts: Parts) -> int:
+    """Return the number of signs."""
+    return sum(part.size for part in parts)
+
+
+def _parse(latex: str) -> Parts:
+    """Return the tree of a print; brackets and braces without a partner are signs like others."""
+    return _Parser(SIGN.findall(latex)).read_all()
+
+
+class _Parser:
+    def __init__(self, signs: Sequence[str]) -> None:
+        self.signs = signs
+        self.partners = dict(_match(signs))
+        self.place = 0
+
+    def read_all(self) -> Parts:
+        return self._read(len(self.signs))
+
+    def _read(self, end: int) -> Parts:
+        parts: list[Fragment] = []
+        while self.place < end:
+            sign = self.signs[self.place]
+            if sign in SILENT and parts:
+                parts[-1] = replace(parts[-1], tail=join([parts[-1].tail, sign]))
+                self.place += 1
+            elif sign in ("_", "^", "'"):
+                base = parts.pop() if parts else Fragment(("{}",))
+                parts.append(self._read_script(base, sign, end))
+            else:
+                parts += self._read_item(end)
+        return tuple(parts)
+
+    def _read_script(self, base: Fragment, sign: str, end: int) -> Fragment:
+        self.place += 1
+        if sign == "'":
+            return replace(base, sup=(*base.sup, Fragment((r"\prime",))))
+        script = self._read_argument(end)
+        if sign == "_":
+            return replace(base, sub=base.sub + script)
+        return replace(base, sup=base.sup + script)
+
+    def _read_argument(self, end: int) -> Parts:
+        """Read what stands in braces, or one sign."""
+        if self.place >= end:
+            return ()
+        return self._read_braces(end) if self._peek(end) == "{" else self._read_item(end)
+
+    def _read_braces(self, end: int) -> Parts:
+        close = self.partners.get(self.place, end)
+        self.place += 1
+        inside = self._read(close)
+        self.place = min(close + 1, end)
+        return inside
+
+    def _read_item(self, end: int) -> Parts:
+        start, sign = self.place, self.signs[self.place]
+        close = self.partners.get(start, end)
+        if close < end:
+            inside = self._read_braces(end)
+            if sign != "{":
+                return (Fragment((sign, self.signs[close]), (inside,)),)
+            is_base = self._peek(end) in ("_", "^", "'") and len(inside) > 1
+            return (Fragment(("{", "}"), (inside,)),) if is_base else inside
+        self.place += 1
+        return (self._read_command(sign, end),) if sign[0] == "\\" else (Fragment((sign,)),)
+
+    def _read_command(self, sign: str, end: int) -> Fragment:
+        arguments: list[Parts] = []
+        opening = f"{sign}{{"
+        if sign == r"\sqrt" and self._peek(end) == "[" and self.place in self.partners:
+            (degree,) = self._read_item(end)
+            return Fragment((r"\sqrt[", "]{", "}"), (degree.inner[0], self._read_argument(end)))
+        least = ARGUMENTS.get(sign, 0)
+        while len(arguments) < least or self._takes_braces(sign, end):
+            if self.place >= end:
+                break
+            arguments.append(self._read_argument(end))
+        if not arguments:
+            return Fragment((sign,))
+        return Fragment((opening, *["}{"] * (len(arguments) - 1), "}"), tuple(arguments))
+
+    def _takes_braces(self, sign: str, end: int) -> bool:
+        is_name = sign[1:].isalpha() and sign not in ARGUMENTS
+        return is_name and self._peek(end) == "{" and self.place in self.partners
+
+    def _peek(self, end: int) -> str:
+        return self.signs[self.place] if self.place < end else ""
+
+
+def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:
+    """Yield the places of what opens and of what closes it."""
+    opened: list[tuple[int, str]] = []
+    for place, sign in enumerate(signs):
+        if kind := _find_kind(sign, _CLOSERS):
+            while opened and opened[-1][1] != kind and kind in "{le":
+                opened.pop()
+            if opened and opened[-1][1] == kind:
+                yield opened.pop()[0], place
+        elif kind := _find_kind(sign, _OPENERS):
+            opened.append((place, kind))
+
+
+def _find_kind(sign: str, kinds: Mapping[str, str]) -> str:
+    """Return the kind of what stands before a bracket, a bar or a name; arrows are none."""
+    command = re.match(r"\\[a-z]+", sign)
+    return kinds.get(command[0] if command else sign, "")

@@ -160,3 +160,12 @@ def split_signs(latex: str) -> list[Token]:
 def _closes_nothing(signs: list[Token]) -> bool:
     texts = [sign.text for sign in signs if sign.text not in GAPS.values()]
     return texts[-1:] == [r"\right."]
+
+
+def join(texts: Sequence[str] | Iterator[str]) -> str:
+    r"""Join pieces of LaTeX; \sin and x need a blank between them."""
+    joined = ""
+    for text in texts:
+        apart = re.search(r"\\[A-Za-z]+$", joined) and re.match(r"[A-Za-z]", text)
+        joined += f" {text}" if apart else text
+    return joined

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
-from mechproof.latex.fragments import join
-from mechproof.latex.latex_signs import SUFFIXES, Token, find_command
+from mechproof.latex.latex_signs import SUFFIXES, Token, find_command, join
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
 from mechproof.latex.printed_functions import AMBIGUOUS
