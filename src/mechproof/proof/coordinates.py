@@ -43,6 +43,11 @@ class Coordinates:
     positive: set[sp.Basic]
     nonnegative: set[sp.Basic]
 
+    @property
+    def half_lines(self) -> set[sp.Basic]:
+        """Return the new variables that are not negative, positive ones among them."""
+        return self.positive | self.nonnegative
+
 
 def parametrise(variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr) -> tuple[sp.Expr, sp.Interval]:
     """Return the variable by one that runs between numbers, and where that runs."""

@@ -8,7 +8,7 @@ complete procedures for several variables, as the cylindrical algebraic decompos
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -66,16 +66,14 @@ def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> StrictSig
     if not expression.is_polynomial(*expression.free_symbols):
         return None
     nonnegative = coordinates.nonnegative | set(roots.values())
-    return _sign_of_product(expression, coordinates.positive, nonnegative)
+    return _sign_of_product(expression, replace(coordinates, nonnegative=nonnegative))
 
 
-def _sign_of_product(
-    expression: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> StrictSign | None:
+def _sign_of_product(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     constant, factors = factor_list(expression)
     sign = sign_of_number(constant)
     for factor, power in factors:
-        one = _sign_of_polynomial(factor, positive, nonnegative)
+        one = _sign_of_polynomial(factor, coordinates)
         if one is None:
             if power % 2:
                 return None
@@ -96,9 +94,7 @@ def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.E
     return expression.xreplace(named)
 
 
-def _sign_of_polynomial(
-    factor: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> StrictSign | None:
+def _sign_of_polynomial(factor: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     if not factor.free_symbols:
         return sign_of_number(factor)
     symbols = sorted(factor.free_symbols, key=str)
@@ -106,41 +102,34 @@ def _sign_of_polynomial(
     directions, strict = set(), False
     for powers, coefficient in polynomial.terms():
         known = sign_of_number(coefficient)
-        shape = [
-            _sign_of_power(s, p, positive, nonnegative)
-            for s, p in zip(symbols, powers, strict=True)
-        ]
+        shape = [_sign_of_power(*pair, coordinates) for pair in zip(symbols, powers, strict=True)]
         if known is None or None in shape:
-            return _sign_of_mixed_terms(polynomial, positive, nonnegative)
+            return _sign_of_mixed_terms(polynomial, coordinates)
         directions.add(known.direction)
         strict = strict or all(shape)
     if len(directions) > 1:
-        return _sign_of_mixed_terms(polynomial, positive, nonnegative)
+        return _sign_of_mixed_terms(polynomial, coordinates)
     return StrictSign(directions.pop(), strict)
 
 
-def _sign_of_power(
-    symbol: sp.Basic, power: int, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> bool | None:
+def _sign_of_power(symbol: sp.Basic, power: int, coordinates: Coordinates) -> bool | None:
     """Return True for positive, False for not negative, None for any sign."""
-    if power == 0 or symbol in positive:
+    if power == 0 or symbol in coordinates.positive:
         return True
-    return False if symbol in nonnegative or power % 2 == 0 else None
+    return False if symbol in coordinates.nonnegative or power % 2 == 0 else None
 
 
-def _sign_of_mixed_terms(
-    polynomial: sp.Poly, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> StrictSign | None:
+def _sign_of_mixed_terms(polynomial: sp.Poly, coordinates: Coordinates) -> StrictSign | None:
     if len(polynomial.gens) == 1:
-        sign = _sign_by_sturm(polynomial, positive | nonnegative)
+        sign = _sign_by_sturm(polynomial, coordinates.half_lines)
         if sign or polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
             return sign
-    found = (_sign_by_discriminant(polynomial, s, positive, nonnegative) for s in polynomial.gens)
+    found = (_sign_by_discriminant(polynomial, s, coordinates) for s in polynomial.gens)
     return next(filter(None, found), None)
 
 
 def _sign_by_discriminant(
-    polynomial: sp.Poly, symbol: sp.Basic, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+    polynomial: sp.Poly, symbol: sp.Basic, coordinates: Coordinates
 ) -> StrictSign | None:
     """Return the sign of a*v^2 + b*v + c, v any real number: that of a > 0 if b^2 <= 4*a*c."""
     if polynomial.degree(symbol) != 2:
@@ -148,10 +137,10 @@ def _sign_by_discriminant(
     written = polynomial.as_expr()
     a, b, c = (written.coeff(symbol, power) for power in (2, 1, 0))
     rest = expand(4 * a * c - b**2)
-    if _is_negative_somewhere(rest, positive | nonnegative):
+    if _is_negative_somewhere(rest, coordinates.half_lines):
         return None
-    leading = _sign_of_product(a, positive, nonnegative)
-    gap = _sign_of_product(rest, positive, nonnegative) if leading and leading.strict else None
+    leading = _sign_of_product(a, coordinates)
+    gap = _sign_of_product(rest, coordinates) if leading and leading.strict else None
     if not (leading and gap and gap.direction > 0):
         return None
     return StrictSign(leading.direction, gap.strict)
@@ -175,7 +164,7 @@ def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bo
 
 def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> StrictSign | None:
     """Decide one polynomial in one variable with rational coefficients."""
-    if len(polynomial.gens) != 1 or not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
+    if not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
         return None
     on_half_line = polynomial.gens[0] in half_lines
     # Zero is counted with the half-line, so that the sign is strict where the letter may be zero.
