@@ -53,7 +53,7 @@ from mechproof.proof.inverses import ROOT, decide_by_inverse
 from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
-from mechproof.proof.powers import decide_by_logarithms, split_powers
+from mechproof.proof.powers import decide_by_logarithms, split_powers, take_signs, write_roots
 from mechproof.proof.reasons import (
     WORST_FIRST,
     count_parts,
@@ -64,7 +64,6 @@ from mechproof.proof.reasons import (
     tell_needs,
 )
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
-from mechproof.proof.roots_of_squares import take_signs, write_roots
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.vector_angles import decide_by_argument

@@ -30,10 +30,9 @@ from mechproof.proof.improper import (
     may_reach_zero,
 )
 from mechproof.proof.integral_pieces import cut_at_seams, has_pieces, integrate_polynomials
-from mechproof.proof.powers import decide_by_logarithms
+from mechproof.proof.powers import decide_by_logarithms, write_roots
 from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import are_seen_to_differ, points_for
-from mechproof.proof.roots_of_squares import write_roots
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
