@@ -3,8 +3,12 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.antiderivative import RUNG, decide_by_derivative, explain_break
-from mechproof.proof.continuity import find_break
+from mechproof.proof.continuity import (
+    RUNG,
+    decide_by_derivative,
+    explain_break,
+    find_break,
+)
 from mechproof.statement_domains.domain import Domain
 
 x, y, u, e = sp.symbols("x y u e", real=True)

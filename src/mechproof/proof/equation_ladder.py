@@ -11,7 +11,6 @@ from typing import Any
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal, explain_unequal
-from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.any_functions import decide_any, has_any_functions
 from mechproof.proof.cases import (
     decide_by_pieces,
@@ -22,6 +21,7 @@ from mechproof.proof.cases import (
     list_poles,
     write_pieces,
 )
+from mechproof.proof.continuity import decide_by_derivative, explain_break
 from mechproof.proof.count_zeros import (
     find_count_without_value,
     find_edge_without_value,
