@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.bisection import RUNG, holds_on_interval
 from mechproof.proof.ladder import decide
+from mechproof.proof.single_variable import BISECTION, holds_on_interval
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
 from mechproof.statement_domains.domain import Domain
@@ -40,7 +40,7 @@ def test_a_true_inequality_is_proved(name):
     domain = Domain({x: where}, (), {})
     assert holds_on_interval(relation, domain)
     answer = decide(Holds(relation), domain)
-    assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, BISECTION)
 
 
 @pytest.mark.slow

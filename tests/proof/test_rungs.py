@@ -9,11 +9,9 @@ from twins import judge
 
 from mechproof.document.constraints.consequences import MULTIPLE
 from mechproof.proof import (
-    antiderivative,
     any_functions,
     binomial_squares,
-    bisection,
-    bounds_near_zero,
+    continuity,
     divergence,
     endless_sums,
     floors,
@@ -32,6 +30,7 @@ from mechproof.proof import (
     newton,
     powers,
     separation,
+    single_variable,
     telescoping,
     vector_angles,
     wave_sums,
@@ -48,10 +47,10 @@ EXPECTED = [
     for file in sorted((ROOT / "tests" / "expected").glob("*.tsv"))
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
-NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, RECOMPUTATION, IDENTICAL]
+NAMED = [continuity.RUNG, vector_angles.RUNG, single_variable.BISECTION, RECOMPUTATION, IDENTICAL]
 NAMED += [
     MULTIPLE,
-    bounds_near_zero.RUNG,
+    single_variable.NEAR_ZERO,
     integrals.RUNG,
     integral_recurrences.RUNG,
     powers.RUNG,

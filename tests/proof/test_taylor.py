@@ -7,8 +7,8 @@ import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, exp, log, sin, tan
 
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
-from mechproof.proof.bounds_near_zero import RUNG, holds_near_zero
 from mechproof.proof.ladder import decide
+from mechproof.proof.single_variable import NEAR_ZERO, holds_near_zero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
 from mechproof.statement_domains.domain import Domain
@@ -38,7 +38,7 @@ def bound(value: sp.Expr, factor: sp.Expr, power: int) -> sp.Basic:
 )
 def test_a_bound_is_proved_by_its_series(relation: sp.Basic, reach: sp.Expr) -> None:
     answer = decide(Holds(relation), near(reach))
-    assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, NEAR_ZERO)
 
 
 @pytest.mark.slow

@@ -16,15 +16,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.proof import (
-    bisection,
-    bounds_near_zero,
-    inductive_inequalities,
-    integrand_signs,
-    newton,
-)
-from mechproof.proof.bisection import holds_on_interval
-from mechproof.proof.bounds_near_zero import holds_near_zero
+from mechproof.proof import inductive_inequalities, integrand_signs, newton
 from mechproof.proof.cases import decide_by_pieces, write_pieces
 from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
@@ -46,6 +38,12 @@ from mechproof.proof.reasons import (
 )
 from mechproof.proof.refutation import BALLS, POINTS, find_undefined, find_violation
 from mechproof.proof.signs import is_nonzero, is_shown
+from mechproof.proof.single_variable import (
+    BISECTION,
+    NEAR_ZERO,
+    holds_near_zero,
+    holds_on_interval,
+)
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
 from mechproof.record import (
@@ -259,9 +257,9 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     if newton.converges(relation, domain):
         return newton.RUNG
     if holds_near_zero(relation, domain):
-        return bounds_near_zero.RUNG
+        return NEAR_ZERO
     if holds_on_interval(relation, domain):
-        return bisection.RUNG
+        return BISECTION
     if _holds_by_sign(relation, domain):
         return SIGN
     if slack is None:
