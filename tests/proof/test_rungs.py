@@ -32,7 +32,6 @@ from mechproof.proof import (
     separation,
     single_variable,
     telescoping,
-    vector_angles,
     wave_sums,
 )
 from mechproof.proof.equation_ladder import IDENTICAL
@@ -47,7 +46,7 @@ EXPECTED = [
     for file in sorted((ROOT / "tests" / "expected").glob("*.tsv"))
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
-NAMED = [continuity.RUNG, vector_angles.RUNG, single_variable.BISECTION, RECOMPUTATION, IDENTICAL]
+NAMED = [continuity.RUNG, inverses.ARGUMENTS, single_variable.BISECTION, RECOMPUTATION, IDENTICAL]
 NAMED += [
     MULTIPLE,
     single_variable.NEAR_ZERO,

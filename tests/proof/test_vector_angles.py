@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.vector_angles import RUNG, decide_by_argument
+from mechproof.proof.inverses import ARGUMENTS, decide_by_argument
 from mechproof.statement_domains.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
@@ -44,7 +44,7 @@ WRONG = {
 @pytest.mark.parametrize("name", TRUE)
 def test_equal_arguments_are_proved(name):
     left, right, within = TRUE[name]
-    assert decide_by_argument(left, right, Domain(within, (), {})) == RUNG
+    assert decide_by_argument(left, right, Domain(within, (), {})) == ARGUMENTS
 
 
 @pytest.mark.parametrize("name", WRONG)

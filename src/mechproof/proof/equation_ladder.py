@@ -49,7 +49,7 @@ from mechproof.proof.integrals import (
     find_counterexample,
     settle_improper,
 )
-from mechproof.proof.inverses import ROOT, decide_by_inverse
+from mechproof.proof.inverses import ROOT, decide_by_argument, decide_by_inverse
 from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
 from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
@@ -66,7 +66,6 @@ from mechproof.proof.reasons import (
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
 from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
-from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.wave_sums import decide_by_steps
 from mechproof.proof.witness_text import clip
