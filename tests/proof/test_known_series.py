@@ -7,20 +7,20 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from mechproof.proof import known_series
-from mechproof.proof.known_series import SERIES
+from mechproof.proof import endless_sums
+from mechproof.proof.endless_sums import SERIES
 
 PLACE = 0.3
 TERMS = 2000
 
 
-def is_its_sum(series: known_series._Series) -> bool:
+def is_its_sum(series: endless_sums._Series) -> bool:
     """Add the terms from the quotients alone.
 
     What is left out of a sum of 1/n^p is at most (TERMS + 2) times the next term, by its integral,
     and less elsewhere; each addition rounds a number below 3.
     """
-    a, j = known_series._A, known_series._J
+    a, j = endless_sums._A, endless_sums._J
     quotient = sp.lambdify(j, series.quotient.subs(a, PLACE))
     term, total = float(series.first.subs(a, PLACE)), 0.0
     for number in range(TERMS):
@@ -31,7 +31,7 @@ def is_its_sum(series: known_series._Series) -> bool:
 
 
 @pytest.mark.parametrize("series", SERIES, ids=lambda series: str(series.value))
-def test_a_row_is_the_sum_of_its_terms(series: known_series._Series) -> None:
+def test_a_row_is_the_sum_of_its_terms(series: endless_sums._Series) -> None:
     assert is_its_sum(series)
     assert not is_its_sum(replace(series, value=series.value * sp.Rational(101, 100)))
     assert not is_its_sum(replace(series, quotient=series.quotient * sp.Rational(9, 10)))

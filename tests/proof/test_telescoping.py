@@ -8,7 +8,7 @@ from twins import check_twins, judge, list_rows
 
 from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
-from mechproof.proof import endless_sums, induction, known_series, telescoping
+from mechproof.proof import endless_sums, induction, telescoping
 from mechproof.proof.powers import split_powers
 from mechproof.proof.verdict import Verdict
 from mechproof.statement_domains.domain import Domain
@@ -91,7 +91,7 @@ TABLES = {
             "0<p<1",
         ),
     ),
-    endless_sums.RUNG: (
+    endless_sums.PARTIAL_SUMS: (
         (r"\sum_{k=1}^\infty\frac1{k(k+1)}=1", r"\sum_{k=1}^\infty\frac1{k(k-2)}=\frac34", ""),
         (r"\sum_{k=0}^\infty q^k=\frac1{1-q}", r"\sum_{k=1}^\infty q^k=\frac1{1-q}", "-1<q, q<1"),
         (
@@ -125,7 +125,7 @@ TABLES = {
             "",
         ),
     ),
-    known_series.RUNG: (
+    endless_sums.KNOWN_SERIES: (
         (
             r"\sum_{k=0}^\infty\binom{n+k}kx^k=\frac1{(1-x)^{n+1}}",
             r"\sum_{k=0}^\infty\binom{n+k}kx^k=\frac1{(1-x)^n}",

@@ -3,26 +3,34 @@
 SymPy proposes the partial sum, by Gosper's algorithm (1978); that of a geometric series is known.
 It counts if it begins and grows as the sum does, by induction, and has a limit. A sum is infinite
 whose terms have values and are in the end no less than those of c/k or c/(k*ln k), c > 0.
+
+Sums without end that are the series of elementary functions, or of zeta values.
+
+A term is known by the first one and by its quotient with the one before (Petkovšek, Wilf,
+Zeilberger, A = B, 1996, chapter 3). SymPy simplifies that quotient; it has to be the one of a
+series of the table (Abramowitz, Stegun, 1964, chapters 3, 4 and 23) where that converges.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import sympy as sp
 from sympy.concrete.gosper import gosper_sum
+from sympy.simplify.simplify import hypersimp
 
 from mechproof.proof.definedness import has_values
 from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import decide_by_induction, sum_up
-from mechproof.proof.signs import find_sign, is_positive
+from mechproof.proof.signs import find_sign, is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 from mechproof.record.parts import find_bound, find_parts
 from mechproof.statement_domains.domain import Domain
 
-RUNG = "limit of partial sums"
+PARTIAL_SUMS = "limit of partial sums"
 # Work limit: a term of more operations is not tried.
 _LARGEST = 40
 _N = sp.Dummy("n", integer=True, positive=True)
@@ -121,3 +129,135 @@ def _find_infinity(
 def _find_limit(partial: sp.Expr, domain: Domain) -> sp.Expr | None:
     limit = find_limit(partial, _N, sp.oo, 1, domain)
     return None if limit is None or limit.is_infinite else limit
+
+
+KNOWN_SERIES = "known series"
+# Work limit: so many terms before the first of a sum are tried as the beginning of the series.
+_MOST_BEFORE = 4
+# Of zeta and its like.
+_POWERS = range(2, 9)
+_J = sp.Dummy("j", integer=True, nonnegative=True)
+_A = sp.Dummy("a", real=True)
+_ODD = 2 * _J + 1
+
+
+@dataclass(frozen=True)
+class _Series:
+    """The quotient of two terms, and the value for a first term `first`.
+
+    What is `positive` and `nonnegative` where the series converges.
+    """
+
+    quotient: sp.Expr
+    value: sp.Expr
+    first: sp.Expr = sp.S.One
+    positive: sp.Expr = sp.S.One
+    nonnegative: sp.Expr = sp.S.One
+
+
+_ELEMENTARY = (
+    _Series(_A / (_J + 1), sp.exp(_A)),
+    _Series(-(_A**2) / (_ODD * (_ODD + 1)), sp.cos(_A)),
+    _Series(_A**2 / (_ODD * (_ODD + 1)), sp.cosh(_A)),
+    _Series(-(_A**2) / ((_ODD + 1) * (_ODD + 2)), sp.sin(_A), _A),
+    _Series(_A**2 / ((_ODD + 1) * (_ODD + 2)), sp.sinh(_A), _A),
+    _Series(_A * (_J + 1) / (_J + 2), -sp.log(1 - _A), _A, 1 - _A, 1 + _A),
+    _Series(-(_A**2) * _ODD / (_ODD + 2), sp.atan(_A), _A, nonnegative=1 - _A**2),
+    _Series(_A**2 * _ODD / (_ODD + 2), sp.atanh(_A), _A, positive=1 - _A**2),
+    _Series(_A**2 * _ODD**2 / ((_ODD + 1) * (_ODD + 2)), sp.asin(_A), _A, nonnegative=1 - _A**2),
+    _Series(
+        -(_A**2) * _ODD**2 / ((_ODD + 1) * (_ODD + 2)), sp.asinh(_A), _A, nonnegative=1 - _A**2
+    ),
+)
+_ZETA = tuple(
+    series
+    for power in _POWERS
+    for series in (
+        _Series(((_J + 1) / (_J + 2)) ** power, sp.zeta(power)),
+        _Series(
+            -(((_J + 1) / (_J + 2)) ** power), (1 - sp.Integer(2) ** (1 - power)) * sp.zeta(power)
+        ),
+        _Series((_ODD / (_ODD + 2)) ** power, (1 - sp.Integer(2) ** -power) * sp.zeta(power)),
+    )
+)
+SERIES = (*_ELEMENTARY, *_ZETA)
+
+
+def settle_series(expression: Any, domain: Domain) -> Any:
+    """Put the values of known series in the places of sums without end."""
+    return put_values(expression, partial(_find_known, domain))
+
+
+def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
+    if isinstance(total, sp.Product) or (read := read_endless(total)) is None:
+        return None
+    term, k, first = read
+    above = sp.Dummy("above", integer=True, nonnegative=True)
+    counts = {k: first + above}
+    if not is_nonzero_below(_drop_factorials(term, counts), counts, domain):
+        return None
+    first += term.subs(k, first) == 0
+    before = sp.S.Zero
+    for count in range(_MOST_BEFORE + 1):
+        leading = term.subs(k, first - count)
+        if leading.has(sp.zoo, sp.oo, sp.nan):
+            return None
+        before += leading if count else 0
+        value = _find_whole(term.subs(k, _J + first - count), leading, domain)
+        if value is not None:
+            return value - before
+    return None
+
+
+def _drop_factorials(term: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Leave factors out that are powers of factorials, of numbers from 0 on: these have no zero."""
+    factors = ((factor, *factor.as_base_exp()) for factor in sp.Mul.make_args(term))
+    kept = (f for f, base, _ in factors if not _is_factorial(base, counts))
+    return sp.Mul(*kept)
+
+
+def _is_factorial(base: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> bool:
+    of = base.args[0].xreplace(counts) if isinstance(base, sp.factorial) else sp.nan
+    return bool(of.is_integer and of.is_nonnegative)
+
+
+def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Return the value of a sum that begins with j = 0, if its series is known."""
+    quotient = hypersimp(term, _J)
+    if leading == 0 or quotient is None or not quotient.is_rational_function(_J):
+        return None
+    for series in (*SERIES, *_make_binomial(quotient)):
+        for argument in _find_arguments(quotient, series, domain):
+            factor = sp.cancel(leading / series.first.subs(_A, argument))
+            conditions = (
+                is_positive(series.positive.subs(_A, argument), domain),
+                is_nonnegative(series.nonnegative.subs(_A, argument), domain),
+                is_nonzero(sp.denom(factor), domain),
+            )
+            if all(conditions):
+                return factor * series.value.subs(_A, argument)
+    return None
+
+
+def _make_binomial(quotient: sp.Expr) -> Iterator[_Series]:
+    """Yield Newton's series of (1 - a)**-b if the quotient is a*(j + b)/(j + 1)."""
+    above = sp.cancel(quotient * (_J + 1))
+    if above.is_polynomial(_J) and sp.degree(above, _J) == 1:
+        b = sp.cancel(above.subs(_J, 0) / sp.diff(above, _J))
+        yield _Series(_A * (_J + b) / (_J + 1), (1 - _A) ** -b, positive=1 - _A**2)
+
+
+def _find_arguments(quotient: sp.Expr, series: _Series, domain: Domain) -> Iterator[sp.Expr]:
+    """Yield the real argument with which a series has a quotient; 1 if the series has none."""
+    scale = sp.cancel(quotient / series.quotient.subs(_A, 1))
+    if scale.has(_J):
+        return
+    if not series.quotient.has(_A):
+        if scale == 1:
+            yield scale
+    elif not series.quotient.has(_A**2):
+        yield scale
+    else:
+        root = sp.powdenest(sp.sqrt(scale), force=True)
+        if is_nonnegative(scale, domain) and sp.expand(root**2 - scale) == 0:
+            yield root

@@ -37,7 +37,12 @@ from mechproof.proof.definedness import (
     put_in,
 )
 from mechproof.proof.divergence import RUNG as DIVERGENCE, lack_values_alike, tell_divergence
-from mechproof.proof.endless_sums import RUNG as PARTIAL_SUMS, settle_endless
+from mechproof.proof.endless_sums import (
+    KNOWN_SERIES,
+    PARTIAL_SUMS,
+    settle_endless,
+    settle_series,
+)
 from mechproof.proof.exact_values import decide_endless
 from mechproof.proof.floors import decide_by_floors
 from mechproof.proof.fourier_series import RUNG as FOURIER_SERIES, settle_waves
@@ -51,7 +56,6 @@ from mechproof.proof.integrals import (
 )
 from mechproof.proof.inverses import ROOT, decide_by_argument, decide_by_inverse
 from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
-from mechproof.proof.known_series import RUNG as KNOWN_SERIES, settle_series
 from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
 from mechproof.proof.powers import decide_by_logarithms, split_powers, take_signs, write_roots
 from mechproof.proof.reasons import (
