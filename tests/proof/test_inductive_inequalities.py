@@ -7,7 +7,7 @@ import sympy as sp
 from twins import ACCEPTED, judge
 
 from mechproof.proof.counts import find_first, let_run
-from mechproof.proof.inductive_inequalities import RUNG, holds_by_steps
+from mechproof.proof.induction import OF_INEQUALITIES, holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Slack
@@ -47,7 +47,7 @@ ROWS = (
 def test_an_inequality_is_proved_and_its_neighbour_not_accepted(
     printed: str, where: str, twin: str, there: str
 ) -> None:
-    assert judge(printed, where) == (Verdict.PROVED, RUNG)
+    assert judge(printed, where) == (Verdict.PROVED, OF_INEQUALITIES)
     assert judge(twin, there)[0] not in ACCEPTED
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.proof import inductive_inequalities, integrand_signs, newton
+from mechproof.proof import integrand_signs, newton
 from mechproof.proof.cases import decide_by_pieces, write_pieces
 from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
@@ -24,7 +24,7 @@ from mechproof.proof.divergence import RUNG as DIVERGENCE
 from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_sides
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
 from mechproof.proof.floors import leave_fractions
-from mechproof.proof.inductive_inequalities import holds_by_steps
+from mechproof.proof.induction import OF_INEQUALITIES, holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, put_values
 from mechproof.proof.integrand_signs import holds_by_integrand
@@ -267,7 +267,7 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     if has_parts(slack.value, sp.Integral) and holds_by_integrand(slack, domain, _is_shown):
         return integrand_signs.RUNG
     if holds_by_steps(slack, domain, show_sign):
-        return inductive_inequalities.RUNG
+        return OF_INEQUALITIES
     return _hold_by_cases(relation, domain) or show_sign(slack, domain)
 
 
