@@ -19,7 +19,7 @@ from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
-from mechproof.proof.improper import find_residue, is_improper, is_iterated
+from mechproof.proof.integral_kinds import find_residue, is_improper, is_iterated
 from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivatives
 from mechproof.proof.refutation import FEW, has_value, points_for
 from mechproof.proof.signs import is_nonzero, is_positive

@@ -20,7 +20,7 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.counts import find_first
 from mechproof.proof.growth import find_limit
-from mechproof.proof.improper import is_improper
+from mechproof.proof.integral_kinds import is_improper
 from mechproof.proof.powers import is_analytic
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.telescoping import is_nonzero_below, reduce_quotient

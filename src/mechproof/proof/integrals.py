@@ -22,14 +22,16 @@ from mechproof.proof.coordinates import parametrise, write_by_sines
 from mechproof.proof.counts import has_steps
 from mechproof.proof.growth import find_limit
 from mechproof.proof.half_angles import is_shown_there
-from mechproof.proof.improper import (
+from mechproof.proof.integral_kinds import (
     changes_sign_at_pole,
+    cut_at_seams,
+    has_pieces,
+    integrate_polynomials,
     is_improper,
     is_iterated,
     list_poles,
     may_reach_zero,
 )
-from mechproof.proof.integral_pieces import cut_at_seams, has_pieces, integrate_polynomials
 from mechproof.proof.powers import decide_by_logarithms, write_roots
 from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import are_seen_to_differ, points_for

@@ -17,8 +17,8 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import write_by_sines
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
-from mechproof.proof.improper import list_zeros_between
 from mechproof.proof.induction import sum_up
+from mechproof.proof.integral_kinds import list_zeros_between
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
