@@ -34,9 +34,9 @@ from mechproof.record import (
 )
 from mechproof.record.implicit import Implicit
 from mechproof.record.parts import find_free, find_parts
-from mechproof.statement_domains.assumptions import Facts, describe_excess, facts_of, find_excess
 from mechproof.statement_domains.dimension_inference import DimensionError, Dimensions, infer_common
 from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.domain_checks import Facts, describe_excess, facts_of, find_excess
 
 Side = tuple[str, sp.Basic]
 LARGEST_EXPONENT = 10**5
