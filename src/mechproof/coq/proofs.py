@@ -14,12 +14,11 @@ from itertools import product
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.coq.derivative_proofs import find_variable, prove_by_derivative
+from mechproof.coq.derivative_proofs import find_variable, prove_by_derivative, prove_slope
 from mechproof.coq.families import has_families
 from mechproof.coq.first_tactics import EstablishedFacts, introduce, turn_right
 from mechproof.coq.roots_of_quotients import clear_roots, open_arctangents
 from mechproof.coq.sign_proofs import BITS, ORDERED, find_factors, prove_order, write_product
-from mechproof.coq.slope_proofs import prove_slope
 from mechproof.coq.slope_statements import states_slope
 from mechproof.coq.terms import Names, write_relation, write_term
 from mechproof.coq.theorems import Theorem
