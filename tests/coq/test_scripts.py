@@ -6,11 +6,10 @@ import pytest
 import sympy as sp
 from sympy import Eq, Interval, Rational, S, cos, sin, sqrt, symbols
 
-from mechproof.coq.piecewise_laws import list_cases
 from mechproof.coq.script_comparison import ReadBackError, compare_script
 from mechproof.coq.scripts import write_script
 from mechproof.coq.terms import UnwritableError, list_needs, name_symbols, write_term
-from mechproof.coq.theorems import build_theorems
+from mechproof.coq.theorems import build_theorems, list_cases
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     ANGLE,

@@ -1,4 +1,7 @@
-"""A row and its verdict -> the theorems that say as much: of all values, or of a point."""
+"""A row and its verdict -> the theorems that say as much: of all values, or of a point.
+
+Relations with laws by pieces -> one relation for every choice of pieces, with its conditions.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,10 @@ from dataclasses import dataclass, replace
 from itertools import chain, islice, product
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
 from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
-from mechproof.coq.piecewise_laws import list_cases
 from mechproof.coq.slope_statements import differentiate_alike
 from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
 from mechproof.proof.verdict import Verdict
@@ -25,7 +28,7 @@ from mechproof.record import (
     Row,
     Statement,
 )
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, replace_parts
 from mechproof.record.statements import list_parts
 from mechproof.statement_domains.domain import Domain, Point, sizes_of
 from mechproof.statement_domains.preparation import prepare
@@ -265,7 +268,48 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
 
 def _negate(relation: sp.Basic) -> sp.Basic:
     """Return what is true where a relation between two sides is not."""
-    opposite = {sp.Eq: sp.Ne, sp.Ne: sp.Eq, sp.Lt: sp.Ge, sp.Le: sp.Gt, sp.Gt: sp.Le, sp.Ge: sp.Lt}
-    if relation.func not in opposite:
+    if not isinstance(relation, Relational):
         raise UnwritableError(f"the contrary of {type(relation).__name__} is not written")
-    return opposite[relation.func](*relation.args, evaluate=False)
+    return relation.negated
+
+
+# A relation, and the conditions under which its pieces are the ones that hold.
+Case = tuple[sp.Basic, tuple[sp.Basic, ...]]
+
+
+def list_cases(relation: sp.Basic, known: tuple[sp.Basic, ...] = ()) -> Iterator[Case]:
+    """Yield the cases of a relation; one whose conditions contradict each other is none.
+
+    A piece holds where its condition does and those of the pieces before it do not; where none
+    does, the law has no value. Raises `UnwritableError` for a condition that is no comparison.
+    """
+    laws = find_parts(relation, sp.Piecewise)
+    inner = [law for law in laws if not find_parts(sp.Tuple(*law.args), sp.Piecewise)]
+    if not inner:
+        yield relation, known
+        return
+    law = min(inner, key=sp.default_sort_key)
+    before: list[sp.Basic] = []
+    for value, condition in law.args:
+        new = [*before] if condition is sp.true else [*before, _turn(condition)]
+        conditions = tuple(dict.fromkeys((*known, *new)))
+        if not any(c.negated.reversed in conditions for c in conditions):
+            yield from list_cases(_put(relation, law, value), conditions)
+        if condition is sp.true:
+            return
+        before.append(_turn(condition.negated))
+
+
+def _put(relation: sp.Basic, law: sp.Piecewise, value: sp.Basic) -> sp.Basic:
+    """Put a piece for a law in both sides, which may become the same."""
+    sides = (replace_parts(side, {law: value}) for side in relation.args)
+    return relation.func(*sides, evaluate=False)
+
+
+def _turn(condition: sp.Basic) -> sp.Basic:
+    """Write a condition with the smaller side first, so that equal ones are seen to be so."""
+    if not isinstance(condition, Relational) or isinstance(condition, sp.Eq | sp.Ne):
+        raise UnwritableError(f"a piece under the condition {condition} is not written")
+    if isinstance(condition, sp.Gt | sp.Ge):
+        return condition.reversed
+    return condition
