@@ -10,7 +10,7 @@ from itertools import combinations
 import pytest
 import sympy as sp
 
-from mechproof.ledger.fingerprint import Fingerprint, NoFingerprintError
+from mechproof.ledger.verdict_cache import Fingerprint, NoFingerprintError
 from mechproof.record import Claim, Equality, Holds, Part, PrintedNumber, Variable
 
 x, y = sp.symbols("x y", real=True)
@@ -118,7 +118,7 @@ def test_what_cannot_be_compared_is_refused(part: object) -> None:
 @pytest.mark.slow
 def test_the_key_is_the_same_in_every_process() -> None:
     code = (
-        "import sympy as sp; from mechproof.ledger.fingerprint import Fingerprint;"
+        "import sympy as sp; from mechproof.ledger.verdict_cache import Fingerprint;"
         "a, b, d = *sp.symbols('a b', real=True), sp.Dummy('d');"
         "e = sp.And(a < b, sp.FiniteSet(a, b, 1).contains(d), evaluate=False);"
         "print(Fingerprint().visit((e, {a: 1, b: 2}, sp.sin(a*b) + sp.Abs(b) + d)))"
