@@ -6,9 +6,10 @@ the splitting of Davis, Logemann and Loveland (1962), on conditions in place of 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -56,7 +57,7 @@ def _always(condition: Relational, domain: Domain) -> bool:
     return is_shown(slack, domain)
 
 
-def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain]:
+def _pin(sides: Sequence[sp.Expr], domain: Domain) -> tuple[Any, ...]:
     """Put in the value of a symbol that lies at once on both sides of it, where pieces meet."""
     *others, last = map(find_slack, domain.where or (sp.true,))
     met = (one for one in others if last and one and _are_opposite(one, last, domain))
@@ -65,8 +66,7 @@ def _pin(sides: list[sp.Expr], domain: Domain) -> tuple[sp.Expr, sp.Expr, Domain
             slope = slack.value.coeff(symbol)
             rest = sp.expand(slack.value - slope * symbol)
             if slope.is_number and slope != 0 and not rest.has(symbol):
-                value = {symbol: -rest / slope}
-                return (*(substitute(side, value) for side in sides), fix(domain, value))
+                return put_in(sides, domain, {symbol: -rest / slope})
     return (*sides, domain)
 
 
@@ -85,17 +85,12 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     if not counts:
         return None
     count = min(counts, key=str)
-    zero, later = {count: sp.S.Zero}, sp.Symbol(count.name, integer=True, positive=True)
-    at_zero = (write_out(substitute(side, zero)) for side in sides)
-    from_one = fix(domain, {count: later})
-    from_one = replace(from_one, within={**from_one.within, later: sp.S.Naturals})
-    return _join(
-        prove(*parts, part)
-        for parts, part in (
-            (at_zero, fix(domain, zero)),
-            ((substitute(side, {count: later}) for side in sides), from_one),
-        )
-    )
+    later = sp.Symbol(count.name, integer=True, positive=True)
+    *at_zero, zero = put_in(sides, domain, {count: sp.S.Zero})
+    *from_one, part = put_in(sides, domain, {count: later})
+    part = replace(part, within={**part.within, later: sp.S.Naturals})
+    cases = ((*map(write_out, at_zero), zero), (*from_one, part))
+    return _join(prove(*case) for case in cases)
 
 
 def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
@@ -140,15 +135,9 @@ def decide_from_zero_end(sides: Sides, domain: Domain, prove: Prove) -> str | No
     if not ended:
         return None
     symbol = min(ended, key=str)
-    values = domain.set_of(symbol)
-    zero = {symbol: sp.S.Zero}
-    return _join(
-        prove(*parts, part)
-        for parts, part in (
-            ((substitute(side, zero) for side in sides), fix(domain, zero)),
-            (sides, domain.with_set(symbol, values - sp.FiniteSet(0))),
-        )
-    )
+    elsewhere = domain.with_set(symbol, domain.set_of(symbol) - sp.FiniteSet(0))
+    cases = (put_in(sides, domain, {symbol: sp.S.Zero}), (*sides, elsewhere))
+    return _join(prove(*case) for case in cases)
 
 
 def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Expr:
@@ -210,10 +199,8 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     if not listed:
         return None
     symbol = min(listed, key=str)
-    values = [{symbol: value} for value in domain.set_of(symbol).args]
-    return _join(
-        prove(*(substitute(side, value) for side in sides), fix(domain, value)) for value in values
-    )
+    values = domain.set_of(symbol).args
+    return _join(prove(*put_in(sides, domain, {symbol: value})) for value in values)
 
 
 def narrow(domain: Domain, relation: Relational) -> Domain | None:
@@ -291,6 +278,13 @@ def assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
         return side.xreplace(known)
     size = {sp.Abs(slack.value): slack.value if holds else -slack.value}
     return side.xreplace(known).xreplace(size)
+
+
+def put_in(
+    sides: Sequence[sp.Expr], domain: Domain, value: Mapping[sp.Basic, sp.Expr]
+) -> tuple[Any, ...]:
+    """Return sides with the values of symbols, and the part of a domain on which they have them."""
+    return *(substitute(side, value) for side in sides), fix(domain, value)
 
 
 def fix(domain: Domain, value: Mapping[sp.Basic, sp.Expr]) -> Domain:

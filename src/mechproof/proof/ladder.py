@@ -17,7 +17,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.proof import integrand_signs, newton
-from mechproof.proof.cases import decide_by_pieces, write_pieces
+from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence_conditions import find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
 from mechproof.proof.divergence import RUNG as DIVERGENCE
@@ -63,7 +63,7 @@ from mechproof.record import (
 from mechproof.record.estimates import without_estimates
 from mechproof.record.parts import find_free, has_parts
 from mechproof.record.relations import find_slack
-from mechproof.record.substitution import substitute, write_steps
+from mechproof.record.substitution import write_steps
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
@@ -209,10 +209,7 @@ def _decide_completions(statement: Completions, domain: Domain) -> Answer:
 def _decide_completion(completion: Completion, missing: str | sp.Symbol, domain: Domain) -> Answer:
     if not isinstance(missing, sp.Symbol):
         return decide(completion.says, domain)
-    given = {**domain.given, missing: completion.value}
-    within = {s: values for s, values in domain.within.items() if s != missing}
-    where = tuple(substitute(r, {missing: completion.value}) for r in domain.where)
-    return decide(completion.says, replace(domain, within=within, where=where, given=given))
+    return decide(completion.says, fix(domain, {missing: completion.value}))
 
 
 def _describe(completion: Completion, answer: Answer) -> Evidence:

@@ -57,14 +57,6 @@ class _Task:
         """Return the root for balls of its symbols."""
         return Bracketed(frame(self.root), values, _run)
 
-    def limit(self, values: dict[sp.Basic, balls.Ball]) -> balls.Ball:
-        """Enclose the bound."""
-        return _run(self.bound, values)
-
-    def excludes(self, values: dict[sp.Basic, balls.Ball]) -> bool:
-        """Say whether a relation of the domain is false on the whole box."""
-        return any(balls.truth(relation, values, _BITS) is False for relation in self.where)
-
 
 def _run(expression: sp.Basic, values: Values) -> balls.Ball:
     return compile_expression(expression)(values)
@@ -162,9 +154,10 @@ def _find_height(task: _Task, box: Box) -> float:
     There it is the larger, the less is known at the start: which side to cut is seen from that.
     """
     values = task.enter(box)
-    if task.excludes(values):
+    # A part of the box on which a relation is false is none of the domain.
+    if any(balls.truth(relation, values, _BITS) is False for relation in task.where):
         return 0.0
-    given, limit = task.bracket(values), task.limit(values)
+    given, limit = task.bracket(values), _run(task.bound, values)
     if limit > 0 and not _name_fault(given):
         *_, last = _list_errors(given, task.root.steps)
         height = float(np.nextafter(float((last / limit).abs_upper()), np.inf))
@@ -233,7 +226,7 @@ def _describe(task: _Task, box: Box) -> str:
 
 
 def _tell_errors(given: Bracketed, task: _Task, values: dict[sp.Basic, balls.Ball]) -> str:
-    steps, limit = task.root.steps, task.limit(values)
+    steps, limit = task.root.steps, _run(task.bound, values)
     errors = list(_list_errors(given, MOST_STEPS))
     enough = [k for k, error in enumerate(errors) if error <= limit]
     if enough:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import sympy as sp
-from flint import arb, arb_series, fmpq
+from flint import arb, arb_series
 
 from mechproof.arithmetic import balls
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
@@ -145,8 +145,8 @@ def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
     if terms is None or any(terms[:power]):
         return False
     total = sum(abs(c) * reach ** (k - power) for k, c in enumerate(terms) if k >= power)
-    rest = _enclose_remainder(value, x, reach) * _to_ball(reach) ** (ORDER - power)
-    return bool(_to_ball(sp.Rational(total)) + rest <= _to_ball(bound))
+    rest = _enclose_remainder(value, x, reach) * balls.to_ball(reach) ** (ORDER - power)
+    return bool(balls.to_ball(sp.Rational(total)) + rest <= balls.to_ball(bound))
 
 
 def _read_power(side: sp.Expr, x: sp.Symbol) -> tuple[sp.Rational, int]:
@@ -170,9 +170,9 @@ def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
     sizes: list[arb] = []
     assert ORDER < LONGEST
     with working(ORDER + 1, BITS):
-        half = _to_ball(reach / PARTS)
+        half = balls.to_ball(reach / PARTS)
         for part in range(PARTS):
-            middle = _to_ball(reach * sp.Rational(2 * part + 1 - PARTS, PARTS))
+            middle = balls.to_ball(reach * sp.Rational(2 * part + 1 - PARTS, PARTS))
             place = arb_series([middle + half * arb(0, 1), 1])
             terms = list_terms(expression.expand(place))
             # What is not finite is in no order with numbers.
@@ -180,7 +180,3 @@ def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
                 return NAN
             sizes.append(terms[ORDER].abs_upper())
     return max(sizes)
-
-
-def _to_ball(number: sp.Rational) -> arb:
-    return arb(fmpq(int(number.p), int(number.q)))

@@ -10,7 +10,7 @@ common is enough.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -39,6 +39,14 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.domain_checks import Facts, describe_excess, facts_of, find_excess
 
 Side = tuple[str, sp.Basic]
+# The names of the sides of statements, that of a print first.
+_SIDES: Mapping[type, tuple[str, ...]] = {
+    Equality: ("printed", "rebuilt"),
+    Distinct: ("left", "right"),
+    Definition: ("printed",),
+    Holds: ("relation",),
+    PrintedNumber: ("value",),
+}
 LARGEST_EXPONENT = 10**5
 
 
@@ -84,20 +92,11 @@ def _parts(statement: Conjunction | Completions, printed: bool) -> Iterator[tupl
 
 def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]:
     """Return the sides that the paper may be blamed for, and ours."""
-    prints, ours = [], []
-    if isinstance(statement, Equality):
-        prints, ours = [("printed", statement.printed)], [("rebuilt", statement.rebuilt)]
-        if statement.rebuilt_from == "member":
-            prints, ours = prints + ours, []
-    elif isinstance(statement, Distinct):
-        prints, ours = [("left", statement.left)], [("right", statement.right)]
-    elif isinstance(statement, Definition):
-        prints = [("printed", statement.printed)]
-    elif isinstance(statement, Holds):
-        ours = [("relation", statement.relation)]
-    elif isinstance(statement, PrintedNumber):
-        ours = [("value", statement.value)]
-    return (prints, ours) if printed else ([], prints + ours)
+    sides = [(name, getattr(statement, name)) for name in _SIDES.get(type(statement), ())]
+    prints = 0 if isinstance(statement, Holds | PrintedNumber) or not printed else 1
+    if prints and isinstance(statement, Equality) and statement.rebuilt_from == "member":
+        prints = 2
+    return sides[:prints], sides[prints:]
 
 
 def _check_size(name: str, side: sp.Basic) -> None:
@@ -242,12 +241,9 @@ def _letters(says: Statement, domain: Domain) -> set[sp.Basic]:
 
 
 def _list_parts(says: Statement) -> Iterator[Statement]:
-    if isinstance(says, Conjunction):
-        for part in says.parts:
+    if isinstance(says, Conjunction | Completions):
+        for part, _ in _parts(says, True):
             yield from _list_parts(part)
-    elif isinstance(says, Completions):
-        yield from _list_parts(says.first.says)
-        yield from _list_parts(says.second.says)
     else:
         yield says
 
@@ -263,14 +259,10 @@ def _quantities(says: Statement) -> Iterator[sp.Basic]:
 
 def _list_sides(says: Statement) -> Iterator[sp.Basic]:
     for part in _list_parts(says):
-        if isinstance(part, Equality):
-            yield from (part.printed, part.rebuilt)
-        elif isinstance(part, Distinct):
-            yield from (part.left, part.right)
-        elif isinstance(part, Definition):
-            yield from (part.symbol, part.printed)
-        elif isinstance(part, PrintedNumber):
-            yield part.value
-        elif isinstance(part, Holds):
+        if isinstance(part, Holds):
             for relation in part.relation.atoms(Relational):
                 yield from relation.args
+            continue
+        if isinstance(part, Definition):
+            yield part.symbol
+        yield from (getattr(part, name) for name in _SIDES.get(type(part), ()))

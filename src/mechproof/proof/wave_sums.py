@@ -15,9 +15,8 @@ from sympy.simplify.fu import TR8
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
-from mechproof.proof.cases import fix
+from mechproof.proof.cases import put_in
 from mechproof.proof.signs import is_nonnegative, is_positive
-from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "angles that rise by the same step"
@@ -62,10 +61,8 @@ def _holds_at(
     point: Mapping[sp.Basic, sp.Expr], sides: Sides, domain: Domain, prove: Prove
 ) -> bool:
     """Tell whether the sides are equal for one number, which the domain may exclude."""
-    fixed = fix(domain, point)
-    if sp.false in fixed.where:
-        return True
-    return bool(prove(*(write_out(substitute(side, point)) for side in sides), fixed))
+    *parts, fixed = put_in(sides, domain, point)
+    return sp.false in fixed.where or bool(prove(*map(write_out, parts), fixed))
 
 
 def _find_value(total: sp.Sum | sp.Product, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
