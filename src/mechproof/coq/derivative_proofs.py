@@ -25,7 +25,7 @@ from mechproof.coq.terms import (
     write_term,
 )
 from mechproof.coq.theorems import Theorem, list_between
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, find_roots
 
 # The running variable while it lies between the place of equality and its value.
 _MOVING = sp.Symbol("Z0", real=True)
@@ -274,11 +274,9 @@ class _Proof:
 
 def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:
     """List the roots that the variable does not move, or that are of squares."""
-    powers = find_parts(theorem.conclusion, sp.Pow)
-    roots = [p for p in powers if p.exp.is_Rational and p.exp.q == 2]
     still = [
         r
-        for r in roots
+        for r in find_roots(theorem.conclusion)
         if (variable not in find_free(r) and not find_parts(r, sp.sin, sp.cos))
         or is_square(r.base, theorem.witness)
     ]
@@ -288,7 +286,7 @@ def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:
 def _join(side: sp.Basic, joined: Names) -> sp.Basic:
     """Put letters for the roots that the first tactics write by others, or without any."""
     letters = {letter.root: letter for letter in joined}
-    powers = [p for p in find_parts(side, sp.Pow) if p.base in letters and p.exp.q == 2]
+    powers = [p for p in find_roots(side) if p.base in letters]
     return side.xreplace({p: letters[p.base] ** (2 * p.exp) for p in powers})
 
 
@@ -315,8 +313,7 @@ def prove_slope(theorem: Theorem, names: Names) -> list[str]:
 
 def _list_roots(whole: sp.Basic) -> list[sp.Expr]:
     """List what roots are of, the smaller first."""
-    powers = find_parts(whole, sp.Pow)
-    bases = {power.base for power in powers if power.exp.is_Rational and power.exp.q == 2}
+    bases = {root.base for root in find_roots(whole)}
     return sorted(bases, key=lambda base: (sp.count_ops(base), sp.default_sort_key(base)))
 
 

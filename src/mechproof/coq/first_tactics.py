@@ -14,7 +14,7 @@ from mechproof.coq.bound_distances import find_box
 from mechproof.coq.sign_proofs import BITS, find_factors, reduce_squares, show_sign, turn_positive
 from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
-from mechproof.record.parts import find_parts
+from mechproof.record.parts import find_parts, find_roots
 from mechproof.statement_domains.domain import Point
 
 
@@ -157,7 +157,7 @@ class EstablishedFacts:
             angle = write_term(base, self.names)
             self.lines.append(f"pose proof (square_of_sine {angle}) as S{number}.")
             self.rules.append(f"S{number}")
-        roots = {p.base for p in find_parts(whole, sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
+        roots = {root.base for root in find_roots(whole)}
         for number, base in enumerate(sorted(roots, key=sp.default_sort_key), start=1):
             text = write_term(base, self.names)
             square = f"sqrt {text} * sqrt {text} = {text}"

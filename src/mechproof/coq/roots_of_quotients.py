@@ -9,7 +9,7 @@ import sympy as sp
 from mechproof.coq.sign_proofs import find_factors, turn_positive
 from mechproof.coq.terms import Names, write_term
 from mechproof.coq.theorems import Theorem
-from mechproof.record.parts import find_parts, replace_parts
+from mechproof.record.parts import find_parts, find_roots, replace_parts
 
 
 def open_arctangents(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]]:
@@ -48,7 +48,7 @@ def _find_double(angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 def clear_roots(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]]:
     """Return a theorem whose roots have no denominators, and the tactics that write it so."""
     whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
-    powers = {p for p in find_parts(whole, sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
+    powers = find_roots(whole)
     written: dict[sp.Basic, sp.Basic] = {}
     lines: list[str] = []
     for base in sorted({p.base for p in powers}, key=sp.default_sort_key):

@@ -9,7 +9,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.coq.bound_distances import NO_BOX, Box, find_box, spread_out
 from mechproof.coq.terms import Names, write_term
-from mechproof.record.parts import find_parts
+from mechproof.record.parts import find_parts, find_roots
 from mechproof.statement_domains.domain import Point
 
 BITS = 128
@@ -70,9 +70,8 @@ def find_factors(expression: sp.Expr) -> FactoredQuotient | None:
 
 def _list_roots(expression: sp.Basic) -> dict[sp.Expr, list[sp.Pow]]:
     """List the powers with halves by their bases, those that are in no other."""
-    powers = [p for p in find_parts(expression, sp.Pow) if p.exp.is_Rational and p.exp.q == 2]
     found: dict[sp.Expr, list[sp.Pow]] = {}
-    for power in sorted(powers, key=sp.default_sort_key):
+    for power in sorted(find_roots(expression), key=sp.default_sort_key):
         if find_parts(power.base, sp.Symbol):
             found.setdefault(power.base, []).append(power)
     return found

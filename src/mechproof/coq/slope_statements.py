@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from mechproof.record import Differentiated
-from mechproof.record.parts import find_free, list_parts
+from mechproof.record.parts import find_free, find_roots, list_parts
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare
 
@@ -51,14 +51,8 @@ def _can_be_stated(relation: sp.Basic, whole: sp.Basic, letter: sp.Symbol, domai
 def _has_nested_roots(whole: sp.Basic, letter: sp.Symbol) -> bool:
     """Return whether a letter is under roots under a root, which no tactic compares in time."""
     return any(
-        letter in find_free(inner)
-        for root in filter(_is_root, list_parts(whole))
-        for inner in filter(_is_root, list_parts(root.base))
+        letter in find_free(inner) for root in find_roots(whole) for inner in find_roots(root.base)
     )
-
-
-def _is_root(part: sp.Basic) -> bool:
-    return isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.q == 2
 
 
 def _is_smooth(part: sp.Basic) -> bool:

@@ -28,6 +28,7 @@ from mechproof.proof.induction import decide_by_induction, sum_up
 from mechproof.proof.signs import find_sign, is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
 from mechproof.record.parts import find_bound, find_parts
+from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 
 PARTIAL_SUMS = "limit of partial sums"
@@ -49,10 +50,7 @@ def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any
     """
     bound = set(find_bound(expression))
     sums = (s for s in find_parts(expression, sp.Sum, sp.Product) if not s.free_symbols & bound)
-    values = ((node, find(node)) for node in sorted(sums, key=str))
-    known = {node: value for node, value in values if value is not None}
-    finite = {node: value for node, value in known.items() if not value.is_infinite}
-    return known.get(expression, expression.xreplace(finite))
+    return put_found(expression, {node: find(node) for node in sorted(sums, key=str)})
 
 
 def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:

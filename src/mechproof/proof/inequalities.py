@@ -26,7 +26,7 @@ from mechproof.proof.continuity import find_break
 from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
-from mechproof.record.parts import has_parts
+from mechproof.record.parts import find_roots, has_parts
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -167,11 +167,7 @@ def _by_squares(slack: Slack, domain: Domain) -> bool:
 
 def _list_roots(value: sp.Expr) -> list[sp.Expr]:
     """List square roots and moduli that stand in no other one, longest first."""
-    nodes = [
-        n
-        for n in value.atoms(sp.Pow, sp.Abs)
-        if isinstance(n, sp.Abs) or (n.exp.is_Rational and n.exp.q == 2)
-    ]
+    nodes = find_roots(value) | value.atoms(sp.Abs)
     return sorted(nodes, key=lambda n: (-n.count_ops(), sp.default_sort_key(n)))
 
 

@@ -40,7 +40,7 @@ from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record import Slack
 from mechproof.record.parts import find_bound, find_parts
-from mechproof.record.substitution import substitute
+from mechproof.record.substitution import put_found, substitute
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "antiderivative"
@@ -114,11 +114,8 @@ def put_values(
     expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool] = lambda node: True
 ) -> Any:
     """Put values of integrals in their places as far as shown; infinite ones that stand alone."""
-    values = {node: _find_value(node, domain) for node in list_free(expression) if is_met(node)}
-    if (alone := values.get(expression)) is not None:
-        return alone
-    finite = {node: v for node, v in values.items() if v is not None and not v.is_infinite}
-    return expression.xreplace(finite)
+    met = filter(is_met, list_free(expression))
+    return put_found(expression, {node: _find_value(node, domain) for node in met})
 
 
 def list_free(*sides: Any) -> list[sp.Integral]:

@@ -16,6 +16,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.record import Slack
+from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "known integral"
@@ -153,7 +154,7 @@ KNOWN = (
 def settle_known_integrals(expression: Any, domain: Domain) -> Any:
     """Put the values of known integrals in their places."""
     found = {node: _find_value(node, domain) for node in list_free(expression)}
-    return expression.xreplace({node: v for node, v in found.items() if v is not None})
+    return put_found(expression, found)
 
 
 def list_needed(node: sp.Basic) -> Iterator[Slack]:

@@ -22,6 +22,7 @@ from mechproof.proof.integral_kinds import list_zeros_between
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
+from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
@@ -41,10 +42,7 @@ def settle_limits(expression: Any, domain: Domain) -> Any:
     An infinite one has a value where it stands alone, and none within a formula.
     """
     limits = sorted(find_parts(expression, sp.Limit), key=sp.default_sort_key)
-    found = {limit: _find_value(limit, domain) for limit in limits}
-    values = {limit: value for limit, value in found.items() if value is not None}
-    finite = {limit: value for limit, value in values.items() if not value.is_infinite}
-    return expression.xreplace(finite) if expression not in values else values[expression]
+    return put_found(expression, {limit: _find_value(limit, domain) for limit in limits})
 
 
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:

@@ -30,7 +30,7 @@ from mechproof.proof.coordinates import (
     write_by_half_angles,
 )
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
-from mechproof.record.parts import find_parts, has_parts
+from mechproof.record.parts import find_parts, find_roots, has_parts
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -69,7 +69,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Let square roots of what is positive be positive numbers of which no more is known."""
-    roots = {p.base for p in expression.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
+    roots = {root.base for root in find_roots(expression)}
     known = {base for base in roots if base.free_symbols and is_positive(base, domain)}
     if not known:
         return None

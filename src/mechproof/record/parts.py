@@ -39,6 +39,12 @@ def find_parts(expression: sp.Basic, *kinds: Any) -> set[Any]:
     return {part for part in list_parts(expression) if isinstance(part, kinds)}
 
 
+def find_roots(expression: sp.Basic) -> set[Any]:
+    """Return the square roots, and the odd powers of such."""
+    powers = find_parts(expression, sp.Pow)
+    return {power for power in powers if power.exp.is_Rational and power.exp.q == 2}
+
+
 def has_parts(expression: sp.Basic, *kinds: Any) -> bool:
     """Return whether there are parts of some kinds."""
     return any(isinstance(part, kinds) for part in list_parts(expression))

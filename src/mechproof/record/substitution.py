@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
+from typing import Any
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -22,6 +23,13 @@ def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.
     """Put values for free symbols, all at once."""
     arriving = {s for value in values.values() for s in find_free(value)} | values.keys()
     return replace_parts(release(expression, arriving), values)
+
+
+def put_found(expression: Any, found: Mapping[Any, sp.Expr | None]) -> Any:
+    """Put the values that were found for parts in their places, infinite ones of what is alone."""
+    known = {part: value for part, value in found.items() if value is not None}
+    finite = {part: value for part, value in known.items() if not value.is_infinite}
+    return known.get(expression, expression.xreplace(finite))
 
 
 def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
