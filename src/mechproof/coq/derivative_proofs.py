@@ -111,7 +111,10 @@ class _Proof:
         self.theorem, self.names, self.variable = theorem, names, variable
         self.roots = EstablishedFacts(_list_still_roots(theorem, variable), theorem.witness, names)
         self.sides = tuple(
-            _point_right(_join(side, self.roots.joined)) for side in theorem.conclusion.args
+            _join(side, self.roots.joined).replace(
+                sp.atan2, lambda above, along: sp.atan(above / along, evaluate=False)
+            )
+            for side in theorem.conclusion.args
         )
         integrals = [i for side in self.sides for i in list_integrals(side)]
         self.known = [
@@ -288,10 +291,6 @@ def _join(side: sp.Basic, joined: Names) -> sp.Basic:
     letters = {letter.root: letter for letter in joined}
     powers = [p for p in find_roots(side) if p.base in letters]
     return side.xreplace({p: letters[p.base] ** (2 * p.exp) for p in powers})
-
-
-def _point_right(side: sp.Basic) -> sp.Basic:
-    return side.replace(sp.atan2, lambda above, along: sp.atan(above / along, evaluate=False))
 
 
 def prove_slope(theorem: Theorem, names: Names) -> list[str]:

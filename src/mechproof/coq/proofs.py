@@ -80,9 +80,8 @@ def _has_other_angles(theorem: Theorem) -> bool:
     left, right = (list(_list_angles(side)) for side in theorem.conclusion.args)
 
     def lack(angles: list[sp.Expr], others: list[sp.Expr]) -> bool:
-        return any(
-            all(_differ(angle, other, theorem.witness) for other in others) for angle in angles
-        )
+        differences = ((sp.Ne(a, other, evaluate=False) for other in others) for a in angles)
+        return any(all(balls.truth(d, theorem.witness, BITS) for d in one) for one in differences)
 
     return lack(left, right) or lack(right, left)
 
@@ -90,10 +89,6 @@ def _has_other_angles(theorem: Theorem) -> bool:
 def _list_angles(side: sp.Basic) -> Iterator[sp.Expr]:
     for angle in find_parts(side, sp.atan, sp.atan2):
         yield angle.args[0] if isinstance(angle, sp.atan) else angle.args[0] / angle.args[1]
-
-
-def _differ(one: sp.Expr, other: sp.Expr, point: Point) -> bool:
-    return balls.truth(sp.Ne(one, other, evaluate=False), point, BITS) is True
 
 
 def _prepare_equality(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:

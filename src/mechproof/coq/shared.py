@@ -109,12 +109,8 @@ def settle(text: str) -> str:
 
 def _recall(text: str) -> str:
     """Write the tactics that recall where the definitions lie that a text uses."""
-    return "".join(f"pose proof {name}_lies. " for name in _find_shared(text))
-
-
-def _find_shared(text: str) -> list[str]:
-    """List the definitions that a text uses, each once."""
-    return list(dict.fromkeys(re.findall(r"\bshared_\d+\b", text)))
+    used = dict.fromkeys(re.findall(r"\bshared_\d+\b", text))
+    return "".join(f"pose proof {name}_lies. " for name in used)
 
 
 def _enclose(part: sp.Expr, values: Mapping[sp.Basic, flint.arb]) -> tuple[int, int, int]:

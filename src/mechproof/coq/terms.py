@@ -152,10 +152,6 @@ def _write_number(number: sp.Rational, names: Names) -> str:
     return f"(- {text})" if number < 0 else text
 
 
-def _write_sum(total: sp.Add, names: Names) -> str:
-    return "(" + " + ".join(write_term(term, names) for term in total.args) + ")"
-
-
 def _write_product(product: sp.Mul, names: Names) -> str:
     above = [part for part in product.args if not _is_below(part)]
     below = [
@@ -228,7 +224,7 @@ def _write_indices(element: sp.Basic, names: Names) -> Iterator[str]:
 
 _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
     sp.Rational: _write_number,
-    sp.Add: _write_sum,
+    sp.Add: lambda total, names: f"({' + '.join(write_term(t, names) for t in total.args)})",
     sp.Mul: _write_product,
     sp.Pow: _write_power,
     sp.Integral: _write_integral,

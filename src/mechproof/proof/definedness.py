@@ -115,12 +115,9 @@ def list_necessary(expression: sp.Basic) -> list[Slack]:
 
     A power of a negative number has values where a symbol in its exponent makes that whole.
     """
-    nodes = (node for node in list_partial(expression) if not _has_values_between(node))
+    parts = list_partial(expression)
+    nodes = (part for part in parts if not (isinstance(part, sp.Pow) and part.exp.free_symbols))
     return list(dict.fromkeys(need for node in nodes for need in list_needs(node)))
-
-
-def _has_values_between(node: sp.Basic) -> bool:
-    return isinstance(node, sp.Pow) and bool(node.exp.free_symbols)
 
 
 def list_needed(expression: sp.Basic) -> list[Slack]:

@@ -85,12 +85,9 @@ def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
     """Tell it of one point; that an integral has no value is soon shown, if it is shown."""
     lack = [_has_none(substitute(s, point)) for s in sides]
     has_values = [not lacks and has_value(s, point) for s, lacks in zip(sides, lack, strict=True)]
-    one_lacks = (lacks or _is_plain(s) for s, lacks in zip(sides, lack, strict=True))
+    pairs = zip(sides, lack, strict=True)
+    one_lacks = (lacks or not has_parts(side, sp.Integral) for side, lacks in pairs)
     return all(has_values) or (not any(has_values) and all(one_lacks))
-
-
-def _is_plain(side: sp.Expr) -> bool:
-    return not has_parts(side, sp.Integral)
 
 
 def _has_none(side: sp.Expr) -> bool:

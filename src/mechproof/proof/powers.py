@@ -116,13 +116,12 @@ def _write_base(base: sp.Expr) -> sp.Expr:
 def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Return the logarithm of a product by those of its factors, None if not all are positive."""
     factors = _list_powers(argument)
-    if not all(_is_positive(base, domain) for base, _ in factors):
+    if not all(
+        is_positive(base, domain) or is_shown_there(Slack(base, True), domain)
+        for base, _ in factors
+    ):
         return None
     return sp.Add(*(exponent * sp.log(base) for base, exponent in factors))
-
-
-def _is_positive(base: sp.Expr, domain: Domain) -> bool:
-    return is_positive(base, domain) or is_shown_there(Slack(base, True), domain)
 
 
 def _take_sizes(logarithm: sp.Expr) -> sp.Expr:

@@ -77,8 +77,8 @@ def list_needs(node: sp.Basic) -> tuple[Slack, ...]:
         needs: tuple[Slack, ...] = (Slack(node.base, not node.exp.is_positive),)
     else:
         needs = _NEEDS[type(node)](node.args[0]) if type(node) in _NEEDS else ()
-    return tuple(need for need in needs if not _is_told(*need))
-
-
-def _is_told(number: sp.Expr, strict: bool) -> bool:
-    return bool(number.is_positive or (number.is_nonnegative and not strict))
+    return tuple(
+        Slack(number, strict)
+        for number, strict in needs
+        if not (number.is_positive or (number.is_nonnegative and not strict))
+    )
