@@ -9,13 +9,14 @@ between the limits, and that the value for the first n is shown.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations_with_replacement
 from typing import NamedTuple
 
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.cases import Prove
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
 from mechproof.proof.counts import find_first
@@ -31,8 +32,6 @@ from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 
-# Of both sides and the domain.
-Prove = Callable[..., str | None]
 RUNG = "integration by parts to the next number"
 DERIVATIVES = "derivative of the derivative"
 # Work limits: factors of a term of R, and x with its functions in an integrand.

@@ -43,10 +43,17 @@ class KnownIntegral:
     nonnegative: tuple[sp.Expr, ...] = ()
 
 
+def _endless(
+    integrand: sp.Expr, value: sp.Expr, *positive: sp.Expr, nonnegative: tuple[sp.Expr, ...] = ()
+) -> KnownIntegral:
+    """Return that from zero to infinity."""
+    return KnownIntegral(integrand, (sp.S.Zero, _OO), value, positive, nonnegative)
+
+
 def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
     """Return that of (f(a*x) - f(b*x))/x, f given at X with its last value less its first."""
     one, other = at.subs(X, _A * X), at.subs(X, _B * X)
-    return KnownIntegral((one - other) / X, (0, _OO), jump * sp.log(_A / _B), (_A, _B))
+    return _endless((one - other) / X, jump * sp.log(_A / _B), _A, _B)
 
 
 def _turn(
@@ -59,6 +66,7 @@ def _turn(
 
 _CIRCLE = 1 - 2 * _A * sp.cos(X) + _A**2
 _ROOT = sp.sqrt(_PI / _A) / 2
+_ZETA = sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1)
 KNOWN = (
     # Logarithms of sines (4.224).
     KnownIntegral(sp.log(sp.sin(X)), (0, _PI / 2), -_PI / 2 * sp.log(2)),
@@ -78,8 +86,8 @@ KNOWN = (
     KnownIntegral(sp.log(1 + X) / X, (0, 1), _PI**2 / 12),
     KnownIntegral(sp.log(X) * sp.log(1 - X), (0, 1), 2 - _PI**2 / 6),
     KnownIntegral(sp.log(1 - X) / X, (0, 1), -(_PI**2) / 6),
-    KnownIntegral(sp.log(X) / (1 + X**2), (0, _OO), sp.S.Zero),
-    KnownIntegral(sp.log(X) / (_A**2 + X**2), (0, _OO), _PI * sp.log(_A) / (2 * _A), (_A,)),
+    _endless(sp.log(X) / (1 + X**2), sp.S.Zero),
+    _endless(sp.log(X) / (_A**2 + X**2), _PI * sp.log(_A) / (2 * _A), _A),
     KnownIntegral(
         (X**_A - X**_B) / sp.log(X), (0, 1), sp.log((_A + 1) / (_B + 1)), (_A + 1, _B + 1)
     ),
@@ -100,30 +108,22 @@ KNOWN = (
         (_A, _A**2 - _B**2 - _C**2),
     ),
     # Fresnel (3.691).
-    KnownIntegral(sp.sin(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),
-    KnownIntegral(sp.cos(_A * X**2), (0, _OO), _ROOT / sp.sqrt(2), (_A,)),
+    _endless(sp.sin(_A * X**2), _ROOT / sp.sqrt(2), _A),
+    _endless(sp.cos(_A * X**2), _ROOT / sp.sqrt(2), _A),
     # Frullani (3.434, 3.784, 4.536).
     _frullani(sp.exp(-X), -sp.S.One),
     _frullani(sp.cos(X), -sp.S.One),
     _frullani(sp.atan(X), _PI / 2),
     # Laplace (3.723), and what is like it (3.896, 3.325, 3.941).
-    KnownIntegral(
-        sp.cos(_A * X) / (_B**2 + X**2), (0, _OO), _PI * sp.exp(-_A * _B) / (2 * _B), (_B,), (_A,)
+    _endless(
+        sp.cos(_A * X) / (_B**2 + X**2), _PI * sp.exp(-_A * _B) / (2 * _B), _B, nonnegative=(_A,)
     ),
-    KnownIntegral(
-        X * sp.sin(_A * X) / (_B**2 + X**2), (0, _OO), _PI * sp.exp(-_A * _B) / 2, (_A, _B)
-    ),
-    KnownIntegral(
-        sp.exp(-_A * X**2) * sp.cos(_B * X), (0, _OO), _ROOT * sp.exp(-(_B**2) / (4 * _A)), (_A,)
-    ),
-    KnownIntegral(
-        sp.exp(-_A * X**2 - _B / X**2), (0, _OO), _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)), (_A, _B)
-    ),
-    KnownIntegral(sp.exp(-_B * X) * sp.sin(_A * X) / X, (0, _OO), sp.atan(_A / _B), (_B,)),
+    _endless(X * sp.sin(_A * X) / (_B**2 + X**2), _PI * sp.exp(-_A * _B) / 2, _A, _B),
+    _endless(sp.exp(-_A * X**2) * sp.cos(_B * X), _ROOT * sp.exp(-(_B**2) / (4 * _A)), _A),
+    _endless(sp.exp(-_A * X**2 - _B / X**2), _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)), _A, _B),
+    _endless(sp.exp(-_B * X) * sp.sin(_A * X) / X, sp.atan(_A / _B), _B),
     # Powers and exponentials (3.241, 3.411).
-    KnownIntegral(
-        X**_P * sp.exp(-_A * X), (0, _OO), sp.gamma(_P + 1) / _A ** (_P + 1), (_P + 1, _A)
-    ),
+    _endless(X**_P * sp.exp(-_A * X), sp.gamma(_P + 1) / _A ** (_P + 1), _P + 1, _A),
     KnownIntegral(
         X**_P * (1 - X) ** _Q,
         (0, 1),
@@ -133,21 +133,11 @@ KNOWN = (
     KnownIntegral(
         sp.tan(X) ** _P, (0, _PI / 2), _PI / (2 * sp.cos(_PI * _P / 2)), (1 - _P, 1 + _P)
     ),
-    KnownIntegral(X**_A / (1 + X), (0, _OO), -_PI / sp.sin(_PI * _A), (1 + _A, -_A)),
-    KnownIntegral(1 / (1 + X**_M), (0, _OO), _PI / _M / sp.sin(_PI / _M), (_M - 1,)),
-    KnownIntegral(
-        X**_N / (sp.exp(_A * X) - 1),
-        (0, _OO),
-        sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1),
-        (_A,),
-    ),
-    KnownIntegral(
-        X**_N / (sp.exp(_A * X) + 1),
-        (0, _OO),
-        (1 - 2**-_N) * sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1),
-        (_A,),
-    ),
-    KnownIntegral(X / sp.sinh(_A * X), (0, _OO), _PI**2 / (4 * _A**2), (_A,)),
+    _endless(X**_A / (1 + X), -_PI / sp.sin(_PI * _A), 1 + _A, -_A),
+    _endless(1 / (1 + X**_M), _PI / _M / sp.sin(_PI / _M), _M - 1),
+    _endless(X**_N / (sp.exp(_A * X) - 1), _ZETA, _A),
+    _endless(X**_N / (sp.exp(_A * X) + 1), (1 - 2**-_N) * _ZETA, _A),
+    _endless(X / sp.sinh(_A * X), _PI**2 / (4 * _A**2), _A),
 )
 
 

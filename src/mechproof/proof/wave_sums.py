@@ -7,7 +7,7 @@ of n sines with the step pi/n is that of n times the first angle, divided by 2**
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -15,13 +15,11 @@ from sympy.simplify.fu import TR8
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
-from mechproof.proof.cases import put_in
+from mechproof.proof.cases import Prove, Sides, put_in
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "angles that rise by the same step"
-Prove = Callable[..., str | None]
-Sides = tuple[sp.Expr, sp.Expr]
 # Work limits: first numbers that are looked at one by one, and operations of a term.
 _MOST_ALONE = 4
 _LARGEST = 40
