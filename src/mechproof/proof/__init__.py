@@ -3,7 +3,7 @@
 `judge` makes one line of the ledger of a row. `statement_checks` refuses what our own side of a
 statement cannot mean; `wellformed` looks whether the printed side can be evaluated. The `ladder`
 then tries the rungs of inequalities (`signs`, `inequalities`, ...), `equation_ladder` those of
-equations (`algebra`, `canonical_sums`, `antiderivative`, ...), and `refutation` looks for
+equations (`algebra`, `canonical_sums`, `continuity`, ...), and `refutation` looks for
 counterexamples in balls.
 
 A computer algebra system simplifies by rules that hold almost everywhere. Here a rung is a
