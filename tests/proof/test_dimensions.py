@@ -109,7 +109,7 @@ def test_a_change_of_units_scales_what_has_the_unit(unit, scaled):
 
 def test_the_witness_may_be_another_unit_than_that_of_length():
     (fault,) = find_faults(Equality(t + w, t), KNOWN, DOMAIN)
-    assert "unit of time" in fault.evidence.what
+    assert "unit of time" in fault.evidence[0].what
 
 
 @pytest.mark.parametrize("says", [Equality(sp.sin(a) ** 2 + sp.cos(a) ** 2, p), Holds(v + v >= v)])
@@ -129,13 +129,13 @@ def test_what_no_change_of_units_changes_is_no_fault(says):
 def test_relations_are_checked_too(says):
     statement = Holds(says) if isinstance(says, sp.Ne) else says
     (fault,) = find_faults(statement, KNOWN, DOMAIN)
-    assert fault.evidence.printed != fault.evidence.rebuilt
+    assert fault.evidence[0].printed != fault.evidence[0].rebuilt
 
 
 def test_the_witness_differs_for_a_mixture_and_not_for_a_sound_formula():
     (fault,) = find_faults(Equality(sp.sqrt(a**2 + b), a), KNOWN, DOMAIN)
     assert fault.rung == "dimensions"
-    assert fault.evidence.printed != fault.evidence.rebuilt
+    assert fault.evidence[0].printed != fault.evidence[0].rebuilt
     assert find_faults(Equality(sp.sqrt(a**2 + b**2), a), KNOWN, DOMAIN) == []
 
 
@@ -144,12 +144,14 @@ def test_the_witness_is_turned_back_by_the_dimension_of_the_other_side():
     (fault,) = find_faults(Equality(a + b**2, sp.sqrt(a)), KNOWN, DOMAIN)
     length, area = point[a] * 1000, point[b] ** 2 * 10**6
     expected = (length + area) / sp.sqrt(1000)
-    assert sp.Float(fault.evidence.rebuilt.split()[0].strip("[")) == pytest.approx(float(expected))
+    assert sp.Float(fault.evidence[0].rebuilt.split()[0].strip("[")) == pytest.approx(
+        float(expected)
+    )
 
 
 def test_a_witness_is_given_when_both_sides_are_mixed():
     (fault,) = find_faults(Equality(a + b**2, b + a**2), KNOWN, DOMAIN)
-    assert fault.evidence.printed != fault.evidence.rebuilt
+    assert fault.evidence[0].printed != fault.evidence[0].rebuilt
 
 
 def test_the_letter_of_a_limit_has_the_dimension_that_fits() -> None:

@@ -59,7 +59,7 @@ def test_a_fault_is_named_with_its_witness(name):
     statement, reason = FAULTY[name]
     (fault,) = find_faults(statement, KNOWN, DOMAIN)
     assert reason in fault.reason
-    assert fault.evidence.what
+    assert fault.evidence[0].what
 
 
 def test_several_faults_are_all_named():

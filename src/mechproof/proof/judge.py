@@ -12,6 +12,7 @@ from mechproof.proof.comparison_latex import write_compared
 from mechproof.proof.count_zeros import tell_division_by_zero
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
+from mechproof.proof.reasons import join_rungs
 from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.statement_checks import check_restatements, check_statement
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Judgement, Verdict
@@ -105,10 +106,10 @@ def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
         answer = _decide_where_it_divides(row, domain)
         undefined = answer.verdict is Verdict.PROVED and tell_division_by_zero(row.divisors, domain)
         return replace(answer, verdict=Verdict.UNDECIDED, reason=undefined) if undefined else answer
-    rungs = dict.fromkeys(fault.rung for fault in faults)
+    rungs = join_rungs([fault.rung for fault in faults])
     reason = "; ".join(fault.reason for fault in faults)
-    evidence = tuple(fault.evidence for fault in faults)
-    return Answer(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
+    evidence = tuple(item for fault in faults for item in fault.evidence)
+    return Answer(Verdict.ILL_FORMED, rungs, reason, evidence)
 
 
 def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:

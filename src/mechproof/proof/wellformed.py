@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from itertools import product
 
 import sympy as sp
@@ -13,7 +13,7 @@ from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.arithmetic import balls
 from mechproof.proof.refutation import points_for, put_exactly
-from mechproof.proof.verdict import Evidence
+from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import show_point
 from mechproof.record import (
     NUMBER,
@@ -45,18 +45,13 @@ UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
 POINTS = 2
 
 
-@dataclass(frozen=True)
-class IllFormedSide:
-    """Why a printed side cannot be evaluated."""
-
-    rung: str
-    reason: str
-    evidence: Evidence
+def _tell(reason: str, witness: Evidence, rung: str = "well-formedness") -> Answer:
+    return Answer(Verdict.ILL_FORMED, rung, reason, (witness,))
 
 
 def find_faults(
     statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
-) -> list[IllFormedSide]:
+) -> list[Answer]:
     """Return every fault of the printed side; none if it is well formed.
 
     `mended`: it is corrected, so that it has to be of the dimension of the other side.
@@ -81,7 +76,7 @@ def _find_in_side(
     known: Dimensions,
     domain: Domain,
     mended: bool = False,
-) -> list[IllFormedSide]:
+) -> list[Answer]:
     printed = statement.left if isinstance(statement, Distinct) else statement.printed
     found = (
         _find_missing_differential(printed),
@@ -92,30 +87,26 @@ def _find_in_side(
     return [fault for fault in found if fault]
 
 
-def _find_missing_differential(printed: sp.Basic) -> IllFormedSide | None:
+def _find_missing_differential(printed: sp.Basic) -> Answer | None:
     integrals = find_parts(printed, IntegralWithoutDifferential)
     if not integrals:
         return None
     integrand = next(iter(integrals)).args[0]
     names = ", ".join(sorted(map(str, find_free(integrand))))
-    witness = Evidence(
-        f"no differential after the integrand {integrand}; it has the symbols {names}"
-    )
-    return IllFormedSide("well-formedness", "an integral has no differential", witness)
+    what = f"no differential after the integrand {integrand}; it has the symbols {names}"
+    return _tell("an integral has no differential", Evidence(what))
 
 
-def _find_missing_argument(printed: sp.Basic) -> IllFormedSide | None:
+def _find_missing_argument(printed: sp.Basic) -> Answer | None:
     functions = find_parts(printed, FunctionWithoutArgument)
     if not functions:
         return None
     names = ", ".join(sorted(str(function.args[0]) for function in functions))
     reason = f"{names} has no argument"
-    return IllFormedSide("well-formedness", reason, Evidence(f"nothing stands behind {names}"))
+    return _tell(reason, Evidence(f"nothing stands behind {names}"))
 
 
-def _find_unbound_symbol(
-    printed: sp.Basic, known: Dimensions, domain: Domain
-) -> IllFormedSide | None:
+def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Answer | None:
     symbols = {*known, *domain.within, *domain.given}
     declared = {getattr(s, "label", s) for s in symbols} | symbols
     functions = {node.args[0] for node in find_parts(printed, FunctionWithoutArgument)}
@@ -125,16 +116,13 @@ def _find_unbound_symbol(
         return None
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
-    return IllFormedSide(
-        "well-formedness",
-        f"{names} has no value there: bound by no sum and no quantity of the paper",
-        witness,
-    )
+    reason = f"{names} has no value there: bound by no sum and no quantity of the paper"
+    return _tell(reason, witness)
 
 
 def _find_mixture(
     printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
-) -> IllFormedSide | None:
+) -> Answer | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
     if has_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
@@ -144,7 +132,7 @@ def _find_mixture(
         infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
         witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
-        return IllFormedSide(DIMENSIONS, str(error), witness) if witness else None
+        return _tell(str(error), witness, DIMENSIONS) if witness else None
     return None
 
 
