@@ -18,8 +18,8 @@ from mechproof.proof.limits import settle_limits
 from mechproof.proof.refutation import FEW, compare
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import AnyFunction, ValueWhere, list_divisors, list_partial
-from mechproof.record.needs import KINKED
 from mechproof.record.parts import find_bound, find_parts
+from mechproof.record.relations import KINKED
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "values of any functions"

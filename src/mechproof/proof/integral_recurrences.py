@@ -26,9 +26,8 @@ from mechproof.proof.powers import is_analytic
 from mechproof.proof.signs import is_nonzero
 from mechproof.proof.telescoping import is_nonzero_below, reduce_quotient
 from mechproof.record import NthDerivative
-from mechproof.record.needs import KINKED
 from mechproof.record.parts import find_parts
-from mechproof.record.relations import find_slack
+from mechproof.record.relations import KINKED, find_slack
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 

@@ -26,8 +26,8 @@ from mechproof.proof.half_angles import is_negative_somewhere, is_shown_there
 from mechproof.proof.powers import decide_by_logarithms
 from mechproof.proof.sign_forms import compare_logarithms, free_logarithms, list_forms
 from mechproof.record import Slack
-from mechproof.record.needs import KINKED
 from mechproof.record.parts import has_parts
+from mechproof.record.relations import KINKED
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import place as choose_place
 

@@ -19,7 +19,6 @@ from mechproof.record.expressions import (
 from mechproof.record.findings import Check, Cost, Finding, FollowingRow, Weight
 from mechproof.record.forms import Chart, EmittedForm, Form, Peer
 from mechproof.record.implicit import Root
-from mechproof.record.needs import list_divisors, list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
     SLOPES,
@@ -31,7 +30,7 @@ from mechproof.record.quantities import (
     Scale,
     Singular,
 )
-from mechproof.record.relations import Slack
+from mechproof.record.relations import Slack, list_divisors, list_needs, list_partial
 from mechproof.record.rows import (
     MARKS,
     ChainLink,
