@@ -16,14 +16,13 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
+from mechproof.proof.canonical_sums import write_out
 from mechproof.record.parts import CIRCULAR
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "separation bound"
 # Work limit: bits of a bound.
 _MOST_BITS = 2**14
-# Work limit: terms of a sum.
-_MOST_TERMS = 100
 # Of what is computed beside the bound.
 _GUARD_BITS = 64
 
@@ -94,21 +93,12 @@ class _Extension:
         raise _NotAlgebraicError(str(number))
 
 
-def _is_short(node: sp.Basic) -> bool:
-    """Tell whether a sum or product has few terms."""
-    if not isinstance(node, sp.Sum | sp.Product) or len(node.limits) > 1:
-        return False
-    _, *ends = node.limits[0]
-    return all(end.is_Integer for end in ends) and 0 <= ends[1] - ends[0] < _MOST_TERMS
-
-
 def decide_by_separation(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if two numbers differ by less than different ones could, else None."""
     difference = domain.resolve(left - right)
     if difference.free_symbols:
         return None
-    difference = difference.replace(_is_short, lambda node: node.doit())
-    extension = _Extension()
+    difference, extension = write_out(difference), _Extension()
     try:
         bits = extension.measure(difference)
     except _NotAlgebraicError:
