@@ -7,12 +7,13 @@ as `sp.Tuple` of itself, where it is a limit or an index.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from itertools import product
 
 import sympy as sp
 
 from mechproof.coq.terms import Names, name_symbols, write_term
-from mechproof.record.parts import find_free, find_parts
+from mechproof.proof.canonical_sums import write_out
+from mechproof.record.parts import find_free, find_parts, replace_parts
+from mechproof.record.substitution import substitute
 
 # Of every family, the number for each choice of indices.
 Laws = Mapping[sp.Basic, sp.Lambda]
@@ -93,20 +94,11 @@ def write_at(expression: sp.Basic, point: Mapping[sp.Basic, sp.Basic]) -> sp.Bas
     """Write sums out at a point, with the numbers of the families in them."""
     if not has_families(expression):
         return expression
-    if isinstance(expression, sp.Sum):
-        return _add(expression, point)
-    if isinstance(expression, sp.Indexed):
-        law = point[expression.base]
-        return law(*expression.indices) if isinstance(law, sp.Lambda) else expression
-    parts = [write_at(part, point) for part in expression.args]
     if isinstance(expression, sp.Rel):
-        return expression.func(*parts, evaluate=False)
-    return expression.func(*parts)
-
-
-def _add(total: sp.Sum, point: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    letters = [limit[0] for limit in total.limits]
-    ends = (point[limit[2]] for limit in total.limits)
-    places = product(*(range(1, int(end) + 1) for end in ends))
-    found = (dict(zip(letters, map(sp.Integer, place), strict=True)) for place in places)
-    return sp.Add(*(write_at(total.function.subs(values), point) for values in found))
+        sides = (write_at(side, point) for side in expression.args)
+        return expression.func(*sides, evaluate=False)
+    ends = {whole: point[whole] for whole in find_wholes(expression)}
+    written = write_out(substitute(expression, ends))
+    numbers = {item: point[item.base] for item in find_parts(written, sp.Indexed)}
+    laws = {item: law for item, law in numbers.items() if isinstance(law, sp.Lambda)}
+    return replace_parts(written, {item: law(*item.indices) for item, law in laws.items()})

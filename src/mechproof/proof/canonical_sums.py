@@ -13,9 +13,10 @@ Nothing is summed up, as Gosper (1978) and Karr (1981) do: two sums are only tol
 from __future__ import annotations
 
 from functools import cache, lru_cache
-from itertools import permutations
+from itertools import combinations, permutations
 
 import sympy as sp
+from sympy.utilities.iterables import connected_components
 
 from mechproof.arithmetic.ball_evaluation import MOST_TERMS
 from mechproof.proof.signs import is_nonnegative
@@ -173,15 +174,9 @@ def _carry_out_deltas(term: sp.Expr, limits: list[Limit]) -> tuple[sp.Expr, list
 
 def _components(factors: list[sp.Expr], indices: set[sp.Symbol]) -> list[list[sp.Expr]]:
     """Group the factors that share indices."""
-    groups: list[tuple[set[sp.Basic], list[sp.Expr]]] = []
-    for factor in factors:
-        used, members = set(factor.free_symbols & indices), [factor]
-        for group in [g for g in groups if g[0] & used]:
-            groups.remove(group)
-            used |= group[0]
-            members += group[1]
-        groups.append((used, members))
-    return [members for _, members in groups]
+    pairs = combinations(factors, 2)
+    joined = [(a, b) for a, b in pairs if a.free_symbols & b.free_symbols & indices]
+    return list(connected_components((factors, joined)))
 
 
 def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
