@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 from mechproof.coq.terms import Names, name_symbols, write_term
 from mechproof.proof.canonical_sums import write_out
@@ -94,7 +95,7 @@ def write_at(expression: sp.Basic, point: Mapping[sp.Basic, sp.Basic]) -> sp.Bas
     """Write sums out at a point, with the numbers of the families in them."""
     if not has_families(expression):
         return expression
-    if isinstance(expression, sp.Rel):
+    if isinstance(expression, Boolean):
         sides = (write_at(side, point) for side in expression.args)
         return expression.func(*sides, evaluate=False)
     ends = {whole: point[whole] for whole in find_wholes(expression)}
