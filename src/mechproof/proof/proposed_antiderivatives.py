@@ -113,8 +113,10 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    if integrand.free_symbols - {variable}:
-        yield from _propose_by_sums(integrand, variable)
+    # Products of waves with letters are soon integrated as sums, and not by rules.
+    waves = dict.fromkeys(integrand.atoms(sp.sin, sp.cos), sp.S.One)
+    if integrand.free_symbols - {variable} and not integrand.xreplace(waves).has(variable):
+        yield from _list_proposed(_propose_in_parallel, integrand, variable)
     by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
     # These first: at some fractions SymPy tries its rules for long.
     at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
@@ -149,30 +151,6 @@ def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
     """Solve an integral by parts that has led back to itself: I = A + c*I."""
     around = sp.expand(found).coeff(whole)
     return (found - around * whole).expand() / (1 - around) if around not in (0, 1) else found
-
-
-def _propose_by_sums(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a product of sines and cosines of multiples as a sum of such."""
-    if not integrand.has(sp.sin, sp.cos):
-        return
-    written = sp.expand(TR8(sp.expand(integrand)))
-    terms = [_integrate_wave(term, variable) for term in sp.Add.make_args(written)]
-    if None not in terms:
-        yield sp.Add(*terms)
-
-
-def _integrate_wave(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
-    """Integrate a multiple of the sine or cosine of a linear function; None for another term."""
-    factor, wave = term.as_independent(variable)
-    if wave == 1:
-        return term * variable
-    if not isinstance(wave, sp.sin | sp.cos):
-        return None
-    slope = sp.factor(sp.diff(wave.args[0], variable))
-    if slope.has(variable) or slope == 0:
-        return None
-    turned = -sp.cos(wave.args[0]) if isinstance(wave, sp.sin) else sp.sin(wave.args[0])
-    return factor * turned / slope
 
 
 def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
