@@ -53,6 +53,10 @@ TRUE: dict[str, tuple[sp.Expr, sp.Expr]] = {
         / 16,
     ),
     "a product": (SINES, sp.Rational(7, 64)),
+    "a sum of many terms": (
+        sp.Sum(sp.sin(sp.pi * K / 7) ** 2, (K, 1, 210)),
+        sp.Integer(105),
+    ),
 }
 OTHER: dict[str, tuple[sp.Expr, sp.Expr]] = {
     "pi": (sp.sqrt(sp.pi) * sp.sqrt(2), sp.sqrt(2 * sp.pi + DUST)),
