@@ -268,16 +268,16 @@ def test_derivations_import_sympy_the_records_and_the_readers_alone() -> None:
 
 
 def list_stars(source: str) -> list[str]:
-    """List the modules all of which a derivation imports, but for the letters beside it."""
+    """List the modules all of which a derivation imports, but for the mechanics beside it."""
     found = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.ImportFrom))
     names = (f"{'.' * n.level}{n.module}" for n in found if n.names[0].name == "*")
-    return [name for name in names if name != ".symbols"]
+    return [name for name in names if name != ".mechanics"]
 
 
-def test_derivations_import_all_of_their_letters_and_of_nothing_else() -> None:
+def test_derivations_import_all_of_their_mechanics_and_of_nothing_else() -> None:
     for path in Path(derivations.__path__[0]).rglob("*.py"):
         assert list_stars(path.read_text(encoding="utf-8")) == [], path
-    assert list_stars("from .symbols import *\nfrom sympy import *") == ["sympy"]
+    assert list_stars("from .mechanics import *\nfrom sympy import *") == ["sympy"]
 
 
 def test_kernels_import_numpy_and_their_support_alone() -> None:

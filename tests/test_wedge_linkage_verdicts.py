@@ -16,7 +16,6 @@ from mechproof.derivations.wedge_linkage import (
     chain,
     mechanics,
     sizes,
-    symbols,
     transfer,
 )
 from mechproof.proof.judge import judge
@@ -32,7 +31,7 @@ pytestmark = pytest.mark.xdist_group("verdicts wedge_linkage")
 # With these the lever turns by more than a right angle over the stroke, where (1) is off by pi.
 FAR_TURN = {
     size: Toleranced(sp.Rational(value), sp.S.Zero, sp.S.Zero)
-    for size, value in ((symbols.l_AB, "6.25"), (symbols.l_BC, "15"), (symbols.l_CD, "13.75"))
+    for size, value in ((mechanics.l_AB, "6.25"), (mechanics.l_BC, "15"), (mechanics.l_CD, "13.75"))
 }
 
 
@@ -63,8 +62,8 @@ def test_a_lost_prime_is_set_by_the_sense_and_marked() -> None:
 def test_the_rod_in_place_of_the_link_behind_the_clearance_is_refuted() -> None:
     row = next(row for row in paper_of("wedge_linkage").rows if row.number == "(6), Ox")
     assert isinstance(row.says, Equality)
-    in_contact = row.says.rebuilt.subs(symbols.x5_driven, symbols.x5 - symbols.l_GH)
-    wrong = Equality(row.says.printed.subs(symbols.x5_driven, symbols.x5), in_contact)
+    in_contact = row.says.rebuilt.subs(mechanics.x5_driven, mechanics.x5 - mechanics.l_GH)
+    wrong = Equality(row.says.printed.subs(mechanics.x5_driven, mechanics.x5), in_contact)
     assert decide(wrong, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
@@ -96,10 +95,10 @@ def test_what_rests_on_the_reconstructions_is_marked() -> None:
 
 
 WRONG = {
-    "(3)": symbols.print_3.subs(symbols.phi3, -symbols.phi3),
-    "(10)": symbols.print_10 + 2 * symbols.l_LM * sp.sin(symbols.alpha_LM),
-    "(8)": symbols.print_7.subs(symbols.R, symbols.l_KL * mechanics.cosine_of_sigma),
-    "(1)": symbols.print_1.subs(symbols.l_CD, symbols.l_AB),
+    "(3)": mechanics.print_3.subs(mechanics.phi3, -mechanics.phi3),
+    "(10)": mechanics.print_10 + 2 * mechanics.l_LM * sp.sin(mechanics.alpha_LM),
+    "(8)": mechanics.print_7.subs(mechanics.R, mechanics.l_KL * mechanics.cosine_of_sigma),
+    "(1)": mechanics.print_1.subs(mechanics.l_CD, mechanics.l_AB),
 }
 
 
@@ -132,7 +131,7 @@ def above(table: PublishedSizes, one: sizes.Signs, other: sizes.Signs) -> Holds:
 
 
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
-    wrong = {**boundaries.BOUNDARY_IV, symbols.alpha_DE: 1}
+    wrong = {**boundaries.BOUNDARY_IV, mechanics.alpha_DE: 1}
     for table in paper_of("wedge_linkage").published:
         says = above(table, boundaries.BOUNDARY_IV, wrong)
         assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
@@ -141,7 +140,7 @@ def test_the_other_signs_of_iv_are_not_lowest() -> None:
 OTHER_CURVES = {
     "III beyond its end": (boundaries.BOUNDARY_III, "-29.45"),
     "IV beyond its end": (boundaries.BOUNDARY_IV, "-29.35"),
-    "III with the wrong l_KL": ({**boundaries.BOUNDARY_III, symbols.l_KL: 1}, "-29.35"),
+    "III with the wrong l_KL": ({**boundaries.BOUNDARY_III, mechanics.l_KL: 1}, "-29.35"),
 }
 
 
@@ -157,11 +156,11 @@ def test_reconstructed_sizes_differ_in_three_and_are_exact() -> None:
     first, second = (table.sizes for table in paper_of("wedge_linkage").published)
     assert first.keys() == second.keys()
     changed = {s for s in first if first[s] != second[s]}
-    assert changed == {symbols.l_BC, symbols.l_CD, symbols.l_DE}
+    assert changed == {mechanics.l_BC, mechanics.l_CD, mechanics.l_DE}
     expected = Toleranced(
         sp.Rational(28306, 18000) * sp.pi, sp.Rational(62, 18000) * sp.pi, -sp.pi * 11 / 1800
     )
-    assert first[symbols.alpha_DE] == expected
+    assert first[mechanics.alpha_DE] == expected
 
 
 def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
@@ -202,21 +201,21 @@ NEARLY = sp.Rational(1025, 1024)
 IN_CONTACT = chain.l_LM * chain.cos_wedge / chain.rise
 WRONG_STEPS = {
     chain.arm: ("position", NEARLY * chain.STEPS[chain.arm]),
-    chain.sin_DE: ("position", sp.cos(symbols.alpha_DE)),
+    chain.sin_DE: ("position", sp.cos(mechanics.alpha_DE)),
     chain.to_right: ("position", NEARLY * chain.STEPS[chain.to_right]),
     chain.to_left: ("position", chain.STEPS[chain.to_right]),
     chain.start_height: ("position", NEARLY * chain.STEPS[chain.start_height]),
     chain.guide_length: ("position", NEARLY * chain.STEPS[chain.guide_length]),
     chain.guide_sum: ("position", NEARLY * chain.STEPS[chain.guide_sum]),
-    chain.lever_square: ("position", chain.guide_sum**2 - symbols.x1**2),
+    chain.lever_square: ("position", chain.guide_sum**2 - mechanics.x1**2),
     chain.run: ("position", -chain.STEPS[chain.run]),
-    chain.push: ("position", sp.Max(0, chain.run - 2 * symbols.l_GH)),
+    chain.push: ("position", sp.Max(0, chain.run - 2 * mechanics.l_GH)),
     chain.rise: ("position", NEARLY * chain.STEPS[chain.rise]),
     chain.roller_square: ("position", NEARLY * chain.STEPS[chain.roller_square]),
     chain.cos_lever: ("velocity", NEARLY * chain.STEPS[chain.cos_lever]),
     chain.sin_arm: ("velocity", NEARLY * chain.STEPS[chain.sin_arm]),
     chain.cos_wedge: ("velocity", NEARLY * chain.STEPS[chain.cos_wedge]),
-    chain.gain: ("velocity", sp.Piecewise((0, chain.run >= symbols.l_GH), (IN_CONTACT, True))),
+    chain.gain: ("velocity", sp.Piecewise((0, chain.run >= mechanics.l_GH), (IN_CONTACT, True))),
 }
 
 
@@ -232,7 +231,7 @@ def test_a_wrong_step_is_refuted(step: sp.Symbol) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "size", first_of([symbols.l_BC, symbols.l_KL, symbols.l_LM, symbols.alpha_DE]), ids=str
+    "size", first_of([mechanics.l_BC, mechanics.l_KL, mechanics.l_LM, mechanics.alpha_DE]), ids=str
 )
 def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
     form = shipped("sensitivities")
@@ -242,11 +241,11 @@ def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
     assert judge_form(with_form("sensitivities", wrong)) is Verdict.REFUTED
 
 
-R = symbols.R
+R = mechanics.R
 OTHER_CASES = {
-    "(7) where R < 0": ((symbols.print_7, R < 0), (symbols.print_8, R > 0)),
-    "half a turn": ((symbols.print_7, R > 0), (symbols.print_8 + sp.pi, R < 0)),
-    "R > l_KL/2": ((symbols.print_7, symbols.l_KL < 2 * R), (symbols.print_8, R < 0)),
+    "(7) where R < 0": ((mechanics.print_7, R < 0), (mechanics.print_8, R > 0)),
+    "half a turn": ((mechanics.print_7, R > 0), (mechanics.print_8 + sp.pi, R < 0)),
+    "R > l_KL/2": ((mechanics.print_7, mechanics.l_KL < 2 * R), (mechanics.print_8, R < 0)),
 }
 
 
@@ -256,6 +255,6 @@ def test_a_wrong_case_is_refuted(cases: str) -> None:
         q for q in paper_of("wedge_linkage").quantities if q.name == "roller_lever_angle"
     )
     form = next(f for f in quantity.forms if f.key == "printed")
-    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, symbols.PRINTED_R)
+    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, mechanics.PRINTED_R)
     wrong = dataclasses.replace(form, expression=expression)
     assert judge_form(with_form("roller_lever_angle", wrong)) is Verdict.REFUTED

@@ -5,10 +5,10 @@ from mechproof.record import OnePass, Paper, PublishedSizes
 from .design import DESIGN_QUANTITIES, DESIGN_ROWS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
+from .mechanics import PRINT, R1, R2, VARIABLES, VARIANTS, e
 from .peaks import PEAK_QUANTITIES, PEAK_ROWS
 from .readings import CONSEQUENCES, TABLE_CLAIMS, TYPE_A_ROWS
 from .rows import POSITION_CLAIMS, POSITION_ROWS, RATIO_ROWS
-from .symbols import PRINT, R1, R2, VARIABLES, VARIANTS, e
 
 ASIDE = {
     "S1": "title, authors and dates",

@@ -19,7 +19,7 @@ from .._eccentric import (
     first_turn_of_jerk,
     next_to_pi,
 )
-from .symbols import *
+from .mechanics import *
 
 # In all of them: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)

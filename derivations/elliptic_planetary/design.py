@@ -24,8 +24,7 @@ from mechproof.record import (
 
 from . import charts
 from .kernels import ARGUMENTS, SOURCE
-from .mechanics import largest, non_uniformity, smallest
-from .symbols import *
+from .mechanics import *
 
 ONE = Integer(1)
 # With r = (1 + e)/(1 - e) the largest ratio is 1 + k*r and the smallest 1 + k/r.

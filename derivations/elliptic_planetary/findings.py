@@ -5,9 +5,9 @@ from sympy import Expr, Rational, S, Symbol, diff, pi
 from mechproof.record import Check, Cost, Finding, Weight
 
 from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
+from .mechanics import R1, R2, READER, VARIANTS, a1, b1, e, phi1, phi5
 from .readings import HALF_WIDTHS, LIMITS, READINGS
 from .rows import DX_SUPPLIED, print_8, print_12
-from .symbols import R1, R2, READER, VARIANTS, a1, b1, e, phi1, phi5
 
 DEGREE = pi / 180
 

@@ -37,9 +37,8 @@ from mechproof.record import (
 
 from .._eccentric import on_branch
 from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
-from .mechanics import largest, position_closed, position_principal, smallest
+from .mechanics import *
 from .rows import print_8, print_12
-from .symbols import BRANCH, R1, R2, E, T, e, k, nearest, nu, phi1, phi5, turns, x
 
 ARGUMENTS = (
     Argument("phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)),

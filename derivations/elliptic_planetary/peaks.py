@@ -25,7 +25,7 @@ from mechproof.record import (
 from .._eccentric import jerk_terms
 from . import kernels
 from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
-from .symbols import *
+from .mechanics import *
 
 JERK = sp.diff(kernels.ACCELERATION, x) * k
 SPREAD = 1 + e**2 - 2 * e * sp.cos(x)

@@ -28,9 +28,8 @@ from .._readings import (
     table_row,
     two_encoders,
 )
-from .mechanics import largest, lead, non_uniformity
+from .mechanics import *
 from .rows import ROOT, of_variant, print_8
-from .symbols import PRINT, R1, R2, VARIANTS, e, k, misfit, phi1, phi5, tau, x
 
 TYPE_A_ROWS = (
     PRINT.equation("(13)", defines=(qbar,), note="The mean of the readings."),

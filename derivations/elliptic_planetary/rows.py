@@ -13,23 +13,22 @@ from mechproof.record import (
     ours,
 )
 
-from . import mechanics
-from .symbols import *
+from .mechanics import *
 
-EQUATION_8 = PRINT.equation("(8)", derived={slope: mechanics.ratio_by_plan}, marks=("inferred",))
+EQUATION_8 = PRINT.equation("(8)", derived={slope: ratio_by_plan}, marks=("inferred",))
 _, print_8 = READER.members(EQUATION_8)
 
 RATIO_ROWS = (
     PRINT.claim(
         "velocity plan, V_C",
-        Equality(S.Zero, mechanics.velocity_c.dot(mechanics.axis_c)),
+        Equality(S.Zero, velocity_c.dot(axis_c)),
         note="The scalar product of V_C and AC is 0.",
     ),
     PRINT.claim(
         "velocity plan, B",
         all_of(
-            Equality(Matrix([0, 0]), mechanics.velocity_b),
-            Equality(Matrix([0, 0]), mechanics.velocity_at(S.Zero)),
+            Equality(Matrix([0, 0]), velocity_b),
+            Equality(Matrix([0, 0]), velocity_at(S.Zero)),
         ),
         note="A and E lie on the fixed axis.",
         marks=("inferred",),
@@ -47,8 +46,8 @@ RATIO_ROWS = (
             ),
             4: ChainLink(
                 derived={
-                    VC: mechanics.omega_satellite * (at_c - at_b),
-                    VD: mechanics.omega_satellite * (at_d - at_b),
+                    VC: omega_satellite * (at_c - at_b),
+                    VD: omega_satellite * (at_d - at_b),
                 },
                 note="Velocities of the satellite are proportional to the distance from B.",
                 marks=("inferred",),
@@ -59,18 +58,18 @@ RATIO_ROWS = (
         "(2)",
         links={
             1: ChainLink(
-                derived={AC: mechanics.centre_c},
+                derived={AC: centre_c},
                 note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
                 marks=("inferred",),
             ),
             2: ChainLink(
-                derived={R1 - R2: rho + mechanics.radius_of_mate(phi5)},
+                derived={R1 - R2: rho + radius_of_mate(phi5)},
                 note="The centre distance at which two congruent ellipses roll about their foci; "
                 "with it, R1, R2 and a are no longer independent.",
             ),
         },
     ),
-    PRINT.equation("(3)", derived=mechanics.PLACES, marks=("inferred",)),
+    PRINT.equation("(3)", derived=PLACES, marks=("inferred",)),
     PRINT.equation(
         "(4)",
         defines=(rho,),
@@ -85,20 +84,20 @@ RATIO_ROWS = (
     ),
     PRINT.claim(
         "(4), phi5",
-        Equality(-R1 / R2 * phi1, (mechanics.rolling - omega1) / omega1 * phi1),
+        Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
         note="Relative to the carrier, as (4) needs it, since its radius lies on the line A-C; "
         "relative to the frame the satellite turns by (1 - R1/R2) phi1.",
         marks=("inferred",),
     ),
-    PRINT.equation("(5)", links={2: ChainLink(derived=mechanics.PLACES, marks=("inferred",))}),
-    PRINT.equation("(6)", links={2: ChainLink(derived=mechanics.PLACES, marks=("inferred",))}),
+    PRINT.equation("(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
+    PRINT.equation("(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
     ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
-        Equality(mechanics.ratio_by_plan, mechanics.ratio_by_inversion),
+        Equality(ratio_by_plan, ratio_by_inversion),
         quantities=("ratio",),
     ),
-    PRINT.equation("(7)", derived={ratio_symbol: mechanics.ratio_by_plan}, marks=("inferred",)),
+    PRINT.equation("(7)", derived={ratio_symbol: ratio_by_plan}, marks=("inferred",)),
     EQUATION_8,
 )
 
@@ -122,7 +121,7 @@ EQUATION_12 = PRINT.equation(
     "Compared with what (8), which is proved, gives when it is integrated from 0.",
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
-    derived={phi3: mechanics.position},
+    derived={phi3: position},
 )
 DX_SUPPLIED = ours(
     "(10), third equals sign, dx supplied",
@@ -137,7 +136,7 @@ _, print_12 = READER.members(EQUATION_12)
 POSITION_ROWS = (
     PRINT.equation(
         "(9)",
-        derived={phi3: mechanics.position},
+        derived={phi3: position},
         note="Compared with the integral of the ratio that (8) is; read from the initial "
         "conditions phi10 = phi30 = 0; holds over all turns.",
     ),
@@ -183,7 +182,7 @@ POSITION_ROWS = (
         "(12) without its roots",
         r"\varphi_3=\varphi_1+2\;\mathrm{arctg}\left(\mathrm{tg}\left(\frac{R_1}{2R_2}"
         r"\varphi_1\right)\cdot\frac{1+e}{1-e}\right)",
-        Equality(mechanics.position_principal, mechanics.position),
+        Equality(position_principal, position),
         note="The root before the arctangent is dropped, and so is the one inside. This is right "
         "up to half a turn of x; the general form holds beyond.",
         on=BRANCH,
@@ -226,7 +225,7 @@ POSITION_CLAIMS = (
         r"0\le\varphi_3-(12)<\pi\left(1-\sqrt{\tfrac{1-e}{1+e}}\right),\ 0\le x<\pi:\ "
         r"45.0^\circ,\ 72.6^\circ\text{ at }\varphi_1=\pi\tfrac{R_2}{R_1}=43.6^\circ,\ 67.5^\circ",
         all_of(
-            Equality(LACK.subs(U, tan(x / 2)), mechanics.position_principal - print_12),
+            Equality(LACK.subs(U, tan(x / 2)), position_principal - print_12),
             Holds(Ge(diff(LACK, U), 0)),
             PrintedNumber("45.0", lack_at_branch_end(1)),
             PrintedNumber("72.6", lack_at_branch_end(2)),
@@ -242,13 +241,13 @@ POSITION_CLAIMS = (
     ),
     PRINT.claim(
         "(12) gives the position function",
-        Equality(print_12, mechanics.position),
+        Equality(print_12, position),
         note="Follows from (12); not a second error.",
-        corrected=Correction(CORRECT_12, Equality(mechanics.position_closed, mechanics.position)),
+        corrected=Correction(CORRECT_12, Equality(position_closed, position)),
     ),
     PRINT.claim(
         "Fig. 3, formula used",
-        Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), mechanics.position),
+        Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
         note="By (8), which is a ratio, integrated from phi1 = 0, as in (9). The curves of Fig. 3 "
         "are not at hand.",
         marks=("inferred",),

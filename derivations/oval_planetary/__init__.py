@@ -6,10 +6,9 @@ from .equations import EQUATION_ROWS
 from .findings import FINDINGS
 from .jerk import JERK_QUANTITIES
 from .kernels import QUANTITIES
-from .mechanics import VARIABLES
+from .mechanics import PRINT, VARIABLES
 from .pairs import CYLINDRICAL_PAIR_ROWS, DWELL_ROWS, OVAL_PAIR_ROWS
 from .readings import CONCLUSION_ROWS, CONSEQUENCES, MEASUREMENT_ROWS
-from .symbols import PRINT
 from .variants import VARIANT_ROWS, VARIANTS
 
 ASIDE = {

@@ -4,13 +4,10 @@ import sympy as sp
 
 from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Reading, all_of, ours
 
-from . import mechanics
-from .symbols import *
+from .mechanics import *
 
 # What is printed, for claims and kernels.
-(_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(
-    mechanics.read, ("(2)", "(5)", "(7)", "(10)")
-)
+(_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(read, ("(2)", "(5)", "(7)", "(10)"))
 
 
 def print_radius(eccentricity: sp.Expr, angle: sp.Expr) -> sp.Expr:
@@ -24,22 +21,17 @@ def print_3_by_6(cosine: sp.Expr) -> sp.Expr:
 
 
 # (10) with the radii of two oval pairs.
-RATIO_OF_10 = print_10.subs(
-    {rho5: print_3_by_6(mechanics.cos_6), rho6: mechanics.oval_radius(e2, mechanics.cos_6)}
-)
+RATIO_OF_10 = print_10.subs({rho5: print_3_by_6(cos_6), rho6: oval_radius(e2, cos_6)})
 
 # The satellite turns about B: its velocity at D by its angular velocity.
-FROM_B_TO_D = (
-    mechanics.satellite_velocity.subs({s: mechanics.point_d, omega_satellite: mechanics.rolling})
-    / mechanics.rolling
-)
+FROM_B_TO_D = satellite_velocity.subs({s: point_d, omega_satellite: rolling}) / rolling
 oval = print_radius(e, phi)
 slope = sp.diff(oval, phi)
 
 # Positive where the curve bends towards its centre.
 bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
-mate_cosine, _ = mechanics.roll(e, phi)
-mate = mechanics.oval_radius(e, -mate_cosine)
+mate_cosine, _ = roll(e, phi)
+mate = oval_radius(e, -mate_cosine)
 
 EQUATION_ROWS = (
     PRINT.equation(
@@ -62,7 +54,7 @@ EQUATION_ROWS = (
     ),
     PRINT.equation(
         "(2)",
-        derived={rho: mechanics.focal_radius.subs(theta, 2 * phi)},
+        derived={rho: focal_radius.subs(theta, 2 * phi)},
         note="At half the polar angle the radius of the oval is the focal radius of its ellipse.",
         marks=("rebuilt", "uncertain", "inferred"),
     ),
@@ -87,18 +79,18 @@ EQUATION_ROWS = (
     PRINT.equation(
         "(3)",
         defines=(rho5,),
-        links={2: ChainLink(derived={rho5: mechanics.focal_radius.subs({e: e1, theta: 2 * phi5})})},
+        links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
     ),
     PRINT.equation(
         "(4)",
         defines=(rho6,),
-        links={2: ChainLink(derived={rho6: mechanics.focal_radius.subs({e: e2, theta: 2 * phi6})})},
+        links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
     ),
     PRINT.equation(
         "(5)",
-        derived={phi6: mechanics.integrate(mechanics.sun_radius / (2 * a - mechanics.sun_radius))},
+        derived={phi6: integrate(sun_radius / (2 * a - sun_radius))},
         note="Seen from the carrier, wheel 5 turns at the ratio rho4/rho5; at the lower limit 0 "
         "the sun's major axis lies on the line of centres.",
         marks=("rebuilt", "uncertain", "inferred"),
@@ -128,9 +120,7 @@ EQUATION_ROWS = (
         all_of(
             *(
                 Equality(one, two)
-                for one, two in zip(
-                    mechanics.roll_reduced(e, phi1), mechanics.roll(e, phi1), strict=True
-                )
+                for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
             )
         ),
         quantities=("position", "ratio"),
@@ -146,10 +136,10 @@ EQUATION_ROWS = (
         r"2a-\rho_4(\varphi_1)=\rho_5\left(\tfrac\pi2-\varphi_6\right)"
         r"=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
         all_of(
-            Equality(print_3_by_6(mechanics.cos_6), 2 * a - mechanics.sun_radius),
+            Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
             Equality(
                 print_radius(e1, sp.pi / 2 - phi6),
-                mechanics.focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6}),
+                focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6}),
             ),
         ),
         note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6). "
@@ -158,7 +148,7 @@ EQUATION_ROWS = (
     ),
     PRINT.equation(
         "(7)",
-        derived={BD: mechanics.point_d - mechanics.point_b},
+        derived={BD: point_d - point_b},
         readings=(Reading("the distance from D to B", Equality(print_7, -FROM_B_TO_D)),),
         note="In the order that is legible, here and in (10). The distance is signed, as either "
         "of the two radii may be the larger one.",
@@ -172,7 +162,7 @@ EQUATION_ROWS = (
                 note="E lies on the axis of A: another name for AC.", marks=("rebuilt", "inferred")
             ),
             2: ChainLink(
-                derived={EC: mechanics.focal_radius.subs(theta, 2 * phi) + mate},
+                derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
                 note="Two congruent ovals mesh at this distance in every position.",
             ),
         },
@@ -181,36 +171,36 @@ EQUATION_ROWS = (
     ours(
         "(8), rolling",
         r"\rho\,d\varphi=\rho_{mate}\,d\chi",
-        Equality(print_radius(e, phi), mate * sp.diff(mechanics.driven_angle(e, phi), phi)),
+        Equality(print_radius(e, phi), mate * sp.diff(driven_angle(e, phi), phi)),
         note="The arcs are equal: congruent ovals roll without slip.",
         quantities=("ratio",),
     ),
-    PRINT.equation("(9)", derived=mechanics.PLACES, marks=("rebuilt", "inferred")),
+    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred")),
     ours(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
-        Equality(mechanics.ratio_by_plan, mechanics.ratio_by_inversion),
+        Equality(ratio_by_plan, ratio_by_inversion),
         marks=("inferred",),
         quantities=("ratio",),
     ),
     PRINT.equation(
         "(10)",
-        derived={ratio_symbol: mechanics.ratio_by_plan},
+        derived={ratio_symbol: ratio_by_plan},
         readings=(
             Reading(
                 "the output counted against the carrier's direction of rotation",
                 all_of(
-                    Equality(print_10, -mechanics.ratio_by_plan),
+                    Equality(print_10, -ratio_by_plan),
                     Equality(
-                        mechanics.integrate(RATIO_OF_10),
-                        -mechanics.position_of_one(mechanics.E_SERIES),
+                        integrate(RATIO_OF_10),
+                        -position_of_one(E_SERIES),
                     ),
                 ),
             ),
         ),
         corrected=Correction(
             r"\varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
-            Equality(-print_10, mechanics.ratio_by_plan),
+            Equality(-print_10, ratio_by_plan),
         ),
         note="The text at hand does not say in which direction the output is counted. The "
         "integral of (10) has the sign of (10).",
@@ -219,8 +209,8 @@ EQUATION_ROWS = (
     PRINT.equation(
         "(11)",
         derived={
-            phi3: mechanics.position_of_one(mechanics.E_SERIES),
-            ratio_symbol: 1 - mechanics.wheel_3_rate.subs(mount, sp.S.Zero),
+            phi3: position_of_one(E_SERIES),
+            ratio_symbol: 1 - wheel_3_rate.subs(mount, sp.S.Zero),
         },
         note="From phi3(0) = 0, for two oval pairs, in whichever direction the output is counted; "
         "in closed form phi3 = -arctan(E sin(2 phi1)/(1 - E cos(2 phi1))) counted with the "

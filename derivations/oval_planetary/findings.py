@@ -6,9 +6,8 @@ from mechproof.record import Check, Cost, Finding, Weight
 
 from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
 from .equations import print_10
-from .mechanics import AXES_45, E_SERIES, integrate, oval_radius, position_45, position_of_one
+from .mechanics import *
 from .readings import READINGS
-from .symbols import R4, R5, a, e2, phi1, rho5, rho6
 from .variants import VARIANTS, ratio_1
 
 DEGREE = sp.pi / 180

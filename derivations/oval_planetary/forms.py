@@ -8,19 +8,7 @@ from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, State
 
 from .._eccentric import on_branch
 from .equations import print_radius
-from .mechanics import (
-    ACCELERATION_CYLINDRICAL,
-    COS_4,
-    GIVEN,
-    POSITION,
-    RATIO_CYLINDRICAL,
-    cos_6,
-    driven_angle,
-    pair_ratio,
-    sin_6,
-    t,
-)
-from .symbols import *
+from .mechanics import *
 
 # All coefficients divided by 1 - e2, and beta + gamma*t split into less + y. y has the sine of the
 # mounted wheel's angle as a factor and is large beside the rest as e2 -> 1; rounded once, it

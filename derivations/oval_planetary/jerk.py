@@ -28,8 +28,7 @@ from .forms import (
     by_parts,
 )
 from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
-from .mechanics import ACCELERATION, ACCELERATION_CYLINDRICAL, GIVEN, ratio_of_map, t
-from .symbols import R4, R5, both, e2, k, lesser, phi1, rise, shift, swing, x, y
+from .mechanics import *
 
 JERK = sp.diff(ACCELERATION, phi1)
 JERK_CYLINDRICAL = sp.diff(ACCELERATION_CYLINDRICAL, x) * 2 * k

@@ -20,20 +20,7 @@ from .._eccentric import on_branch
 from . import forms
 from .charts import MOUNTED, MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, PLAIN, SMOOTH, STEEP
 from .equations import print_10, print_radius
-from .mechanics import (
-    ACCELERATION,
-    ACCELERATION_CYLINDRICAL,
-    POSITION,
-    POSITION_CYLINDRICAL,
-    RATIO,
-    RATIO_CYLINDRICAL,
-    count_branches,
-    driven_angle,
-    lead,
-    ratio_of_map,
-    t,
-)
-from .symbols import *
+from .mechanics import *
 
 BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
 

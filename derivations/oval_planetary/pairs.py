@@ -8,22 +8,8 @@ import sympy as sp
 
 from mechproof.record import Equality, Holds, Part, all_of, less, ours
 
-from .mechanics import (
-    COEFFICIENTS,
-    E_SERIES,
-    RATIO_CYLINDRICAL,
-    integrate,
-    position_45,
-    position_by_one_pair,
-    position_of_map,
-    ratio_45,
-    ratio_of_map,
-    ratio_of_one,
-    ratio_with_cylinders_45,
-    wheel_3_rate,
-)
-from .symbols import *
-from .symbols import quotient as q, t_place as t
+from .mechanics import *
+from .mechanics import quotient as q, t_place as t
 
 
 def advances(position: sp.Expr, carrier: sp.Expr, output_angle: sp.Expr) -> Equality:

@@ -24,16 +24,8 @@ from .._readings import (
     table_row,
     two_encoders,
 )
-from .mechanics import (
-    COEFFICIENTS,
-    COS_4,
-    position_45,
-    ratio_45,
-    ratio_of_one,
-    ratio_with_cylinders_45,
-)
+from .mechanics import *
 from .pairs import edge, fastest
-from .symbols import PRINT, R4, R5, e, e1, e2, eta, mount, phi1
 from .variants import DWELL_3, VARIANTS, ratio_1, with_cylinders
 
 # Table 2: n, mean error and u in degrees; and the half-widths of the printed intervals.

@@ -17,22 +17,8 @@ from mechproof.record import (
 
 from .._readings import millimetre
 from .equations import print_5
-from .mechanics import (
-    AXES_45,
-    E_SERIES,
-    integrate,
-    oval_radius,
-    pair_ratio,
-    position_45,
-    position_of_one,
-    ratio_45,
-    ratio_by_plan,
-    ratio_of_one,
-    satellite_against_carrier,
-    wheel_3_rate,
-)
+from .mechanics import *
 from .pairs import advances
-from .symbols import PRINT, R4, R5, e1, e2, mount, phi1, phi6, rho3, rho6, span
 
 VARIANTS = {
     1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},

@@ -8,25 +8,7 @@ from .algorithm import ALGORITHM_ROWS, wheels_rejected
 from .claims import CLAIM_ROWS, EXAMPLE_ROWS
 from .design import DESIGN_ROWS, INFLUENCE_ROWS, PARAMETER_ROWS
 from .kernels import QUANTITIES
-from .mechanics import (
-    DECREASE_UM,
-    GAUGE_UM,
-    GRADES,
-    K_PRINTED,
-    NORMAL_SHARE,
-    NOTATION,
-    PRINTED_SIZES,
-    RECOMMENDED_UM,
-    TEETH,
-    TIP_DIAMETER,
-    TOLERANCE_UM,
-    VARIABLES,
-    WHEEL,
-    gauge_spread,
-    rejected_by,
-    tip_spread,
-)
-from .symbols import PRINT, E_true, K_m, dh, dh_gauge, ds_gauge, e_tip
+from .mechanics import *
 
 MICROMETRE = Rational(1, 1000)
 LAWS = f"normal laws, centred, K = {K_PRINTED}"

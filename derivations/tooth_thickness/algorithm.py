@@ -17,22 +17,7 @@ from mechproof.record import (
     ours,
 )
 
-from .mechanics import (
-    GAUGE_UM,
-    GRADES,
-    NORMAL_SHARE,
-    RANGE,
-    TEETH,
-    TIP_DIAMETER,
-    TOLERANCE_UNIT,
-    error_variance,
-    height_deviation,
-    height_towards_tip,
-    influence,
-    reading,
-    rejected_by,
-)
-from .symbols import *
+from .mechanics import *
 
 SHARES_OF_TOOTH = {
     rightly_accepted: f_true * f_measured,

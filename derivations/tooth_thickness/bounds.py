@@ -36,8 +36,7 @@ from mechproof.record import (
     not_above,
 )
 
-from .mechanics import linearisation_bound, linearisation_root, thickness_change
-from .symbols import alpha, dh, dh_gauge, e_tip, incline, m, r_b, t_c, tilt, z
+from .mechanics import *
 
 # Coordinates --------------------------------------------------------------------------------------
 
@@ -66,14 +65,14 @@ ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, Rational(1, 
 INVERSE = Symbol("1/z", positive=True)
 
 
-def along(side: Expr) -> Chart:
+def tilt_chart(side: Expr) -> Chart:
     """Make the chart of tilts to one side."""
     arguments = {tilt: side, m: m, z: 1 / INVERSE, alpha: alpha}
     within = {m: LENGTHS, INVERSE: Interval(0, 1), **ANGLES, tilt: Interval(0, 1)}
     return Chart(f"|tilt| <= 1 and {WHERE}", arguments, within)
 
 
-FLANK_CHARTS = (along(tilt), along(-tilt))
+FLANK_CHARTS = (tilt_chart(tilt), tilt_chart(-tilt))
 
 # A depth may be this share of the module at least before the chord is at the base circle.
 DEPTH = Symbol("|dh|/m")

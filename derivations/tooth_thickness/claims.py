@@ -15,8 +15,8 @@ from mechproof.record import (
     ours,
 )
 
-from . import mechanics
-from .symbols import *
+from .._metrology import POSITIVE
+from .mechanics import *
 
 # The example of Table 1 ---------------------------------------------------------------------------
 
@@ -44,20 +44,20 @@ EXAMPLE_ROWS = (
     ),
     PRINT.datum(
         "Table 1, grade of the tip diameter",
-        Definition(tip_tolerance, Rational(mechanics.GRADES[6][1], 1000) * millimetre),
+        Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
         note="A datum; the 25 µm are from ISO 286-1, not from the paper (see 'step 3, IT grades').",
         marks=("calibrated",),
     ),
     PRINT.datum(
         "Table 1, interval of the gauge",
-        Definition(interval, Rational(mechanics.GAUGE_UM, 1000) * millimetre),
+        Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
         note="A datum; for which interval may be meant see 'steps 4 and 7, spread of the gauge'.",
     ),
     PRINT.claim(
         "Table 1, 50 of 50",
         all_of(
             PrintedNumber("100", 100 * Rational(50, 50)),
-            PrintedNumber("100", 100 * mechanics.NORMAL_SHARE),
+            PrintedNumber("100", 100 * NORMAL_SHARE),
         ),
         note="The share of the 50 and, to a whole per cent, that of all teeth at K = 6, which is "
         "99.73 % for a normal law in the middle of the field. For what 50 teeth can show of it "
@@ -69,7 +69,7 @@ EXAMPLE_ROWS = (
         r"50\text{ of }50\text{ are to be expected in 87 \% of wheels at }K=6\text{, and not rare "
         r"(5 \%) with }94.2~\%\text{ of good teeth}",
         all_of(
-            PrintedNumber("87", 100 * mechanics.NORMAL_SHARE**50),
+            PrintedNumber("87", 100 * NORMAL_SHARE**50),
             less(Rational(1, 20), Rational("0.942") ** 50),
             less(Rational("0.941") ** 50, Rational(1, 20)),
         ),
@@ -79,15 +79,15 @@ EXAMPLE_ROWS = (
     ),
     PRINT.claim(
         "Table 1, columns 4 to 6",
-        Equality(e_tip + dh_gauge, mechanics.height_towards_tip),
+        Equality(e_tip + dh_gauge, height_towards_tip),
         corrected=Correction(
-            r"(6)=\tfrac12\,(4)+(5)", Equality(e_tip / 2 + dh_gauge, mechanics.height_towards_tip)
+            r"(6)=\tfrac12\,(4)+(5)", Equality(e_tip / 2 + dh_gauge, height_towards_tip)
         ),
         note="The sum (6) = (4) + (5) of step 5, column 4 being that of the diameter.",
     ),
     PRINT.claim(
         "Table 1, column 9",
-        Equality(E_true + K_m * dh + ds_gauge, mechanics.reading),
+        Equality(E_true + K_m * dh + ds_gauge, reading),
         note="True deviation, error of thickness from the shift, error of the gauge; as in step 8.",
     ),
 )
@@ -104,8 +104,8 @@ RECOMMENDED = {6: ("0.41", "0.16"), 7: ("1.09", "0.28"), 8: ("3.53", "0.63")}
 CROSSOVERS = {6: ("2.5", "3.7"), 7: ("3.9", "5.9"), 8: ("6.2", "9.3")}
 LAWS = "K = 6 for tooth and tip, normal laws, centred."
 GRADE_COARSER = all_of(
-    less(mechanics.tip_spread(8, BY_GEOMETRY), mechanics.tip_spread(7)),
-    less(mechanics.tip_spread(7, BY_GEOMETRY), mechanics.tip_spread(6)),
+    less(tip_spread(8, BY_GEOMETRY), tip_spread(7)),
+    less(tip_spread(7, BY_GEOMETRY), tip_spread(6)),
 )
 
 
@@ -113,7 +113,7 @@ def table(shares: dict[int, tuple[str, str]], limit_error: int) -> Statement:
     """State the per cent of good teeth rejected, as printed and by the geometry."""
     return all_of(
         *(
-            PrintedNumber(number, 100 * mechanics.rejected_by(grade, limit_error, 2, geometry))
+            PrintedNumber(number, 100 * rejected_by(grade, limit_error, 2, geometry))
             for grade, numbers in shares.items()
             for number, geometry in zip(numbers, (AS_PRINTED, BY_GEOMETRY), strict=True)
         )
@@ -133,13 +133,13 @@ CLAIM_ROWS = (
         "(e)",
         all_of(
             Equality(
-                mechanics.error_variance(
-                    mechanics.PRINTED_INFLUENCE, mechanics.PRINTED_INFLUENCE
-                ).subs({sigma_height: 0, sigma_thickness: 0}),
-                (mechanics.PRINTED_INFLUENCE * sigma_tip) ** 2,
+                error_variance(PRINTED_INFLUENCE, PRINTED_INFLUENCE).subs(
+                    {sigma_height: 0, sigma_thickness: 0}
+                ),
+                (PRINTED_INFLUENCE * sigma_tip) ** 2,
             ),
-            less(mechanics.rejected_by(6, 0), mechanics.rejected_by(7, 0)),
-            less(mechanics.rejected_by(7, 0), mechanics.rejected_by(8, 0)),
+            less(rejected_by(6, 0), rejected_by(7, 0)),
+            less(rejected_by(7, 0), rejected_by(8, 0)),
         ),
         note="With a perfect gauge only the error from the tip is left, by steps 5 and 6 as "
         "printed, and the share of wrongly rejected teeth rises with the grade. The law of the "
@@ -157,7 +157,7 @@ CLAIM_ROWS = (
         "(a), rise with the limit error",
         r"\frac{\partial}{\partial w}\tfrac12\left[\mathrm{erf}\frac{q_1}w"
         r"+\mathrm{erf}\frac{q_2}w\right]<0",
-        less((sqrt(pi) * diff(mechanics.chance_to_accept, width)).expand(), S.Zero),
+        less((sqrt(pi) * diff(chance_to_accept, width)).expand(), S.Zero),
         on=Part(
             "the expected reading of the tooth lies inside the limits",
             {above: POSITIVE, below: POSITIVE},
@@ -170,7 +170,7 @@ CLAIM_ROWS = (
     ),
     PRINT.claim(
         "(d)",
-        less(mechanics.tip_spread(7), mechanics.tip_spread(8, BY_GEOMETRY)),
+        less(tip_spread(7), tip_spread(8, BY_GEOMETRY)),
         corrected=Correction(
             r"\text{for gear wheels of degrees 6 and 7 the IT grades 7 and 8 of the tip diameter "
             r"can be recommended}",
@@ -198,14 +198,14 @@ CLAIM_ROWS = (
     ),
     PRINT.claim(
         "(b)",
-        less(mechanics.crossover(6, BY_GEOMETRY), gauge_um),
+        less(crossover(6, BY_GEOMETRY), gauge_um),
         on=Part(
             "the gauge is no coarser than that of Table 1",
-            {gauge_um: Interval.Lopen(0, mechanics.GAUGE_UM)},
+            {gauge_um: Interval.Lopen(0, GAUGE_UM)},
         ),
         holds_on=Part(
             "a limit error over 2.5 µm (2 sigma) or 3.7 µm (3 sigma), tip of IT6",
-            {gauge_um: Interval.Lopen(Rational("1.2261"), mechanics.GAUGE_UM)},
+            {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
         ),
         note="Influences are compared by standard deviations, with which the shares rise, by the "
         "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 µm"
@@ -221,7 +221,7 @@ CLAIM_ROWS = (
         ),
         all_of(
             *(
-                PrintedNumber(number, multiple * mechanics.crossover(grade, BY_GEOMETRY))
+                PrintedNumber(number, multiple * crossover(grade, BY_GEOMETRY))
                 for grade, numbers in CROSSOVERS.items()
                 for multiple, number in zip((2, 3), numbers, strict=True)
             )
@@ -246,7 +246,7 @@ CLAIM_ROWS = (
     ours(
         "(c), good teeth rejected with the recommended gauge",
         write(RECOMMENDED),
-        table(RECOMMENDED, mechanics.RECOMMENDED_UM),
+        table(RECOMMENDED, RECOMMENDED_UM),
         note="By the steps as printed, and by the geometry with half the deviation of the "
         f"diameter. U = 2 sigma = 2 µm. {LAWS}",
         marks=("consequence", "calibrated"),

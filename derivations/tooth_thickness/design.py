@@ -17,49 +17,7 @@ from mechproof.record import (
 )
 
 from .._metrology import normal_between
-from .mechanics import (
-    GAUGE_UM,
-    HEIGHTS_TO_0_1_MM,
-    LAST_SHARE,
-    MODULE,
-    NORMAL_SHARE,
-    PRINTED_INFLUENCE,
-    TEETH,
-    THREE_SIGMA,
-    TOLERANCE_UM,
-    accepted_by,
-    across,
-    at_angle,
-    chord_distance,
-    chord_half,
-    chord_height,
-    curvature_of_thickness,
-    distance,
-    good_but_rejected,
-    half_tooth,
-    height_change,
-    height_deviation,
-    influence,
-    involute_chord,
-    involute_distance,
-    linearisation_root,
-    measurement_spread,
-    nominal_height,
-    of_wheel,
-    rack_chord,
-    rack_height,
-    read,
-    reading,
-    roll,
-    side_clearance,
-    slope_of_thickness,
-    thickness,
-    thickness_change,
-    tip_radius,
-    tip_spread,
-)
-from .symbols import *
-from .symbols import PRINT, K_m, alpha, delta, dh, m, r_b, s_c, t_c, tilt, y_c, z
+from .mechanics import *
 
 DESIGN_ROWS = (
     PRINT.claim("data, pitch diameter", PrintedNumber("150", MODULE * S(TEETH))),

@@ -8,21 +8,10 @@ from sympy import Abs, Eq, Rational, S, cos, pi, sin, tan
 from mechproof.record import Argument, Form, Part, Quantity, Singular
 
 from . import bounds
-from .mechanics import (
-    PRINTED_INFLUENCE,
-    chord,
-    chord_distance,
-    chord_half,
-    chord_height,
-    half_tooth,
-    height_change,
-    linearisation_bound,
-    thickness_change,
-)
-from .symbols import K_m, alpha, dh, dh_gauge, e_tip, m, r_b, t_c, tilt, y_c, z
+from .mechanics import *
 
-MODULE = Argument("m", (m,), "module", "mm", usual=(0, 10))
-TEETH = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
+MODULE_ARGUMENT = Argument("m", (m,), "module", "mm", usual=(0, 10))
+TEETH_ARGUMENT = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
 ANGLE = Argument("alpha", (alpha,), "profile angle of the basic rack", "rad", usual=(0, 0.35, 0.7))
 HEIGHT = Argument("dh", (dh,), "how much deeper than nominal the chord lies", "mm", usual=(0, 0.1))
 TILT = Argument(
@@ -40,7 +29,7 @@ GAUGE = Argument(
     "mm",
     usual=(0, 0.1),
 )
-FLANK = (TILT, MODULE, TEETH, ANGLE)
+FLANK = (TILT, MODULE_ARGUMENT, TEETH_ARGUMENT, ANGLE)
 ABOVE_BASE_CIRCLE = Part(
     "the chord lies no deeper than the base circle and no higher than the tip",
     where=(Abs(dh) <= y_c - r_b,),
@@ -85,7 +74,7 @@ QUANTITIES = (
     Quantity(
         "constant_chord",
         "Compute the constant chord, between the points where a rack touches both flanks.",
-        (MODULE, ANGLE),
+        (MODULE_ARGUMENT, ANGLE),
         chord,
         # 4.161 mm of the paper is for a module of 3 mm.
         (Form("squared cosine", chord, charts=bounds.RACK), handbook("1.387")),
@@ -96,7 +85,7 @@ QUANTITIES = (
     Quantity(
         "chord_height",
         "Compute the height from the tip circle to the constant chord, addendum of one module.",
-        (MODULE, ANGLE),
+        (MODULE_ARGUMENT, ANGLE),
         chord_height,
         # So is 2.243 mm.
         (Form("double angle", chord_height, charts=bounds.RACK), handbook("0.7476")),
@@ -196,7 +185,7 @@ QUANTITIES = (
     Quantity(
         "linearisation_bound",
         "Bound the excess of the first order over the exact change of thickness; it is >= 0.",
-        (HEIGHT, MODULE, TEETH, ANGLE),
+        (HEIGHT, MODULE_ARGUMENT, TEETH_ARGUMENT, ANGLE),
         linearisation_bound,
         (
             Form(

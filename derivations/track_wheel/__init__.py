@@ -17,7 +17,7 @@ from .error_rows import ERROR_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
 from .kernels import QUANTITIES
-from .symbols import NOTATION, PRINT, TABLE_1, VARIABLES, amplitude, radius, thermal
+from .mechanics import NOTATION, PRINT, TABLE_1, VARIABLES, amplitude, radius, thermal
 from .table import CONSEQUENCES, TABLE_ROWS
 
 PURPOSE = "says what the method is for"

@@ -6,7 +6,7 @@ import sympy as sp
 
 from mechproof.record import Chart
 
-from .symbols import *
+from .mechanics import *
 
 # Near no turn all angles are multiples of the largest, with which the matrix vanishes.
 QUARTER = sp.Rational(11, 7)

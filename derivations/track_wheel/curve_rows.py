@@ -15,8 +15,7 @@ from mechproof.record import (
     not_above,
 )
 
-from .mechanics import on_track, radius_by_sine_rule
-from .symbols import *
+from .mechanics import *
 
 CURVE_ROWS = (
     PRINT.equation(

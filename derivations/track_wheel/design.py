@@ -26,7 +26,7 @@ from .._sizes import is_moderate, is_zero_or_moderate
 from .charts import FOR_PLANAR, FOR_SPATIAL
 from .kernels import HEIGHT
 from .kernels_of_poses import SOURCE
-from .symbols import *
+from .mechanics import *
 
 a, b, c = SHIFT
 _, y, z = SURFACE_POINT

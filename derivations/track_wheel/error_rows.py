@@ -14,18 +14,7 @@ from mechproof.record import (
     sum_distinct,
 )
 
-from .mechanics import (
-    CORRECTED_5,
-    DEVIATIONS,
-    DEVIATIONS_T,
-    SINGLES,
-    SINGLES_T,
-    UNCORRELATED,
-    UNIT_INFLUENCE,
-    propagate,
-    propagate_groups,
-)
-from .symbols import *
+from .mechanics import *
 
 LATEX_CORRECTED_GROUPS = (
     r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"

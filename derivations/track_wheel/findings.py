@@ -5,8 +5,7 @@ import sympy as sp
 from mechproof.record import Check, Cost, Finding, FollowingRow, Weight
 
 from . import table
-from .mechanics import product_of
-from .symbols import *
+from .mechanics import *
 
 RIGHT_TOTAL = table.total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
 SYSTEMATIC_TOTAL = sp.sqrt(table.SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)

@@ -4,25 +4,7 @@ import sympy as sp
 
 from mechproof.record import ChainLink, Distinct, Equality, Equation, Reading, all_of
 
-from .mechanics import (
-    FROM_ORIGIN,
-    IDENTITY,
-    IN_ORDER,
-    MATRIX_B,
-    MATRIX_C,
-    TURNED_BY_ALPHA,
-    TURNED_PART,
-    UNIT_VECTORS,
-    compose,
-    cross_product_matrix,
-    product_of,
-    project,
-    see_from_turned_frame,
-    turn,
-    turn_about_fixed_axes,
-    turn_by_vector,
-)
-from .symbols import *
+from .mechanics import *
 
 
 def coordinate_row(number: str, row: int) -> Equation:

@@ -18,8 +18,7 @@ from mechproof.record import (
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .charts import BY_RADII, BY_REST, BY_TOTAL, IN_FIRST_PART, OFF_POLE
 from .kernels_of_poses import POSES, SOURCE, turns
-from .mechanics import CORRECTED_5, CROSS, SQUARES
-from .symbols import *
+from .mechanics import *
 
 # The track --------------------------------------------------------------------------------------
 

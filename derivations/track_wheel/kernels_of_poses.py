@@ -17,21 +17,20 @@ from mechproof.record import (
     all_of,
 )
 
-from . import mechanics
 from .charts import BY_PLANE, BY_SPACE, NEAR_NO_TURN, WITHIN_HALF_TURNS
-from .symbols import *
+from .mechanics import *
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)
 
 ROTATION = sp.ImmutableDenseMatrix(
-    mechanics.see_from_turned_frame(2, gamma)
-    * mechanics.see_from_turned_frame(1, beta)
-    * mechanics.see_from_turned_frame(0, alpha)
+    see_from_turned_frame(2, gamma)
+    * see_from_turned_frame(1, beta)
+    * see_from_turned_frame(0, alpha)
 )
 DISPLACEMENT = sp.ImmutableDenseMatrix(ROTATION.T * SURFACE_POINT - (SURFACE_POINT - SHIFT))
 # The vector v of the quaternion vanishes with the turn itself, and with it every entry of K - I.
-FROM_IDENTITY = scale * (w * AXIS.hat() + AXIS * AXIS.T - AXIS.dot(AXIS) * mechanics.IDENTITY)
+FROM_IDENTITY = scale * (w * AXIS.hat() + AXIS * AXIS.T - AXIS.dot(AXIS) * IDENTITY)
 BY_TANGENTS = sp.ImmutableDenseMatrix(FROM_IDENTITY * SURFACE_POINT + SHIFT)
 LINEAR = sp.ImmutableDenseMatrix(sp.ImmutableMatrix(ANGLES).cross(SURFACE_POINT) + SHIFT)
 PLANAR = sp.sqrt(error_x**2 + error_y**2)
@@ -42,7 +41,7 @@ SPATIAL = sp.sqrt(error_x**2 + error_y**2 + error_z**2)
 # gives the second derivative of K = C*B*A. Every G has the spectral norm 1 and A, B, C change no
 # length: its norm is at most (|alpha| + |beta| + |gamma|)**2, and Taylor's formula bounds what is
 # left out at p by |p|*(|alpha| + |beta| + |gamma|)**2/2.
-GENERATORS = tuple(-mechanics.cross_product_matrix(axis) for axis in mechanics.UNIT_VECTORS)
+GENERATORS = tuple(-cross_product_matrix(axis) for axis in UNIT_VECTORS)
 ALONG_LINE = {angle: parameter * angle for angle in ANGLES}
 
 
@@ -55,7 +54,7 @@ def second_derivative() -> sp.Matrix:
     """Apply the product rule twice to C*B*A along the line."""
     weights = (angle * g for angle, g in zip(ANGLES, GENERATORS, strict=True))
     u, v, w = weights
-    a, b, c = (slow_down(factor) for factor in mechanics.FACTORS.values())
+    a, b, c = (slow_down(factor) for factor in FACTORS.values())
     squares = c * b * u**2 * a + c * v**2 * b * a + w**2 * c * b * a
     return squares + 2 * (c * v * b * u * a + w * c * b * u * a + w * c * v * b * a)
 
@@ -64,14 +63,14 @@ def by_taylor(code: EmittedForm) -> Statement:
     """State that a form is the first-order model, and all that bounds what it leaves out."""
     whole = slow_down(DISPLACEMENT)
     slope = whole.diff(parameter).subs(parameter, 0)
-    factors = tuple(zip(mechanics.FACTORS.values(), ANGLES, GENERATORS, strict=True))
+    factors = tuple(zip(FACTORS.values(), ANGLES, GENERATORS, strict=True))
     return all_of(
         Equality(code.output(), whole.subs(parameter, 0) + slope),
         *(Equality(factor.diff(angle), g * factor) for factor, angle, g in factors),
-        *(Equality(factor.T * factor, mechanics.IDENTITY) for factor, _, _ in factors),
+        *(Equality(factor.T * factor, IDENTITY) for factor, _, _ in factors),
         *(
-            Equality(g.T * g, mechanics.IDENTITY - axis * axis.T)
-            for g, axis in zip(GENERATORS, mechanics.UNIT_VECTORS, strict=True)
+            Equality(g.T * g, IDENTITY - axis * axis.T)
+            for g, axis in zip(GENERATORS, UNIT_VECTORS, strict=True)
         ),
         Equality(slow_down(ROTATION).diff(parameter, 2), second_derivative()),
     )
@@ -96,7 +95,7 @@ SIZES = Scale(
     "the sizes of turn and shift, for the norm of the error",
     DISTANCE * POINT_SIZE + SHIFT_SIZE,
     where=(
-        *zip(HALF_SINES, mechanics.UNIT_QUATERNION.args[1:], strict=True),
+        *zip(HALF_SINES, UNIT_QUATERNION.args[1:], strict=True),
         (DISTANCE, 2 * sp.sqrt(sum(part**2 for part in HALF_SINES))),
         (POINT_SIZE, POINT_LENGTH),
         (SHIFT_SIZE, sp.sqrt(a**2 + b**2 + c**2)),
@@ -181,7 +180,7 @@ POSES = (
                 "first order in the angles",
                 LINEAR,
                 key="linear",
-                bound=mechanics.first_order_remainder(POINT_LENGTH),
+                bound=first_order_remainder(POINT_LENGTH),
                 states=by_taylor,
                 note="the bound is that of the norm of the error",
             ),

@@ -11,18 +11,7 @@ from mechproof.mechanisms import TrackWheel
 from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
-from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES
-from .symbols import (
-    PRINTED_VALUES,
-    amplitude,
-    elastic,
-    form,
-    mounting,
-    radius,
-    setting,
-    share,
-    wear,
-)
+from .mechanics import *
 from .table import total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.
@@ -54,7 +43,7 @@ def collect(**changed: Any) -> Any:
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
 
-def total(errors: Any, coefficient: float = NORMAL) -> Any:
+def total_random(errors: Any, coefficient: float = NORMAL) -> Any:
     """Return the total by the corrected (6), Delta_T random and a share of the total (mm)."""
     ones = np.ones(len(FIELDS))
     return kernels.error_sum_thermal(
@@ -138,12 +127,15 @@ def draw_growth(canvas: Any) -> None:
     forms, here = np.linspace(0.0, 0.05, 101), FIELDS[form]
     kinds: Mapping[str, tuple[Callable[[Any], Any], Mapping[str, Any]]] = {
         "(6) as printed, in mm": (lambda f: total_printed(f, 1.0), {**LineStyle.WRONG, "lw": 1.1}),
-        "corrected, all Kᵢ = √3": (lambda f: total(collect(Delta_phi=f), UNIFORM), LineStyle.THIRD),
+        "corrected, all Kᵢ = √3": (
+            lambda f: total_random(collect(Delta_phi=f), UNIFORM),
+            LineStyle.THIRD,
+        ),
         r"corrected, $\Delta_T$ systematic": (
             lambda f: total_systematic(collect(Delta_phi=f)),
             LineStyle.FOURTH,
         ),
-        "corrected, all Kᵢ = 1": (lambda f: total(collect(Delta_phi=f)), LineStyle.FIRST),
+        "corrected, all Kᵢ = 1": (lambda f: total_random(collect(Delta_phi=f)), LineStyle.FIRST),
         "(6) as printed, in µm": (
             lambda f: total_printed(f, 1.0 / MICROMETRES),
             {**LineStyle.WRONG, "ls": (0, (4, 1, 1, 1)), "lw": 1.1},
@@ -165,14 +157,14 @@ def draw_growth(canvas: Any) -> None:
 
 def largest_gain() -> float:
     """Return by how many per cent the total falls without any elastic error."""
-    return float(100 * (1 - total(collect(Delta_delta=0.0)) / total(collect())))
+    return float(100 * (1 - total_random(collect(Delta_delta=0.0)) / total_random(collect())))
 
 
 def draw_gain(canvas: Any) -> None:
     """Draw the total against what is left of the elastic error, the rest as in Table 1."""
     panel, before = canvas.subplots(), FIELDS[elastic]
     left = np.linspace(0.0, before, 101)
-    curve = total(collect(Delta_delta=left))
+    curve = total_random(collect(Delta_delta=left))
     panel.plot(MICROMETRES * left, MICROMETRES * curve, **LineStyle.FIRST)
     first, last = (MICROMETRES * float(value) for value in (curve[-1], curve[0]))
     panel.axhline(first, **LineStyle.GUIDE)
@@ -192,7 +184,7 @@ def draw_gain(canvas: Any) -> None:
 def draw_contributions(canvas: Any) -> None:
     """Draw what each error of Table 1 contributes to the square of the total."""
     panel = canvas.subplots()
-    whole = float(total(collect()))
+    whole = float(total_random(collect()))
     fields = {NAMES[symbol]: field for symbol, field in FIELDS.items()}
     fields[r"temperature $\Delta_T$"] = THERMAL_SHARE * whole
     ordered = sorted(fields.items(), key=lambda item: item[1])

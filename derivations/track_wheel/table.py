@@ -17,8 +17,7 @@ from mechproof.record import (
     rounded,
 )
 
-from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES, first_order_remainder
-from .symbols import *
+from .mechanics import *
 
 REMARKS = {
     setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "

@@ -18,9 +18,8 @@ from mechproof.record import (
     rounded,
 )
 
-from .mechanics import driven
+from .mechanics import *
 from .sizes import SETS, Signs, limits
-from .symbols import *
 
 Displacement: TypeAlias = "sp.Rational | int | str"
 

@@ -14,8 +14,7 @@ from sympy import Max, Piecewise, cos, sin, sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import half_3, lever_slopes, roller_slopes
-from .symbols import *
+from .mechanics import *
 
 SIZES = (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM)
 

@@ -6,8 +6,8 @@ from sympy import Expr, Integer, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart, Toleranced
 
+from .mechanics import *
 from .sizes import FIRST_SET
-from .symbols import *
 
 # All lengths are shares of one that is the largest.
 LARGEST, PART = Symbol("R", positive=True), Symbol("l_AB/arm", positive=True)
@@ -41,7 +41,7 @@ CLOSING = "x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4"
 QUARTER = Interval(0, Rational(1, 4))
 
 
-def guide(x: Expr, length: Expr, arm: Expr, within: dict[Symbol, Interval]) -> Chart:
+def guide_chart(x: Expr, length: Expr, arm: Expr, within: dict[Symbol, Interval]) -> Chart:
     """Make the chart of the pusher's way, of the guide's length and of the arm."""
     arguments = {x1: LARGEST * x, l_BC: LARGEST * length, l_AB: LARGEST * arm * PART}
     arguments[l_CD] = LARGEST * arm * (1 - PART)
@@ -50,12 +50,12 @@ def guide(x: Expr, length: Expr, arm: Expr, within: dict[Symbol, Interval]) -> C
 
 # The arm, the guide or the way is the largest; beside a long arm both may be small.
 LEVER = (
-    guide(Y**2 * W, Y, 1, {Y: SHARE, W: SHARE}),
-    guide(Z**2, Z * W, 1, {Z: SHARE, W: SHARE}),
-    guide(X, 1, Y, {X: SHARE, Y: SHARE}),
-    guide(1, X, Y, {X: SHARE, Y: SHARE}),
-    guide(-(Y**2) * W, Y, 1, {Y: SHARE, W: QUARTER}),
-    guide(-X, 1, Y, {X: QUARTER, Y: SHARE}),
+    guide_chart(Y**2 * W, Y, 1, {Y: SHARE, W: SHARE}),
+    guide_chart(Z**2, Z * W, 1, {Z: SHARE, W: SHARE}),
+    guide_chart(X, 1, Y, {X: SHARE, Y: SHARE}),
+    guide_chart(1, X, Y, {X: SHARE, Y: SHARE}),
+    guide_chart(-(Y**2) * W, Y, 1, {Y: SHARE, W: QUARTER}),
+    guide_chart(-X, 1, Y, {X: QUARTER, Y: SHARE}),
 )
 
 # Farther on the height of the roller cancels, and its error has no bound, as the guide's.

@@ -9,7 +9,7 @@ from mechproof.record import LENGTH, Accuracy, Argument, Scale, Singular, Variab
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .chain import MEANT, SIZES, chain_slope
-from .symbols import *
+from .mechanics import *
 
 # Arguments -------------------------------------------------------------------------------------
 

@@ -22,7 +22,7 @@ from .conditioning import (
     condition,
     moderate,
 )
-from .mechanics import BEFORE_PIVOT, MOVABLE
+from .mechanics import BEFORE_PIVOT, MOVABLE, guide_square, l_GH, l_KL, x1
 from .proofs import (
     NOT_UPRIGHT,
     REACHED,
@@ -34,7 +34,6 @@ from .proofs import (
     slopes_in_contact,
 )
 from .stages import CHAIN_SOURCE, LOW_ROLLER, STAGES
-from .symbols import guide_square, l_GH, l_KL, x1
 
 CLOSED = Part(
     "the linkage closes",

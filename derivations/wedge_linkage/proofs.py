@@ -11,6 +11,7 @@ from sympy import cos, sin
 
 from mechproof.record import LENGTH, EmittedForm, Equality, Holds, Part, Statement, Variable, all_of
 
+from .._metrology import POSITIVE
 from .chain import (
     DIRECTION,
     LINKS,
@@ -26,21 +27,7 @@ from .chain import (
     push,
     run,
 )
-from .mechanics import (
-    FIRST_QUADRANT,
-    SECOND_QUADRANT,
-    by_half_angle,
-    cosine_of_sigma,
-    cosine_of_tau,
-    direction_sigma,
-    direction_tau,
-    lever_angle,
-    lever_by_reach,
-    rod,
-    roller_slopes,
-    sine_of_tau,
-)
-from .symbols import *
+from .mechanics import *
 
 excess = sp.Symbol("excess", nonnegative=True)
 lack = sp.Symbol("lack", positive=True)

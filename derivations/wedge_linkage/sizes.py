@@ -18,7 +18,7 @@ from mechproof.record import (
     ours,
 )
 
-from .symbols import *
+from .mechanics import *
 
 Signs = Mapping[sp.Symbol, int]
 

@@ -21,8 +21,7 @@ from .conditioning import (
     moderate,
     turns,
 )
-from .mechanics import BEFORE_PIVOT, MOVABLE
-from .symbols import *
+from .mechanics import *
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
 DRIVEN_RUN = Argument(

@@ -25,9 +25,8 @@ from .boundaries import (
     in_all,
     influence,
 )
-from .mechanics import displacement, lever_cosine, lever_sine, rod, wedge
+from .mechanics import *
 from .sizes import FIRST_SET, SECOND_SET, SETS
-from .symbols import *
 
 
 def no_influence(size: sp.Symbol) -> Conjunction:

@@ -18,35 +18,13 @@ from mechproof.record import (
 )
 
 from .._linear import solve_linear
+from .._metrology import POSITIVE
 from .boundaries import upright_at, upright_wedge
 from .chain import PUSHED_IN_PRINT
 from .group_rows import ONE_FORM
-from .mechanics import (
-    BEFORE_PIVOT,
-    FIRST_QUADRANT,
-    MOVABLE,
-    SECOND_QUADRANT,
-    cosine_of_sigma,
-    cosine_of_tau,
-    direction_sigma,
-    direction_tau,
-    group_3,
-    half_3,
-    half_7,
-    lever_angle,
-    lever_cosine,
-    lever_slope,
-    lever_slopes,
-    rod,
-    roller_slope,
-    roller_slopes,
-    root_7,
-    upright,
-    wedge,
-)
+from .mechanics import *
 from .proofs import push_by
 from .sizes import SETS
-from .symbols import *
 
 SUBSTITUTED = "(1), (3), (4), (7), (8), (10), substituted"
 SUBSTITUTION_ROWS = (

@@ -24,7 +24,7 @@ from mechproof.codegen.backends.numpy import (
 )
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.derivations import elliptic_planetary
-from mechproof.derivations.elliptic_planetary.symbols import k
+from mechproof.derivations.elliptic_planetary.mechanics import k
 from mechproof.programs.argument_conditions import set_relations
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Variable

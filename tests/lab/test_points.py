@@ -11,7 +11,7 @@ import sympy as sp
 from weights import first_of
 
 from mechproof.derivations.elliptic_planetary import PAPER
-from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
+from mechproof.derivations.elliptic_planetary.mechanics import R1, R2, e, phi1, x
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import find_truth

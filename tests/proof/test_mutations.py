@@ -13,7 +13,7 @@ import sympy as sp
 from derived import paper_of
 from weights import first_of
 
-from mechproof.derivations.track_wheel.symbols import i, j
+from mechproof.derivations.track_wheel.mechanics import i, j
 from mechproof.proof.continuity import find_break
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import compare

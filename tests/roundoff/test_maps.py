@@ -13,8 +13,7 @@ from derived import paper_of
 from weights import first_of
 
 from mechproof.derivations.track_wheel.kernels_of_poses import ROTATION
-from mechproof.derivations.track_wheel.mechanics import UNIT_QUATERNION
-from mechproof.derivations.track_wheel.symbols import ANGLES, alpha
+from mechproof.derivations.track_wheel.mechanics import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff.affine import bound_norm, find_size
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages

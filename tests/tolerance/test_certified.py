@@ -12,8 +12,7 @@ import sympy as sp
 
 from mechproof import WedgeLinkage
 from mechproof.derivations import elliptic_planetary as elliptic
-from mechproof.derivations.elliptic_planetary.mechanics import position_principal
-from mechproof.derivations.elliptic_planetary.symbols import R1, R2, phi1
+from mechproof.derivations.elliptic_planetary.mechanics import R1, R2, phi1, position_principal
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.record import Argument, Form, Paper, Part, Quantity, Variable
 from mechproof.tolerance import Size, certified_range, corner_range
