@@ -7,22 +7,7 @@ from typing import Any
 from sympy import Abs, Expr, Interval, Rational, erf, oo, pi, sqrt, symbols
 
 from mechproof.document.transcription import Transcription
-from mechproof.record import (
-    LENGTH,
-    Check,
-    Claim,
-    Conjunction,
-    Cost,
-    Datum,
-    Definition,
-    NotCheckable,
-    PrintedNumber,
-    Reading,
-    Variable,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from ._metrology import student_coverage
 

@@ -12,7 +12,7 @@ import pytest
 from import_graph import split
 
 import mechproof
-from mechproof import derivations, kernels, mechanisms
+from mechproof import derivations, kernels, mechanisms, record
 from mechproof.tools.extras import tell_install
 
 HEAVY = frozenset({"sympy", "jinja2", "lark", "flint", "matplotlib", "numba", "scipy"})
@@ -268,16 +268,28 @@ def test_derivations_import_sympy_the_records_and_the_readers_alone() -> None:
 
 
 def list_stars(source: str) -> list[str]:
-    """List the modules all of which a derivation imports, but for the mechanics beside it."""
+    """List the modules all of which a derivation imports, but for its mechanics and its words."""
     found = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.ImportFrom))
     names = (f"{'.' * n.level}{n.module}" for n in found if n.names[0].name == "*")
-    return [name for name in names if name != ".mechanics"]
+    return [name for name in names if name not in (".mechanics", "mechproof.record")]
 
 
-def test_derivations_import_all_of_their_mechanics_and_of_nothing_else() -> None:
+def list_words_taken(source: str) -> set[str]:
+    """List the words of the records that a derivation gives a meaning of its own."""
+    nodes = list(ast.walk(ast.parse(source)))
+    names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+    defined = {n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+    return (names | defined) & set(record.__all__)
+
+
+def test_derivations_import_all_of_their_mechanics_and_words_and_of_nothing_else() -> None:
     for path in Path(derivations.__path__[0]).rglob("*.py"):
-        assert list_stars(path.read_text(encoding="utf-8")) == [], path
-    assert list_stars("from .mechanics import *\nfrom sympy import *") == ["sympy"]
+        source = path.read_text(encoding="utf-8")
+        assert list_stars(source) == [], path
+        assert list_words_taken(source) == set(), path
+    stars = "from .mechanics import *\nfrom mechproof.record import *\nfrom sympy import *"
+    assert list_stars(stars) == ["sympy"]
+    assert list_words_taken("Part, e = 1, 2\ndef less(): pass") == {"Part", "less"}
 
 
 def test_kernels_import_numpy_and_their_support_alone() -> None:

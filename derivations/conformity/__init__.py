@@ -7,17 +7,7 @@ not to conform given that; the fourth share is what remains of the parts that do
 
 from sympy import Expr, Integral, Interval, Le, Max, Min, Or, S, exp, oo, pi, sqrt, symbols
 
-from mechproof.record import (
-    LENGTH,
-    Accuracy,
-    Argument,
-    Equality,
-    Paper,
-    Quantity,
-    Variable,
-    all_of,
-    ours,
-)
+from mechproof.record import *
 
 from .._metrology import normal_between, normal_outside
 

@@ -5,22 +5,7 @@ Written without differences of like numbers but those that the wanted ratios the
 
 from sympy import Eq, Expr, Integer, diff, sqrt
 
-from mechproof.record import (
-    SLOPES,
-    Accuracy,
-    Argument,
-    Chart,
-    Claim,
-    Equality,
-    Form,
-    Part,
-    Quantity,
-    Scale,
-    Singular,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from . import charts
 from .kernels import ARGUMENTS, SOURCE

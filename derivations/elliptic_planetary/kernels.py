@@ -20,20 +20,7 @@ from sympy import (
     tan,
 )
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    EmittedForm,
-    Equality,
-    Form,
-    Holds,
-    Periodicity,
-    Quantity,
-    Scale,
-    Singular,
-    Statement,
-    all_of,
-)
+from mechproof.record import *
 
 from .._eccentric import on_branch
 from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH

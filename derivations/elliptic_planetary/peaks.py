@@ -6,21 +6,7 @@ peak is the value there. Everything is written without differences of like numbe
 
 import sympy as sp
 
-from mechproof.record import (
-    SLOPES,
-    Accuracy,
-    Chart,
-    Equality,
-    Form,
-    Part,
-    Periodicity,
-    Quantity,
-    Scale,
-    Singular,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from .._eccentric import jerk_terms
 from . import kernels

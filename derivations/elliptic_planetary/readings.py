@@ -2,18 +2,7 @@
 
 from sympy import Abs, Expr, Ge, Gt, Integral, Ne, Rational, atan, cos, diff, pi, sin
 
-from mechproof.record import (
-    Claim,
-    Correction,
-    Definition,
-    Equality,
-    Holds,
-    PrintedNumber,
-    all_of,
-    less,
-    ours,
-    rounded,
-)
+from mechproof.record import *
 
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
 from .._readings import (

@@ -2,16 +2,7 @@
 
 from sympy import Expr, Ge, Integral, Matrix, S, atan, diff, oo, pi, sqrt, tan
 
-from mechproof.record import (
-    ChainLink,
-    Correction,
-    Definition,
-    Equality,
-    Holds,
-    PrintedNumber,
-    all_of,
-    ours,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

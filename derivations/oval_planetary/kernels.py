@@ -2,19 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    EmittedForm,
-    Equality,
-    Form,
-    Part,
-    Periodicity,
-    Quantity,
-    Singular,
-    Statement,
-    all_of,
-)
+from mechproof.record import *
 
 from .._eccentric import on_branch
 from . import forms

@@ -2,17 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Claim,
-    Equality,
-    NotCheckable,
-    PrintedNumber,
-    all_of,
-    less,
-    not_above,
-    ours,
-    rounded,
-)
+from mechproof.record import *
 
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
 from .._readings import (

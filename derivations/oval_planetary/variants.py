@@ -2,18 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Correction,
-    Definition,
-    Distinct,
-    Equality,
-    Holds,
-    Part,
-    Reading,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from .._readings import millimetre
 from .equations import print_5

@@ -2,20 +2,7 @@
 
 from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
-from mechproof.record import (
-    Completion,
-    Completions,
-    Correction,
-    Definition,
-    Distinct,
-    Equality,
-    PrintedNumber,
-    Reading,
-    all_of,
-    less,
-    not_above,
-    ours,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

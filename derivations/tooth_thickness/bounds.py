@@ -23,18 +23,7 @@ from sympy import (
     tan,
 )
 
-from mechproof.record import (
-    Accuracy,
-    Chart,
-    EmittedForm,
-    Equality,
-    Holds,
-    Part,
-    Scale,
-    Statement,
-    all_of,
-    not_above,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

@@ -2,18 +2,7 @@
 
 from sympy import Interval, Rational, S, diff, pi, sqrt
 
-from mechproof.record import (
-    Correction,
-    Definition,
-    Equality,
-    NotCheckable,
-    Part,
-    PrintedNumber,
-    Statement,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from .._metrology import POSITIVE
 from .mechanics import *

@@ -2,19 +2,7 @@
 
 from sympy import Expr, Rational, S, atan, cos, diff, pi, sin, tan
 
-from mechproof.record import (
-    Conjunction,
-    Definition,
-    Distinct,
-    Equality,
-    NotCheckable,
-    PrintedNumber,
-    Reading,
-    all_of,
-    less,
-    not_above,
-    ours,
-)
+from mechproof.record import *
 
 from .._metrology import normal_between
 from .mechanics import *

@@ -12,7 +12,9 @@ from .mechanics import *
 
 MODULE_ARGUMENT = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH_ARGUMENT = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
-ANGLE = Argument("alpha", (alpha,), "profile angle of the basic rack", "rad", usual=(0, 0.35, 0.7))
+PROFILE = Argument(
+    "alpha", (alpha,), "profile angle of the basic rack", "rad", usual=(0, 0.35, 0.7)
+)
 HEIGHT = Argument("dh", (dh,), "how much deeper than nominal the chord lies", "mm", usual=(0, 0.1))
 TILT = Argument(
     "tilt",
@@ -29,7 +31,7 @@ GAUGE = Argument(
     "mm",
     usual=(0, 0.1),
 )
-FLANK = (TILT, MODULE_ARGUMENT, TEETH_ARGUMENT, ANGLE)
+FLANK = (TILT, MODULE_ARGUMENT, TEETH_ARGUMENT, PROFILE)
 ABOVE_BASE_CIRCLE = Part(
     "the chord lies no deeper than the base circle and no higher than the tip",
     where=(Abs(dh) <= y_c - r_b,),
@@ -74,7 +76,7 @@ QUANTITIES = (
     Quantity(
         "constant_chord",
         "Compute the constant chord, between the points where a rack touches both flanks.",
-        (MODULE_ARGUMENT, ANGLE),
+        (MODULE_ARGUMENT, PROFILE),
         chord,
         # 4.161 mm of the paper is for a module of 3 mm.
         (Form("squared cosine", chord, charts=bounds.RACK), handbook("1.387")),
@@ -85,7 +87,7 @@ QUANTITIES = (
     Quantity(
         "chord_height",
         "Compute the height from the tip circle to the constant chord, addendum of one module.",
-        (MODULE_ARGUMENT, ANGLE),
+        (MODULE_ARGUMENT, PROFILE),
         chord_height,
         # So is 2.243 mm.
         (Form("double angle", chord_height, charts=bounds.RACK), handbook("0.7476")),
@@ -162,7 +164,7 @@ QUANTITIES = (
     Quantity(
         "thickness_change_linear",
         "Compute the change of thickness with the height to first order, on the rack exactly.",
-        (replace(HEIGHT, usual=(0, 0.1, 10)), ANGLE),
+        (replace(HEIGHT, usual=(0, 0.1, 10)), PROFILE),
         LINEAR,
         (
             Form("tangent", LINEAR, charts=bounds.DEPTHS),
@@ -185,7 +187,7 @@ QUANTITIES = (
     Quantity(
         "linearisation_bound",
         "Bound the excess of the first order over the exact change of thickness; it is >= 0.",
-        (HEIGHT, MODULE_ARGUMENT, TEETH_ARGUMENT, ANGLE),
+        (HEIGHT, MODULE_ARGUMENT, TEETH_ARGUMENT, PROFILE),
         linearisation_bound,
         (
             Form(
@@ -205,7 +207,7 @@ QUANTITIES = (
     Quantity(
         "thickness_error",
         "Compute the error of thickness from the tip diameter and the gauge's height.",
-        (TIP, GAUGE, ANGLE),
+        (TIP, GAUGE, PROFILE),
         ERROR,
         (
             Form("tangent", ERROR, charts=bounds.ERRORS, mirrors=bounds.ERRORS_NEGATED),

@@ -2,18 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Definition,
-    Distinct,
-    Equality,
-    NotCheckable,
-    Part,
-    Reading,
-    all_of,
-    less,
-    not_above,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

@@ -7,20 +7,7 @@ that rises; the worst offset e is the other way, and the largest y_13 is the rad
 
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    Chart,
-    Equality,
-    Form,
-    Part,
-    Quantity,
-    Scale,
-    all_of,
-    less,
-    not_above,
-    ours,
-)
+from mechproof.record import *
 
 from .._sizes import is_moderate, is_zero_or_moderate
 from .charts import FOR_PLANAR, FOR_SPATIAL

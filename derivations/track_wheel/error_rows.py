@@ -2,17 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Correction,
-    Definition,
-    Equality,
-    NotCheckable,
-    Reading,
-    all_of,
-    less,
-    ours,
-    sum_distinct,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

@@ -2,18 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    EmittedForm,
-    Equality,
-    Form,
-    Part,
-    Quantity,
-    Scale,
-    Singular,
-    Statement,
-)
+from mechproof.record import *
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .charts import BY_RADII, BY_REST, BY_TOTAL, IN_FIRST_PART, OFF_POLE

@@ -4,18 +4,7 @@ import itertools
 
 import sympy as sp
 
-from mechproof.record import (
-    Accuracy,
-    Argument,
-    EmittedForm,
-    Equality,
-    Form,
-    Quantity,
-    Scale,
-    Singular,
-    Statement,
-    all_of,
-)
+from mechproof.record import *
 
 from .charts import BY_PLANE, BY_SPACE, NEAR_NO_TURN, WITHIN_HALF_TURNS
 from .mechanics import *

@@ -2,20 +2,7 @@
 
 import sympy as sp
 
-from mechproof.record import (
-    Completion,
-    Completions,
-    Conjunction,
-    Datum,
-    Definition,
-    Equality,
-    NotCheckable,
-    PrintedNumber,
-    all_of,
-    less,
-    ours,
-    rounded,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

@@ -7,16 +7,7 @@ from typing import TypeAlias
 import sympy as sp
 from sympy import Rational, pi, sqrt
 
-from mechproof.record import (
-    Conjunction,
-    Holds,
-    PublishedSizes,
-    Statement,
-    all_of,
-    less,
-    ours,
-    rounded,
-)
+from mechproof.record import *
 
 from .mechanics import *
 from .sizes import SETS, Signs, limits

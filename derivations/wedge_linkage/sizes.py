@@ -5,18 +5,7 @@ from collections.abc import Iterator, Mapping
 import sympy as sp
 from sympy import Rational, pi
 
-from mechproof.record import (
-    ANGLE,
-    LENGTH,
-    Definition,
-    Holds,
-    PublishedSizes,
-    Toleranced,
-    Variable,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from .mechanics import *
 

@@ -3,17 +3,7 @@
 import sympy as sp
 from sympy import Rational
 
-from mechproof.record import (
-    Claim,
-    Conjunction,
-    Definition,
-    Equality,
-    NotCheckable,
-    Part,
-    all_of,
-    less,
-    ours,
-)
+from mechproof.record import *
 
 from .boundaries import (
     BOUNDARY_II,

@@ -5,17 +5,7 @@ from collections.abc import Callable, Mapping
 import sympy as sp
 from sympy import cos, pi, sin, sqrt
 
-from mechproof.record import (
-    Claim,
-    Correction,
-    Equality,
-    Part,
-    PrintedNumber,
-    all_of,
-    less,
-    ours,
-    rounded,
-)
+from mechproof.record import *
 
 from .._linear import solve_linear
 from .._metrology import POSITIVE
