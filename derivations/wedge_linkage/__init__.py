@@ -6,12 +6,11 @@ from mechproof.record import Check, Cost, Finding, Paper, Weight
 
 from . import chain, conditioning, mechanics, proofs, sizes
 from .boundaries import BUDGET_ROWS, upright_at, upright_wedge
-from .group_rows import GROUP_ROWS
 from .kernels import QUANTITIES
 from .mechanics import PRINT, alpha_KL, error, l_KL, own_error, stage_ratio
 from .sizes import FIRST_SET, SECOND_SET, SIZE_ROWS, limits
 from .tolerances import RANGE_ROWS
-from .transfer import SUBSTITUTED, SUBSTITUTION_ROWS, TRANSFER_ROWS
+from .transfer import GROUP_ROWS, SUBSTITUTED, SUBSTITUTION_ROWS, TRANSFER_ROWS
 
 UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 
