@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.mechanisms.published_sizes import check_domain, choose_published
+from mechproof.mechanisms.parameters import check_domain, choose_published
 
 DOMAIN = (
     Condition("R1", "0 < R1", ("R1",), lambda R1: R1 > 0, ("ratio",)),

@@ -8,7 +8,6 @@ ulps as here.
 from __future__ import annotations
 
 import re
-import subprocess
 from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
@@ -16,14 +15,13 @@ from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
 
-from mechproof.comparison.spelling import spell
+from mechproof.comparison.other_tools import call, name_all, spell
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step
 
 COMMAND = "fptaylor"
-LIMIT = 600.0
 OPTIONS = {
     **{"opt": "bb", "opt-approx": "false", "opt-exact": "true", "find-bounds": "false"},
     **{"fp-power2-model": "true", "const-approx-real-vars": "false", "rel-error": "false"},
@@ -48,26 +46,15 @@ def find_bound(program: BoxedProgram) -> float | None:
         (Path(folder) / "task.txt").write_text(write_task(program), encoding="utf-8")
         said = "".join(f"{key} = {value}\n" for key, value in OPTIONS.items())
         (Path(folder) / "options.cfg").write_text(said, encoding="utf-8")
-        try:
-            done = subprocess.run(
-                [COMMAND, "-c", "options.cfg", "task.txt"],
-                cwd=folder,
-                capture_output=True,
-                text=True,
-                timeout=LIMIT,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            return None
-    found = _FOUND.findall(done.stdout)
+        done = call([COMMAND, "-c", "options.cfg", "task.txt"], cwd=folder)
+    found = _FOUND.findall(done.stdout) if done else []
     bound = float(found[-1]) if found else float("nan")
     return bound if isfinite(bound) else None
 
 
 def write_task(program: BoxedProgram) -> str:
     """Return the task of a program, each step with its own rounding."""
-    results = (*program.straight.inputs, *(step.result for step in program.straight.steps))
-    names = {name: f"v{number}" for number, name in enumerate(results)}
+    names = name_all(program)
     kind = "real" if program.convention.rounded_inputs else "float64"
     inputs = zip(program.straight.inputs, program.box, strict=True)
     lines = [

@@ -8,12 +8,11 @@ bound that is asked for is proved by Gappa or not.
 from __future__ import annotations
 
 import re
-import subprocess
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from shutil import which
 
-from mechproof.comparison.spelling import spell
+from mechproof.comparison.other_tools import call, name_all, spell
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram
@@ -21,8 +20,8 @@ from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, Step
 
 COMMAND = "gappa"
-# Seconds for a script, and into how many parts all sides together are cut.
-LIMIT, PARTS = 600.0, 256
+# Into how many parts all sides together are cut.
+PARTS = 256
 _WRITTEN = frozenset({CONSTANT, *(kind for kind, row in KINDS.items() if row.gappa)})
 _FOUND = re.compile(r" in \[(?:0|[^,\]]*), ([0-9]+)(?:b(-?[0-9]+))?[^\]]*\]")
 
@@ -53,7 +52,7 @@ def proves(program: BoxedProgram, bound: float) -> bool:
 
 def write_script(program: BoxedProgram, bound: Fraction | None, parts: int = 1) -> str:
     """Return the script that proves a bound, or looks for one."""
-    names = _name_all(program)
+    names = name_all(program)
     output = program.straight.outputs[0]
     assumed = " /\\ ".join(
         f"{names[name]} in [{_write(Fraction(low))}, {_write(Fraction(high))}]"
@@ -70,11 +69,6 @@ def write_script(program: BoxedProgram, bound: Fraction | None, parts: int = 1) 
         each = max(2, int(parts ** (1 / len(program.box)) + 1e-9))
         lines.append(f"$ {', '.join(f'{names[n]} in {each}' for n in program.straight.inputs)};")
     return "\n".join(lines) + "\n"
-
-
-def _name_all(program: BoxedProgram) -> dict[str, str]:
-    results = (*program.straight.inputs, *(step.result for step in program.straight.steps))
-    return {name: f"v{number}" for number, name in enumerate(results)}
 
 
 def _exact_names(program: BoxedProgram, names: Mapping[str, str]) -> dict[str, str]:
@@ -123,10 +117,5 @@ def _run(script: str) -> float | None:
 
 def _call(script: str) -> str | None:
     """Return what Gappa says; None where it proves nothing or takes too long."""
-    try:
-        done = subprocess.run(
-            [COMMAND], input=script, capture_output=True, text=True, timeout=LIMIT, check=False
-        )
-    except subprocess.TimeoutExpired:
-        return None
-    return done.stdout + done.stderr if done.returncode == 0 else None
+    done = call([COMMAND], input=script)
+    return done.stdout + done.stderr if done and done.returncode == 0 else None

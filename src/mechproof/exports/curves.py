@@ -1,8 +1,17 @@
-"""Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels as CAD takes them."""
+"""Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels as CAD takes them.
+
+DXF and SVG have circles and ellipses as such, ovals as closed lines; numbers in CSV are read back
+exactly, those of the motion, too.
+"""
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Iterable, Sequence
+from io import StringIO
+from types import ModuleType
 from typing import Any
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +20,7 @@ from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.mechanisms import OvalPair, OvalPlanetary
 from mechproof.plot.motion_plot import Planetary
 from mechproof.plot.pitch_curve_plot import Wheel, place_wheels
+from mechproof.tools.extras import require_modules
 
 Array = NDArray[np.float64]
 # Points of an outline at first; they are doubled until chords are near enough.
@@ -65,3 +75,135 @@ def trace_outline(wheel: Wheel, tolerance: float) -> Array:
             return ends
         count *= 2
     raise ValueError(f"tolerance = {tolerance!r}: takes more than {MOST} points")
+
+
+# Degrees of the carrier from line to line of a table of the motion.
+STEP = 1.0
+
+
+def write_outlines(wheels: tuple[Wheel, ...], tolerance: float) -> str:
+    """Return a line for each point of the closed outlines; the last one is the first again."""
+    rows = []
+    for wheel in wheels:
+        points = trace_outline(wheel, tolerance).tolist()
+        rows += [(wheel.number, *point) for point in (*points, points[0])]
+    return _write(("wheel", "x_mm", "y_mm"), rows)
+
+
+def write_motion(mechanism: Planetary, degrees: bool) -> str:
+    """Return a line for each degree of a turn of the carrier: position, ratio, acceleration."""
+    whole = np.arange(0.0, 360.0 + STEP / 2, STEP)
+    angles = whole if degrees else np.radians(whole)
+    columns = (
+        angles,
+        mechanism.position(angles, degrees=degrees),
+        mechanism.ratio(angles, degrees=degrees),
+        mechanism.acceleration(angles, degrees=degrees),
+    )
+    unit = "deg" if degrees else "rad"
+    names = f"phi1_{unit}", f"phi3_{unit}", "ratio", f"acceleration_per_{unit}"
+    return _write(names, zip(*(c.tolist() for c in columns), strict=True))
+
+
+def _write(names: Sequence[str], rows: Iterable[Sequence[float]]) -> str:
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(names)
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+# Millimetres around the wheels.
+MARGIN = 5.0
+
+
+def write_svg(wheels: tuple[Wheel, ...], tolerance: float) -> str:
+    """Return the text of a picture of its size in mm; y points up inside its group."""
+    outlines = np.concatenate([wheel.outline() for wheel in wheels])
+    low, high = outlines.min(axis=0) - MARGIN, outlines.max(axis=0) + MARGIN
+    width, height = (high - low).tolist()
+    picture = Element(
+        "svg",
+        xmlns="http://www.w3.org/2000/svg",
+        width=f"{width!r}mm",
+        height=f"{height!r}mm",
+        viewBox=f"{float(low[0])!r} {float(-high[1])!r} {width!r} {height!r}",
+    )
+    distance = measure_centres(wheels)
+    SubElement(picture, "title").text = f"Pitch curves, centre distance {distance!r} mm"
+    style = {"fill": "none", "stroke": "black", "stroke-width": "0.2"}
+    group = SubElement(picture, "g", {"transform": "scale(1 -1)", **style})
+    for wheel in wheels:
+        _add_svg_curve(group, wheel, tolerance).set("id", f"wheel_{wheel.number}")
+    (x1, y1), (x2, y2) = (w.axis.tolist() for w in wheels[:2])
+    ends = {"x1": repr(x1), "y1": repr(y1), "x2": repr(x2), "y2": repr(y2)}
+    SubElement(group, "line", {"id": "centres", **ends})
+    indent(picture)
+    return tostring(picture, encoding="unicode") + "\n"
+
+
+def _add_svg_curve(group: Element, wheel: Wheel, tolerance: float) -> Element:
+    if wheel.e == 0:
+        x, y = wheel.axis.tolist()
+        return SubElement(group, "circle", cx=repr(x), cy=repr(y), r=repr(float(wheel.a)))
+    if wheel.lobes == 1:
+        (x, y), _, ratio = find_ellipse(wheel)
+        x, y, turned = float(x), float(y), float(np.degrees(wheel.turned))
+        return SubElement(
+            group,
+            "ellipse",
+            cx=repr(x),
+            cy=repr(y),
+            rx=repr(float(wheel.a)),
+            ry=repr(float(wheel.a) * ratio),
+            transform=f"rotate({turned!r} {x!r} {y!r})",
+        )
+    points = " L ".join(f"{x!r} {y!r}" for x, y in trace_outline(wheel, tolerance).tolist())
+    return SubElement(group, "path", d=f"M {points} Z")
+
+
+# The unit of a drawing that is millimetres, and the colour of each wheel's layer.
+COLOURS = {4: 1, 5: 5, 6: 3, 3: 6}
+
+
+def write_dxf(wheels: tuple[Wheel, ...], tolerance: float) -> str:
+    """Return the text of a drawing: a layer for each wheel, one with the distance of centres.
+
+    Raises ImportError without ezdxf: the extra `cad`.
+    """
+    ezdxf = import_ezdxf()
+    drawing = ezdxf.new("R2010", setup=["linetypes", "dimstyles"], units=ezdxf.units.MM)
+    space = drawing.modelspace()
+    for wheel in wheels:
+        layer = drawing.layers.add(f"WHEEL_{wheel.number}", color=COLOURS[wheel.number]).dxf.name
+        _add_dxf_curve(space, wheel, {"layer": layer}, tolerance)
+        space.add_point(wheel.axis.tolist(), dxfattribs={"layer": layer})
+    drawing.layers.add("CENTRES", linetype="CENTER")
+    ends = [wheels[0].axis.tolist(), wheels[1].axis.tolist()]
+    space.add_line(*ends, dxfattribs={"layer": "CENTRES"})
+    away = measure_centres(wheels) / 10
+    dimension = space.add_aligned_dim(*ends, distance=away, dxfattribs={"layer": "CENTRES"})
+    dimension.render()
+    text = StringIO()
+    drawing.write(text)
+    return text.getvalue()
+
+
+def _add_dxf_curve(space: Any, wheel: Wheel, attributes: dict[str, str], tolerance: float) -> None:
+    if wheel.e == 0:
+        space.add_circle(wheel.axis.tolist(), wheel.a, dxfattribs=attributes)
+    elif wheel.lobes == 1:
+        centre, major, ratio = find_ellipse(wheel)
+        space.add_ellipse(centre.tolist(), major.tolist(), ratio, dxfattribs=attributes)
+    else:
+        outline = trace_outline(wheel, tolerance).tolist()
+        space.add_lwpolyline(outline, close=True, dxfattribs=attributes)
+
+
+def import_ezdxf() -> ModuleType:
+    """Import ezdxf; ImportError that names the extra."""
+    require_modules("DXF", "cad", ("ezdxf",))
+    import ezdxf
+    import ezdxf.units
+
+    return ezdxf

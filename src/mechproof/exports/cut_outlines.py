@@ -11,10 +11,9 @@ import os
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from mechproof.arguments.scalars import check_count, require
 from mechproof.exports.curves import place_in_mm
+from mechproof.mechanisms.teeth import find_oval_teeth
 from mechproof.plot.motion_plot import Planetary, check_planetary
 from mechproof.tools.extras import require_modules
 
@@ -72,18 +71,6 @@ def cut_teeth(
     e = sp.Float(driver.e)
     # The driver begins at its longest radius, where the driven wheel is fastest.
     law = phi + 2 * sp.atan(e * sp.sin(x) / (1 - e * sp.cos(x))) / driver.lobes
-    module = measure_perimeter(driver.a, driver.e, driver.lobes) / (np.pi * count)
+    (cut,) = find_oval_teeth(driver.a, driver.e, teeth=(count, count), lobes=driver.lobes)
     given = {"name": "pair_6_3", "output_directory": str(Path(folder)), **options}
-    return ncgears.generate(law, teeth=count, module=module, **given)
-
-
-def measure_perimeter(a: float, e: float, lobes: int) -> float:
-    """Return the perimeter of a pitch curve (mm), by the trapezoidal rule of a periodic function.
-
-    It converges like a power series in e: the error falls below rounding for every e < 0.99.
-    """
-    angles = np.linspace(0.0, 2 * np.pi, 2**14, endpoint=False)
-    below = 1 - e * np.cos(lobes * angles)
-    radius = a * (1 - e**2) / below
-    slope = -radius * e * lobes * np.sin(lobes * angles) / below
-    return float(np.mean(np.hypot(radius, slope)) * 2 * np.pi)
+    return ncgears.generate(law, teeth=count, module=cut.module, **given)

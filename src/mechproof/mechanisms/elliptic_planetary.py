@@ -23,12 +23,11 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real, choose_one, refuse, require
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
+from mechproof.mechanisms.parameters import check_domain, choose_published
 from mechproof.mechanisms.pointwise_types import pointwise_in_angles
-from mechproof.mechanisms.published_sizes import check_domain, choose_published
-from mechproof.mechanisms.units import Units
+from mechproof.mechanisms.units import PLACES, Extremes, Units
 
 
 @dataclass(frozen=True)

@@ -1,15 +1,22 @@
-"""The pair 4-5 of the mechanism with oval wheels: oval, or cylindrical."""
+"""The pair 4-5 beside the oval pair 6-3, oval or cylindrical, and the kinds of their motion.
+
+Two oval pairs, or a cylindrical and an oval one, act like one oval pair: with x twice the angle
+of its driver, wheel 3 turns against the carrier with the speed
+1 - ratio = rate*(1 - e**2)/(1 + e**2 - 2*e*cos(x)), which falls from x = 0 to x = pi. The theorems
+hold for exact numbers and for floats.
+"""
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import InitVar, asdict, dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.mechanisms.exact import Given, Number, check_number
-from mechproof.mechanisms.published_sizes import check_domain
+from mechproof.mechanisms.parameters import Given, Number, check_domain, check_number
 from mechproof.mechanisms.units import Units
 
 
@@ -74,3 +81,107 @@ def check_size(name: str, value: Any, kernel_name: str = "") -> Number:
     called = kernel_name or name
     check_domain(kernels.DOMAIN, {called: number}, {called: (name, value)})
     return number
+
+
+Kind = Literal["rest", "reciprocating", "pilgrim-step", "intermittent", "one-way"]
+
+
+class Classified(NamedTuple):
+    """Kind of the output's motion and its figures.
+
+    `drift` is the mean advance in one turn of the carrier, `amplitude` half the range of phi3
+    without its drift, `minimum` and `maximum` the extremes of the ratio, `period` the carrier
+    angle after which it recurs. `rests` are the intervals of the carrier angle in which |ratio|
+    is at most the stated eta; one period has those listed, single points for eta = 0.
+    """
+
+    kind: Kind
+    drift: float
+    amplitude: float
+    minimum: float
+    maximum: float
+    period: float
+    rests: tuple[tuple[float, float], ...]
+
+
+# The figures of a motion that are angles, and their unit.
+ANGLES = dict.fromkeys(("drift", "amplitude", "period", "rests"), "rad")
+
+
+class OnePair(NamedTuple):
+    """One oval pair that acts like both: driver at rate*(phi1 - phase), E, and 1 - E."""
+
+    rate: Number
+    e: Number
+    one_minus_e: Number
+    phase: float
+
+    @property
+    def slowest(self) -> Number:
+        """Speed of wheel 3 against the carrier at x = pi."""
+        return self.rate * self.one_minus_e / (1 + self.e)
+
+    @property
+    def fastest(self) -> Number:
+        """Speed of wheel 3 against the carrier at x = 0."""
+        return self.rate * (1 + self.e) / self.one_minus_e
+
+
+def classify(one: OnePair, eta: Number) -> Classified:
+    """Decide the kind of motion and compute its figures; `eta` as in `OvalPlanetary.classify`."""
+    low, mean, high = 1 - one.fastest, 1 - one.rate, 1 - one.slowest
+    return Classified(
+        kind=_find_kind(low, mean, high, eta),
+        drift=2 * math.pi * float(mean),
+        amplitude=math.atan2(one.e, math.sqrt(one.one_minus_e * (1 + one.e))),
+        minimum=float(low),
+        maximum=float(high),
+        period=math.pi / float(one.rate),
+        rests=_find_rests(one, eta),
+    )
+
+
+def compose(e1: float, e2: float, mount: float) -> OnePair:
+    """Compose two pairs at any mounting angle, in sums that do not cancel."""
+    turn = cmath.rect(1.0, -2 * mount)
+    shared = 4 * e1 * e2 * math.cos(mount) ** 2
+    across, along = (e1 - e2) ** 2 + shared, (1 - e1 * e2) ** 2 + shared
+    e = math.sqrt(across / along)
+    one_minus_e = (1 - e1) * (1 + e1) * (1 - e2) * (1 + e2) / along / (1 + e)
+    phase = cmath.phase(e1 + e2 * turn) - cmath.phase(1 + e1 * e2 * turn)
+    return OnePair(1.0, e, one_minus_e, phase / 2)
+
+
+def _find_kind(low: Number, mean: Number, high: Number, eta: Number) -> Kind:
+    if -eta <= low and high <= eta:
+        return "rest"
+    if low < -eta and high > eta:
+        return "reciprocating" if -eta <= mean <= eta else "pilgrim-step"
+    return "one-way" if low > eta or high < -eta else "intermittent"
+
+
+def _find_rests(one: OnePair, eta: Number) -> tuple[tuple[float, float], ...]:
+    """Find where |ratio| <= eta, from x = 2*rate*(phi1 - phase) between 0 and half a turn."""
+    rate, p, q = one.rate, 1 + one.e, one.one_minus_e
+    # The same products as in _angle_at, so that rounding cannot make a root's argument negative.
+    if rate * q > (1 + eta) * p or rate * p < (1 - eta) * q:
+        return ()
+    near = 0.0 if rate * p <= (1 + eta) * q else _angle_at(one, 1 + eta)
+    far = math.pi if rate * q >= (1 - eta) * p else _angle_at(one, 1 - eta)
+    if near == 0 and far == math.pi:
+        spans = [(0.0, 2 * math.pi)]
+    elif near == 0:
+        spans = [(-far, far)]
+    elif far == math.pi:
+        spans = [(near, 2 * math.pi - near)]
+    else:
+        spans = [(near, far), (2 * math.pi - far, 2 * math.pi - near)]
+    scale = 2 * float(one.rate)
+    return tuple((one.phase + start / scale, one.phase + end / scale) for start, end in spans)
+
+
+def _angle_at(one: OnePair, speed: Number) -> float:
+    """Return x in [0, pi] where wheel 3 has the speed 1 - ratio; the speed falls with x."""
+    p, q = 1 + one.e, one.one_minus_e
+    above, below = q * (one.rate * p - speed * q), p * (speed * p - one.rate * q)
+    return 2 * math.atan2(math.sqrt(above), math.sqrt(below))

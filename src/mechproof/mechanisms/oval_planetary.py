@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.mechanisms.dwells.longest import find_longest_dwell
+from mechproof.mechanisms.dwells.band import find_longest_dwell
 from mechproof.mechanisms.dwells.tooth_search import (
     DWELL_ANGLES,
     Dwell,
@@ -36,15 +36,21 @@ from mechproof.mechanisms.dwells.tooth_search import (
     Rank,
     find_dwells,
 )
-from mechproof.mechanisms.exact import Given, check_number
-from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.motion import Drive
-from mechproof.mechanisms.oval_pairs import CylindricalPair, OvalPair, check_size
-from mechproof.mechanisms.oval_planetary_kinds import ANGLES, Classified, OnePair, classify, compose
+from mechproof.mechanisms.oval_pairs import (
+    ANGLES,
+    Classified,
+    CylindricalPair,
+    OnePair,
+    OvalPair,
+    check_size,
+    classify,
+    compose,
+)
+from mechproof.mechanisms.parameters import Given, check_number, choose_published
 from mechproof.mechanisms.pointwise_types import pointwise_in_angles
-from mechproof.mechanisms.published_sizes import choose_published
-from mechproof.mechanisms.units import Units
+from mechproof.mechanisms.units import PLACES, Extremes, Units
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_count, check_items, require
-from mechproof.mechanisms.exact import Given, check_number, check_teeth
+from mechproof.mechanisms.parameters import Given, check_number, check_teeth
 
 Floats = NDArray[np.float64]
 

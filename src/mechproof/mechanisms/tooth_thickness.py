@@ -27,8 +27,8 @@ from mechproof.arguments.scalars import check_count, check_real
 from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.mechanisms.parameters import check_domain
 from mechproof.mechanisms.pointwise_types import pointwise
-from mechproof.mechanisms.published_sizes import check_domain
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 

@@ -4,6 +4,10 @@ Lengths are in millimetres, angles in radians, or in degrees with `degrees=True`
 are taken and given back in their units. The part is turned by alpha about X0, then beta
 about Y0, then gamma about Z0, each counter-clockwise, and shifted by (a, b, c).
 
+How far it may be tilted and offset is told by the kernels `tilt_of_planar_error` and
+`tilt_of_spatial_error`; that no direction is worse, and no other tilt, is proved by the rows
+"design, ..." of the track wheel's ledger.
+
 >>> from mechproof import TrackWheel
 >>> wheel = TrackWheel.published(z=6, H=20, shift=(0, 0, 0))
 >>> wheel.radius_extremes().maximum
@@ -25,23 +29,49 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.scalars import check_count, check_real, check_triple, require
+from mechproof.arguments.scalars import check_count, check_real, check_triple, choose_one, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import track_wheel as kernels
 from mechproof.kernels.derivatives import track_wheel as derivatives
-from mechproof.mechanisms.extremes import PLACES, Extremes
 from mechproof.mechanisms.inversion import WIDENING
+from mechproof.mechanisms.parameters import check_domain
 from mechproof.mechanisms.pointwise_types import pointwise_in_angles
-from mechproof.mechanisms.published_sizes import check_domain
-from mechproof.mechanisms.track_wheel_design import (
-    QUARTER,
-    check_offset,
-    check_tilt,
-    choose_wish,
-    find_angles,
-)
-from mechproof.mechanisms.units import Units
+from mechproof.mechanisms.units import PLACES, Extremes, Units
 from mechproof.tools.notebook import Displayed
+
+QUARTER = math.pi / 2
+
+
+def check_tilt(tilt: object) -> float:
+    """Return a tilt from 0 up to a right angle."""
+    number = check_real("tilt", tilt)
+    require(0 <= number <= QUARTER, "tilt", tilt, "must lie between 0 and pi/2 rad")
+    return number
+
+
+def check_offset(offset: object) -> float:
+    """Return an offset that is not negative."""
+    number = check_real("offset", offset)
+    require(number >= 0, "offset", offset, "must not be negative")
+    return number
+
+
+def choose_wish(wanted: Mapping[str, object], units: Units) -> tuple[str, float]:
+    """Return name and size of the one error that is given."""
+    name, error = choose_one(wanted)
+    return name, check_real(name, units.take(name, error, "mm"))
+
+
+def find_angles(tilt: float, phi: float) -> tuple[float, float, float]:
+    """Return the turns alpha, beta, gamma that together tilt the part so that `phi` rises most."""
+    x, y = math.sin(phi), -math.cos(phi)
+    sine, versine = math.sin(tilt), 2 * math.sin(tilt / 2) ** 2
+    return (
+        math.atan2(x * sine, math.cos(tilt)),
+        math.asin(y * sine),
+        math.atan2(-versine * x * y, math.cos(tilt) + versine * x * x),
+    )
+
 
 Triple = tuple[float, float, float]
 

@@ -16,6 +16,24 @@ from mechproof.arguments.array_checks import check_flag
 from mechproof.arguments.scalars import PLAIN, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 
+# The fields that are angles, and their unit.
+PLACES = {"at_maximum": "rad", "at_minimum": "rad", "period": "rad"}
+
+
+class Extremes(NamedTuple):
+    """Largest and smallest value of a periodic quantity and the angles where they occur (rad).
+
+    Each recurs with `period`: at_maximum + m*period, at_minimum + m*period. `maximum` and
+    `minimum` have the unit of the quantity.
+    """
+
+    maximum: float
+    at_maximum: float
+    minimum: float
+    at_minimum: float
+    period: float
+
+
 # What a unit of the kernels measures.
 MEASURED = {
     "rad": "an angle",

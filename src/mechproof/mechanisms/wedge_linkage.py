@@ -24,8 +24,8 @@ from mechproof.arguments.array_checks import check_array
 from mechproof.arguments.scalars import check_items, check_mapping, check_real, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
+from mechproof.mechanisms.parameters import check_domain, choose_published
 from mechproof.mechanisms.pointwise_types import pointwise
-from mechproof.mechanisms.published_sizes import check_domain, choose_published
 from mechproof.mechanisms.units import Units
 from mechproof.tools.notebook import Displayed
 

@@ -14,7 +14,7 @@ from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, tick_degr
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from mechproof.mechanisms.extremes import Extremes
+    from mechproof.mechanisms.units import Extremes
 
 Planetary = EllipticPlanetary | OvalPlanetary
 

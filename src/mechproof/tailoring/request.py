@@ -23,7 +23,7 @@ from mechproof.derivation import (
     load_paper,
     packaged_directory,
 )
-from mechproof.mechanisms.published_sizes import check_domain
+from mechproof.mechanisms.parameters import check_domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import Equality, Paper, Periodicity, Quantity, Root

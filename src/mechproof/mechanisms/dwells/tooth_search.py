@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple
 
 from mechproof.arguments.scalars import refuse, require
 from mechproof.mechanisms.dwells.ratio import Place, Span
-from mechproof.mechanisms.exact import Number, check_number, check_teeth
+from mechproof.mechanisms.parameters import Number, check_number, check_teeth
 from mechproof.tools.extras import tell_missing
 
 CONVEX = Fraction(1, 3)
