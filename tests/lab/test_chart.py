@@ -13,8 +13,17 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from mechproof.cli import app
-from mechproof.lab.certificate_claims import find_searched, find_way, list_claims, tell_proved
-from mechproof.lab.chart import draw_chart, draw_charts, tell_sources, write_title
+from mechproof.lab.chart import (
+    collect_first,
+    draw_chart,
+    draw_charts,
+    draw_overview,
+    draw_panels,
+    pick_marks,
+    tell_sources,
+    write_summary,
+    write_title,
+)
 from mechproof.lab.chart_points import (
     LOST_LANE,
     TURNS_LANE,
@@ -27,13 +36,7 @@ from mechproof.lab.chart_points import (
     list_workloads,
     write_headline,
 )
-from mechproof.lab.overview import (
-    collect_first,
-    draw_overview,
-    draw_panels,
-    pick_marks,
-    write_summary,
-)
+from mechproof.lab.record_tables import find_searched, find_way, list_claims, tell_proved
 from mechproof.measured import Record, find_files, read_record, read_records, write_record
 
 ROOT = Path(__file__).parents[2]
@@ -241,7 +244,7 @@ def test_names_do_not_overlap_and_the_rest_is_counted(figure: Figure) -> None:
 def test_families_differ_in_shape_and_in_grey() -> None:
     from matplotlib.colors import to_rgb
 
-    from mechproof.lab.panel import LOOKS
+    from mechproof.lab.labels import LOOKS
 
     assert len({look.marker for look in LOOKS.values()}) == len(LOOKS)
     weights = (0.299, 0.587, 0.114)

@@ -16,10 +16,9 @@ from typer.testing import CliRunner
 from mechproof.cli import app
 from mechproof.lab.accuracy import keep_worst
 from mechproof.lab.c_kernels import COMPILER
-from mechproof.lab.certificate_claims import list_claims
 from mechproof.lab.chart import draw_charts, draw_jumps
 from mechproof.lab.measure import describe_machine, describe_ways, measure
-from mechproof.lab.record_tables import PAGE, headline, list_lines
+from mechproof.lab.record_tables import PAGE, headline, list_claims, list_lines
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways

@@ -12,11 +12,10 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.bound_command import bound
 from mechproof.cli.certify_command import certify
-from mechproof.cli.chart_command import chart
+from mechproof.cli.chart_command import chart, figures
 from mechproof.cli.check_command import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit_command import app as emit_app
-from mechproof.cli.figures_command import figures
 from mechproof.cli.improve_command import SEARCH_LIMIT, improve, offer_forms
 from mechproof.cli.ledger_command import print_ledgers
 from mechproof.cli.new_command import new

@@ -26,12 +26,13 @@ from mechproof.pipeline.pasted_letters import (
     read_letters,
 )
 from mechproof.pipeline.pasted_statements import (
+    give_limits,
     part_equivalence,
     take_condition,
+    take_remainder,
     take_sets,
     unwrap,
 )
-from mechproof.pipeline.remainders import give_limits, take_remainder
 from mechproof.pipeline.special_letters import (
     find_unknown,
     leave_out_integers,

@@ -22,8 +22,7 @@ from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.coq.coverage import read_checks
 from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.lab import measure as measuring
-from mechproof.lab.certificate_claims import select_claims
-from mechproof.lab.record_tables import PAGE, headline, list_lines
+from mechproof.lab.record_tables import PAGE, headline, list_lines, select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.ledger.judged import JudgedPaper, to_json, to_markdown
 from mechproof.measured import FOLDER, QUICK, find_known, read_records, write_record

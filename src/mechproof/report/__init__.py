@@ -6,7 +6,7 @@ a row and a mechanism show themselves from the same templates. Needs the `derive
 """
 
 from mechproof.report.kept_site import keep_shares, key_shares, load_shares
-from mechproof.report.single import check_file, join_pages
+from mechproof.report.pages import check_file, join_pages
 from mechproof.report.site import Site, build_site, check_folder, write_folder
 
 __all__ = [

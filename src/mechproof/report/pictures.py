@@ -13,9 +13,8 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
-from mechproof.lab.chart import STYLE, draw_chart, tell_how, write_title
+from mechproof.lab.chart import STYLE, draw_chart, draw_panels, tell_how, write_summary, write_title
 from mechproof.lab.chart_points import list_workloads
-from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import KERNELS, Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
 from mechproof.tools.cache import Store, make_key

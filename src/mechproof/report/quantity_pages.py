@@ -25,12 +25,11 @@ from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.call_examples import Sources, list_calls, write_header, write_sources
-from mechproof.report.definitions import write_definition, write_given
+from mechproof.report.definitions import goes_on, tell_turned, write_definition, write_given
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
 from mechproof.report.row_views import RowView, describe_row, name_symbols
-from mechproof.report.turns import goes_on, tell_turned
 
 # A point is shown with no more numbers of one argument.
 MANY = 4
