@@ -259,7 +259,7 @@ def test_the_checker_lets_pass_what_is_allowed() -> None:
 
 def test_derivations_import_sympy_the_records_and_the_readers_alone() -> None:
     for path in Path(derivations.__path__[0]).rglob("*.py"):
-        if path.stem in ("peers", "points", "pictures"):
+        if path.stem.strip("_") in ("peers", "points", "pictures"):
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
         found = imported(ast.walk(tree)) - {""}  # relative ones have no first name

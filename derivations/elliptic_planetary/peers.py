@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.record import Peer
 
+from .._peers import solve_by_steps, sum_by_simpson
+
 Array = NDArray[np.float64]
 KNOTS = 1024
 
@@ -17,24 +19,6 @@ def join_branches(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
     """Join the branches of the arctangent by np.unwrap."""
     branch = 2 * np.arctan((1 + e) / (1 - e) * np.tan(r1 / r2 * phi1 / 2))
     return np.asarray(phi1 + np.unwrap(branch))
-
-
-def sum_by_simpson(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
-    """Integrate the samples of the ratio."""
-    from scipy.integrate import cumulative_simpson
-
-    return np.asarray(cumulative_simpson(kernels.ratio(phi1, r1, r2, e), x=phi1, initial=0))
-
-
-def integrate(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
-    """Solve the differential equation with the tightest usual tolerance."""
-    from scipy.integrate import solve_ivp
-
-    done = solve_ivp(
-        lambda t, y: [kernels.ratio(t, r1, r2, e)],
-        (phi1[0], phi1[-1]), [0.0], "DOP853", t_eval=phi1, rtol=1e-12, atol=1e-12,
-    )  # fmt: skip
-    return np.asarray(done.y[0])
 
 
 def interpolate(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
@@ -91,11 +75,11 @@ PEERS: Mapping[str, tuple[Peer, ...]] = {
             ordered=True,
             note="right only if no step of the samples turns the output by pi",
         ),
-        Peer("cumulative Simpson", sum_by_simpson, ordered=True),
+        Peer("cumulative Simpson", sum_by_simpson(kernels.ratio), ordered=True),
         Peer("cubic spline, 1024 knots", interpolate),
         Peer(
             "solve_ivp, DOP853 1e-12",
-            integrate,
+            solve_by_steps(kernels.ratio),
             ordered=True,
             slow=True,
             note="the solver controls an estimate of the local error",

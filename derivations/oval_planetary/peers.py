@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.record import Peer
 
+from .._peers import solve_by_steps, sum_by_simpson
+
 Array = NDArray[np.float64]
 
 
@@ -34,39 +36,6 @@ def unwrap_ovals(phi1: Array, e1: Array, e2: Array, mount: Array) -> Array:
 def unwrap_cylindrical(phi1: Array, r4: Array, r5: Array, e2: Array) -> Array:
     """Send the angle through the pair 6-3."""
     return phi1 - join_branches(r4 / r5 * phi1, e2)
-
-
-def sum_by_simpson(ratio: Callable[..., Any]) -> Callable[..., Any]:
-    """Make the integral (11) of the samples of a ratio."""
-
-    def integrate(phi1: Array, *sizes: Array) -> Array:
-        from scipy.integrate import cumulative_simpson
-
-        total: Array = cumulative_simpson(ratio(phi1, *sizes), x=phi1, initial=0)
-        return total
-
-    return integrate
-
-
-def solve_by_steps(ratio: Callable[..., Any]) -> Callable[..., Any]:
-    """Make the solution of the differential equation of (11), with the tightest usual tolerance."""
-
-    def integrate(phi1: Array, *sizes: Array) -> Array:
-        from scipy.integrate import solve_ivp
-
-        done = solve_ivp(
-            lambda angle, _: [ratio(angle, *sizes)],
-            (phi1[0], phi1[-1]),
-            [0.0],
-            "DOP853",
-            t_eval=phi1,
-            rtol=1e-12,
-            atol=1e-12,
-        )
-        solution: Array = done.y[0]
-        return solution
-
-    return integrate
 
 
 def list_peers(ratio: Callable[..., Any], unwrap: Callable[..., Any]) -> tuple[Peer, ...]:

@@ -196,20 +196,17 @@ def _rate_tailored(
     for found in sorted(record.tailored, key=lambda t: -t.asked):
         timed = _find_time(record, found.name, size)
         if timed is not None and found.asked <= asked:
-            yield Choice(
-                quantity=record.quantity,
-                way="tailored",
-                error=asked,
-                bound=asked,
-                time=timed.median,
-                quartiles=(timed.lower, timed.upper),
-                count=timed.count,
-                unit=record.unit,
-                asked=asked,
-                function=f"mechproof.tailor({said})",
-                needs=TAILORING,
-            )
+            rated = _rate(record, timed, "tailored", asked, asked)
+            function = f"mechproof.tailor({said})"
+            yield replace(rated, asked=asked, function=function, needs=TAILORING)
             return
+
+
+def _rate(record: Record, timed: Timing, way: str, error: float, bound: float | None) -> Choice:
+    """Return what was measured of a way, of which so much is asked as it gives."""
+    quartiles = timed.lower, timed.upper
+    facts = timed.median, quartiles, timed.count, record.unit
+    return Choice(record.quantity, way, error, bound, *facts, asked=error)
 
 
 def _is_installed(way: Choice) -> bool:
@@ -277,19 +274,9 @@ def _rate_ways(
         if way.bound and bound is None:
             continue
         error = max([f.worst for f in found] + ([] if bound is None else [bound]))
-        yield Choice(
-            quantity=record.quantity,
-            way=way.name,
-            error=error,
-            bound=bound,
-            time=timed.median,
-            quartiles=(timed.lower, timed.upper),
-            count=timed.count,
-            unit=record.unit,
-            asked=asked,
-            function=_locate(record.quantity, way, home),
-            needs=way.needs,
-        )
+        rated = _rate(record, timed, way.name, error, bound)
+        function = _locate(record.quantity, way, home)
+        yield replace(rated, asked=asked, function=function, needs=way.needs)
 
 
 def _locate(quantity: str, way: MeasuredWay, home: str) -> str:

@@ -1,0 +1,35 @@
+"""Ways to integrate a ratio that several papers have: the samples summed, the equation solved."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def sum_by_simpson(ratio: Callable[..., Any]) -> Callable[..., Array]:
+    """Make the integral of the samples of a ratio."""
+
+    def integrate(phi1: Array, *sizes: Array) -> Array:
+        from scipy.integrate import cumulative_simpson
+
+        return np.asarray(cumulative_simpson(ratio(phi1, *sizes), x=phi1, initial=0))
+
+    return integrate
+
+
+def solve_by_steps(ratio: Callable[..., Any]) -> Callable[..., Array]:
+    """Make the solution of the differential equation, with the tightest usual tolerance."""
+
+    def integrate(phi1: Array, *sizes: Array) -> Array:
+        from scipy.integrate import solve_ivp
+
+        done = solve_ivp(
+            lambda angle, _: [ratio(angle, *sizes)],
+            (phi1[0], phi1[-1]), [0.0], "DOP853", t_eval=phi1, rtol=1e-12, atol=1e-12,
+        )  # fmt: skip
+        return np.asarray(done.y[0])
+
+    return integrate
