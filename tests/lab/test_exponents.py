@@ -16,7 +16,7 @@ from quantities import KERNELS, find_subject
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.draws import draw_published
-from mechproof.lab.sampling.region import Columns
+from mechproof.lab.sampling.stated_sizes import Columns
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.lab.worst_search import scaled_errors

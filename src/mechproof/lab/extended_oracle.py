@@ -14,7 +14,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.oracle import Truth
-from mechproof.lab.sampling.region import MARGIN
+from mechproof.lab.sampling.stated_sizes import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.programs.code import KernelCode

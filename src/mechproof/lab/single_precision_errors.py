@@ -14,7 +14,7 @@ from mechproof.codegen.docstrings import tell_bound
 from mechproof.lab.error import EPS
 from mechproof.lab.extended_oracle import extend
 from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, join
-from mechproof.lab.sampling.region import MARGIN
+from mechproof.lab.sampling.stated_sizes import MARGIN
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.lab.worst_search import SearchedInput, compare, draw_sets, scaled_errors

@@ -10,9 +10,8 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.sampling.draws import UNKNOWN, Rng, count_points, draw_inside, draw_usual
-from mechproof.lab.sampling.region import MARGIN
 from mechproof.lab.sampling.singular_points import draw_about, list_targets
-from mechproof.lab.sampling.stated_sizes import FEWEST, Facts
+from mechproof.lab.sampling.stated_sizes import FEWEST, MARGIN, Facts
 from mechproof.lab.sampling.zero_sets import Columns, call, solve_linear
 from mechproof.lab.ways import Arguments, Array
 
